@@ -1,0 +1,275 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_BOUNDARY_RECOVERY_RESULT_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_BOUNDARY_RECOVERY_RESULT_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <cstddef>
+#include <ostream>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// how far `CGAL::recover_boundary()` goes to recover a constraint.
+enum class Recovery_mode
+{
+  constrained, ///< every constraint is one simplex of the triangulation; Steiner points only off the constraints
+  conforming,  ///< Steiner points may stay on the constraints, which become unions of simplices
+  flips_only   ///< no point is ever added
+};
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// how a boundary recovery ended.
+enum class Recovery_status
+{
+  recovered,     ///< every constraint is in the triangulation
+  incomplete,    ///< some constraints are missing; they are listed
+  invalid_input, ///< the input cannot be recovered by anybody; its defects are listed
+  stopped        ///< the visitor or the time limit ended the recovery early; what is missing then is listed
+};
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// the phases of a boundary recovery, in the order in which they run and by the names of [CZZ+17, Section 4].
+enum class Recovery_phase
+{
+  insertion,             ///< surface points that are not in the triangulation are inserted
+  search,                ///< the constraints that the triangulation lacks are searched
+  plain_removal,         ///< complete removals of single shells, without recursion
+  edge_recovery_brc1,    ///< first calling of [CZZ+17, Alg. 5]: lost edges, under BRC1
+  edge_recovery_brc3,    ///< second calling of [CZZ+17, Alg. 5]: intersections of lost edges, under BRC3
+  facet_recovery_brc2,   ///< first calling for facets, under BRC2
+  facet_recovery_brc4,   ///< second calling for facets, under BRC4
+  recount                ///< every constraint is looked up again; only this decides the status
+};
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// what can be wrong with an input.
+enum class Input_defect_kind
+{
+  empty_input,              ///< no facet and no edge was given
+  non_finite_coordinate,    ///< a vertex has a NaN or an infinite coordinate
+  index_out_of_range,       ///< a facet or edge names a vertex that does not exist
+  not_a_triangle,           ///< a face does not have three vertices
+  unknown_vertex,           ///< a vertex handle is null, infinite, or not of the triangulation
+  degenerate_facet,         ///< the vertices of a facet are collinear, or not distinct
+  degenerate_edge,          ///< both ends of a constrained edge are the same vertex
+  duplicate_facet,          ///< two facets have the same three vertices
+  coincident_vertices,      ///< two vertices are at one point
+  dimension_less_than_3,    ///< all the points are coplanar
+  intersecting_constraints  ///< two constraints intersect elsewhere than in a common vertex or edge
+};
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// a vertex, edge or facet of the input, in the caller's own indices.
+template <typename Point_3_>
+struct Input_simplex_3
+{
+  typedef Point_3_ Point_3; ///< the point type
+
+  /// value of `index` of an edge that was given as an edge of a facet only
+  static constexpr std::size_t no_index = std::size_t(-1);
+
+  int dimension = -1;                ///< 0: vertex, 1: edge, 2: facet
+  std::size_t index = no_index;      ///< position of the vertex, constrained edge or facet in its input range
+  std::vector<std::size_t> vertices; ///< the input indices of its vertices
+  std::vector<Point_3> points;       ///< the coordinates of its vertices; empty where an index has no point
+};
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// one defect of the input, and the simplices that cause it: one or two.
+template <typename Point_3_>
+struct Input_defect_3
+{
+  Input_defect_kind kind;                            ///< what is wrong
+  std::vector<Input_simplex_3<Point_3_> > simplices; ///< with what
+};
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// what was lost when a phase ended, and its duration.
+struct Phase_report
+{
+  Recovery_phase phase;          ///< the phase
+  std::size_t lost_edges = 0;    ///< number of constrained edges that are not in the triangulation
+  std::size_t lost_facets = 0;   ///< number of constrained facets that are not in the triangulation
+  double seconds = 0;            ///< duration in seconds (wall clock)
+};
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// one row of the tables of [CZZ+17, Section 5.1.2]: the state after a pass with one maximal recursion level.
+struct Recursion_level_report
+{
+  Recovery_phase phase;             ///< the calling
+  int max_recursion_level = -1;     ///< the maximal recursion level of the pass; -1: before the first one
+  std::size_t n1 = 0;               ///< number of lost edges (or facets)
+  std::size_t n2 = 0;               ///< number of intersections of lost edges (facets) with mesh entities
+  std::size_t n3 = 0;               ///< largest number of intersections of one lost edge (facet)
+  std::size_t n4 = 0;               ///< number of mesh entities in the intersection table; 0 where there is none
+};
+
+/*!
+ * \ingroup PkgBoundaryRecovery3Classes
+ *
+ * \brief what `CGAL::recover_boundary()` did: the status, what is missing or wrong, and the counts of each phase.
+ *
+ * \tparam Triangulation_ an instance of `CGAL::Triangulation_3`, or of a class derived from it
+ */
+template <typename Triangulation_>
+struct Boundary_recovery_result_3
+{
+  typedef Triangulation_                              Triangulation;  ///< the triangulation type
+  typedef typename Triangulation::Vertex_handle       Vertex_handle;  ///< its vertex handle
+  typedef typename Triangulation::Geom_traits::Point_3 Point_3;       ///< its point type
+  typedef Input_simplex_3<Point_3>                    Input_simplex;  ///< a simplex of the input
+  typedef Input_defect_3<Point_3>                     Input_defect;   ///< a defect of the input
+
+  /// how the recovery ended
+  Recovery_status status = Recovery_status::incomplete;
+
+  /// the vertex of the triangulation for each input vertex, by input index.
+  /// Input vertices that no constraint uses have one, too. Empty if `status` is `invalid_input`.
+  std::vector<Vertex_handle> vertices;
+
+  /// the constrained edges that are not in the triangulation
+  std::vector<Input_simplex> missing_edges;
+
+  /// the constrained facets that are not in the triangulation
+  std::vector<Input_simplex> missing_facets;
+
+  /// what is wrong with the input, if `status` is `invalid_input`
+  std::vector<Input_defect> defects;
+
+  /// the Steiner points that are left in the triangulation
+  std::vector<Vertex_handle> steiner_vertices;
+
+  std::size_t number_of_edges = 0;             ///< number of constrained edges, those of the facets included
+  std::size_t number_of_facets = 0;            ///< number of constrained facets
+  std::size_t number_of_inserted_vertices = 0; ///< number of input points that were not in the triangulation before
+  std::size_t number_of_shell_transformations = 0; ///< number of covering meshes that were replaced
+
+  std::vector<Phase_report> phases;           ///< one entry for each phase that ran
+  std::vector<Recursion_level_report> levels; ///< one entry for each pass of [CZZ+17, Alg. 5]
+
+  /// returns `true` iff every constraint is in the triangulation.
+  explicit operator bool() const { return status == Recovery_status::recovered; }
+};
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// returns the name of a status, as it is spelled in the enumeration.
+inline const char* to_string(const Recovery_status status)
+{
+  switch(status)
+  {
+    case Recovery_status::recovered:     return "recovered";
+    case Recovery_status::incomplete:    return "incomplete";
+    case Recovery_status::invalid_input: return "invalid_input";
+    case Recovery_status::stopped:       return "stopped";
+  }
+  return "";
+}
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// returns the name of a phase, as it is spelled in the enumeration.
+inline const char* to_string(const Recovery_phase phase)
+{
+  switch(phase)
+  {
+    case Recovery_phase::insertion:           return "insertion";
+    case Recovery_phase::search:              return "search";
+    case Recovery_phase::plain_removal:       return "plain_removal";
+    case Recovery_phase::edge_recovery_brc1:  return "edge_recovery_brc1";
+    case Recovery_phase::edge_recovery_brc3:  return "edge_recovery_brc3";
+    case Recovery_phase::facet_recovery_brc2: return "facet_recovery_brc2";
+    case Recovery_phase::facet_recovery_brc4: return "facet_recovery_brc4";
+    case Recovery_phase::recount:             return "recount";
+  }
+  return "";
+}
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// returns the name of a kind of defect, as it is spelled in the enumeration.
+inline const char* to_string(const Input_defect_kind kind)
+{
+  switch(kind)
+  {
+    case Input_defect_kind::empty_input:              return "empty_input";
+    case Input_defect_kind::non_finite_coordinate:    return "non_finite_coordinate";
+    case Input_defect_kind::index_out_of_range:       return "index_out_of_range";
+    case Input_defect_kind::not_a_triangle:           return "not_a_triangle";
+    case Input_defect_kind::unknown_vertex:           return "unknown_vertex";
+    case Input_defect_kind::degenerate_facet:         return "degenerate_facet";
+    case Input_defect_kind::degenerate_edge:          return "degenerate_edge";
+    case Input_defect_kind::duplicate_facet:          return "duplicate_facet";
+    case Input_defect_kind::coincident_vertices:      return "coincident_vertices";
+    case Input_defect_kind::dimension_less_than_3:    return "dimension_less_than_3";
+    case Input_defect_kind::intersecting_constraints: return "intersecting_constraints";
+  }
+  return "";
+}
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// writes a simplex of the input: its kind, index, vertices and coordinates.
+template <typename Point_3>
+std::ostream& operator<<(std::ostream& os, const Input_simplex_3<Point_3>& simplex)
+{
+  static constexpr const char* names[] = { "vertex", "edge", "facet" };
+  os << (simplex.dimension < 0 ? "nothing" : names[simplex.dimension]);
+  if(simplex.index != Input_simplex_3<Point_3>::no_index)
+    os << ' ' << simplex.index;
+  if(simplex.dimension > 0)
+  {
+    os << " [";
+    for(std::size_t i = 0; i < simplex.vertices.size(); ++i)
+      os << (i == 0 ? "" : " ") << simplex.vertices[i];
+    os << ']';
+  }
+  for(const Point_3& p : simplex.points)
+    os << " (" << p << ')';
+  return os;
+}
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// writes a defect of the input: its kind and its simplices.
+template <typename Point_3>
+std::ostream& operator<<(std::ostream& os, const Input_defect_3<Point_3>& defect)
+{
+  os << to_string(defect.kind);
+  for(std::size_t i = 0; i < defect.simplices.size(); ++i)
+    os << (i == 0 ? ": " : " and ") << defect.simplices[i];
+  return os;
+}
+
+} // namespace Boundary_recovery_3
+
+using Boundary_recovery_3::Boundary_recovery_result_3;
+
+namespace Boundary_recovery_3 {
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// writes the status and, a line each, all defects and all missing constraints.
+template <typename Triangulation>
+std::ostream& operator<<(std::ostream& os, const Boundary_recovery_result_3<Triangulation>& result)
+{
+  os << to_string(result.status);
+  for(const auto& defect : result.defects)
+    os << '\n' << defect;
+  for(const auto& edge : result.missing_edges)
+    os << "\nmissing " << edge;
+  for(const auto& facet : result.missing_facets)
+    os << "\nmissing " << facet;
+  return os;
+}
+
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_BOUNDARY_RECOVERY_RESULT_3_H

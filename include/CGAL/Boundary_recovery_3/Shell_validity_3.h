@@ -1,0 +1,291 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_SHELL_VALIDITY_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_SHELL_VALIDITY_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/Partial_triangulation.h>
+#include <CGAL/Boundary_recovery_3/Shell_3.h>
+#include <CGAL/Boundary_recovery_3/Shell_quality_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+
+/*!
+ * \ingroup PkgBoundaryRecovery3Classes
+ *
+ * \brief a validity condition that everything fulfills, and in which no edge and no facet is constrained.
+ *
+ * It serves as base class of other conditions, which hide the members that they decide themselves.
+ *
+ * \cgalModels{ShellValidity_3}
+ */
+struct No_shell_validity_3
+{
+  /// \name Conditions
+  /// All of them hold.
+  /// @{
+  template <typename Shell> bool is_valid_triangle(const Shell&, int, int, int) const { return true; }
+  template <typename Shell> bool is_valid_chord(const Shell&, int, int) const { return true; }
+  template <typename Shell> bool is_valid_covering_mesh(const Shell&, const Partial_triangulation&) const { return true; }
+  /// @}
+
+  /// \name Constraints
+  /// There are none.
+  /// @{
+  template <typename Vertex_handle> bool is_constrained(Vertex_handle, Vertex_handle) const { return false; }
+  template <typename Vertex_handle> bool is_constrained(Vertex_handle, Vertex_handle, Vertex_handle) const { return false; }
+  /// @}
+};
+
+/*!
+ * \ingroup PkgBoundaryRecovery3Classes
+ *
+ * \brief both of two validity conditions.
+ *
+ * \cgalModels{ShellValidity_3}
+ */
+template <typename Validity_1, typename Validity_2>
+class Shell_validity_conjunction_3
+{
+public:
+  /// the conjunction of `v1` and `v2`
+  Shell_validity_conjunction_3(const Validity_1& v1, const Validity_2& v2) : m_v1(v1), m_v2(v2) { }
+
+  /// \name Conditions
+  /// @{
+  template <typename Shell> bool is_valid_triangle(const Shell& s, const int i, const int k, const int j) const
+  {
+    return m_v1.is_valid_triangle(s, i, k, j) && m_v2.is_valid_triangle(s, i, k, j);
+  }
+
+  template <typename Shell> bool is_valid_chord(const Shell& s, const int i, const int j) const
+  {
+    return m_v1.is_valid_chord(s, i, j) && m_v2.is_valid_chord(s, i, j);
+  }
+
+  template <typename Shell> bool is_valid_covering_mesh(const Shell& s, const Partial_triangulation& k) const
+  {
+    return m_v1.is_valid_covering_mesh(s, k) && m_v2.is_valid_covering_mesh(s, k);
+  }
+  /// @}
+
+  /// \name Constraints
+  /// A simplex is constrained if one of the conditions says so.
+  /// @{
+  template <typename Vertex_handle>
+  bool is_constrained(const Vertex_handle u, const Vertex_handle v) const
+  {
+    return m_v1.is_constrained(u, v) || m_v2.is_constrained(u, v);
+  }
+
+  template <typename Vertex_handle>
+  bool is_constrained(const Vertex_handle u, const Vertex_handle v, const Vertex_handle w) const
+  {
+    return m_v1.is_constrained(u, v, w) || m_v2.is_constrained(u, v, w);
+  }
+  /// @}
+
+private:
+  Validity_1 m_v1;
+  Validity_2 m_v2;
+};
+
+/*!
+ * \ingroup PkgBoundaryRecovery3Classes
+ *
+ * \brief the condition that keeps given edges and facets.
+ *
+ * \tparam Constraints has `is_constrained(u, v)` and `is_constrained(u, v, w)` for vertex handles
+ *
+ * \cgalModels{ShellValidity_3}
+ */
+template <typename Constraints>
+class Kept_constraints_3
+  : public No_shell_validity_3
+{
+public:
+  /// keeps what is constrained in `constraints`, which has to outlive this object
+  explicit Kept_constraints_3(const Constraints& constraints) : m_constraints(&constraints) { }
+
+  /// \name Constraints
+  /// @{
+  template <typename Vertex_handle>
+  bool is_constrained(const Vertex_handle u, const Vertex_handle v) const
+  {
+    return m_constraints->is_constrained(u, v);
+  }
+
+  template <typename Vertex_handle>
+  bool is_constrained(const Vertex_handle u, const Vertex_handle v, const Vertex_handle w) const
+  {
+    return m_constraints->is_constrained(u, v, w);
+  }
+  /// @}
+
+private:
+  const Constraints* m_constraints;
+};
+
+/*!
+ * \ingroup PkgBoundaryRecovery3Classes
+ *
+ * \brief condition BRC1 of [CZZ+17, Section 3.2]: no new mesh entity intersects a given segment.
+ *
+ * Intersections are transversal and in relative interiors: a new edge is crossed in a point inside both, a new face is
+ * pierced in a point inside both. A face in a plane with the segment is not an intersection; those of its edges that are crossed are.
+ *
+ * \cgalModels{ShellValidity_3}
+ */
+template <typename Tr>
+class BRC1
+  : public No_shell_validity_3
+{
+public:
+  typedef typename Tr::Vertex_handle Vertex_handle; ///< the vertex handle of the triangulation
+  typedef Shell_3<Tr> Shell;                        ///< the shell type
+
+  /// a condition for the triangulation `tr` and the segment from `u` to `v`
+  BRC1(const Tr& tr, const Vertex_handle u, const Vertex_handle v) : m_predicates(tr), m_u(u), m_v(v) { }
+
+  /// \name Conditions
+  /// @{
+  bool is_valid_triangle(const Shell& s, const int i, const int k, const int j) const
+  {
+    return i == s.infinite_index() || k == s.infinite_index() || j == s.infinite_index()
+        || ! is_pierced(s.vertex(i), s.vertex(k), s.vertex(j));
+  }
+
+  bool is_valid_chord(const Shell& s, const int i, const int j) const
+  {
+    const Vertex_handle p = s.vertex(i), q = s.vertex(j);
+    return ! m_predicates.segments_cross(m_u, m_v, p, q)
+        && ! is_pierced(s.a(), p, q)
+        && ! is_pierced(s.b(), p, q);
+  }
+  /// @}
+
+private:
+  bool is_pierced(const Vertex_handle p, const Vertex_handle q, const Vertex_handle r) const
+  {
+    return m_predicates.segment_pierces_triangle(m_u, m_v, p, q, r);
+  }
+
+  internal::Vertex_predicates_3<Tr> m_predicates;
+  Vertex_handle m_u, m_v;
+};
+
+/*!
+ * \ingroup PkgBoundaryRecovery3Classes
+ *
+ * \brief condition BRC2 of [CZZ+17, Section 3.2]: no new mesh entity intersects a given triangle.
+ *
+ * The edges of the triangle being edges of the mesh, it can be intersected by mesh edges only.
+ *
+ * \cgalModels{ShellValidity_3}
+ */
+template <typename Tr>
+class BRC2
+  : public No_shell_validity_3
+{
+public:
+  typedef typename Tr::Vertex_handle Vertex_handle; ///< the vertex handle of the triangulation
+  typedef Shell_3<Tr> Shell;                        ///< the shell type
+
+  /// a condition for the triangulation `tr` and the triangle `uvw`
+  BRC2(const Tr& tr, const Vertex_handle u, const Vertex_handle v, const Vertex_handle w)
+    : m_predicates(tr), m_u(u), m_v(v), m_w(w)
+  { }
+
+  /// \name Conditions
+  /// @{
+  bool is_valid_chord(const Shell& s, const int i, const int j) const
+  {
+    return ! m_predicates.segment_pierces_triangle(s.vertex(i), s.vertex(j), m_u, m_v, m_w);
+  }
+  /// @}
+
+private:
+  internal::Vertex_predicates_3<Tr> m_predicates;
+  Vertex_handle m_u, m_v, m_w;
+};
+
+/*!
+ * \ingroup PkgBoundaryRecovery3Classes
+ *
+ * \brief conditions BRC3 and BRC4 of [CZZ+17, Section 3.2]: no more intersections with all lost edges (BRC3) or
+ * all lost facets (BRC4) than before.
+ *
+ * It judges the covering mesh as a whole, after the best one was chosen. With `Fewest_intersections_quality_3` on the
+ * same counter the best one always fulfills it; with another quality the transformation may be given up although a worse
+ * covering mesh would fulfill it.
+ *
+ * \tparam Tr an instance of `CGAL::Triangulation_3`
+ * \tparam Counter as in `Fewest_intersections_quality_3`, for lost edges (BRC3) or for lost facets (BRC4)
+ *
+ * \cgalModels{ShellValidity_3}
+ */
+template <typename Tr, typename Counter>
+class BRC3
+  : public No_shell_validity_3
+{
+public:
+  typedef Shell_3<Tr> Shell; ///< the shell type
+
+  /// a condition that counts with `counter`, which has to outlive this object
+  explicit BRC3(Counter& counter) : m_quality(counter) { }
+
+  /// \name Conditions
+  /// @{
+  bool is_valid_covering_mesh(const Shell& s, const Partial_triangulation& k) const
+  {
+    return number_of_intersections(s, k) <= number_of_intersections(s);
+  }
+  /// @}
+
+  /// the number of intersections inside the shell with its present covering mesh
+  int number_of_intersections(const Shell& s) const
+  {
+    int q = m_quality.of_supporting_edge(s);
+    for(int i = 0; i < s.degree(); ++i)
+      q += m_quality.of_core_vertex(s, i);
+    return - q;
+  }
+
+  /// the number of intersections inside the shell with the covering mesh `k`
+  int number_of_intersections(const Shell& s, const Partial_triangulation& k) const
+  {
+    int q = k.core.empty() ? 0 : m_quality.of_supporting_edge(s);
+    for(const int i : k.core)
+      q += m_quality.of_core_vertex(s, i);
+    for(const auto& t : k.triangles)
+    {
+      q += m_quality.of_triangle(s, t[0], t[1], t[2]);
+      if(t[2] != s.previous(t[0])) // each ring but the whole skirt polygon is closed by a chord
+        q += m_quality.of_chord(s, t[0], t[2]);
+    }
+    return - q;
+  }
+
+private:
+  Fewest_intersections_quality_3<Tr, Counter> m_quality;
+};
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// condition BRC4 is BRC3 with a counter of the intersections with lost facets.
+template <typename Tr, typename Counter>
+using BRC4 = BRC3<Tr, Counter>;
+
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_SHELL_VALIDITY_3_H

@@ -1,0 +1,118 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_CELL_REPLACEMENT_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_CELL_REPLACEMENT_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/internal/Simplex_key_3.h>
+
+#include <CGAL/assertions.h>
+
+#include <boost/container/small_vector.hpp>
+
+#include <algorithm>
+#include <array>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * Exchanges a set of cells for another one that fills the same polyhedron.
+ *
+ * Combinatorial only: the caller knows that the new cells, given by four vertices each, are positively oriented (infinite
+ * cells: consistently so), and that their outer facets are those of the old cells.
+ */
+template <typename Tr>
+class Cell_replacement
+{
+public:
+  typedef typename Tr::Vertex_handle    Vertex_handle;
+  typedef typename Tr::Cell_handle      Cell_handle;
+  typedef std::array<Vertex_handle, 4>  Tetrahedron;
+  typedef boost::container::small_vector<Cell_handle, 32> Cells;
+
+  // The new cells of the last replacement, in the order in which they were given.
+  const Cells& new_cells() const { return m_new_cells; }
+
+  template <typename CellRange, typename TetrahedronRange>
+  const Cells& operator()(Tr& tr, const CellRange& old_cells, const TetrahedronRange& tetrahedra)
+  {
+    m_open_facets.clear();
+    m_new_cells.clear();
+    open_outer_facets(old_cells);
+    for(const Tetrahedron& t : tetrahedra)
+    {
+      const Cell_handle c = tr.tds().create_cell(t[0], t[1], t[2], t[3]);
+      m_new_cells.push_back(c);
+      for(int i = 0; i < 4; ++i)
+      {
+        t[i]->set_cell(c);
+        glue(tr, c, i);
+      }
+    }
+    CGAL_postcondition(m_open_facets.empty());
+    for(const Cell_handle c : old_cells)
+      tr.tds().delete_cell(c);
+    return m_new_cells;
+  }
+
+private:
+  struct Open_facet
+  {
+    Simplex_key_3<3> key;
+    Cell_handle cell;
+    int index;
+  };
+
+  static Simplex_key_3<3> facet_key(const Cell_handle c, const int i)
+  {
+    return simplex_key(c->vertex((i + 1) & 3), c->vertex((i + 2) & 3), c->vertex((i + 3) & 3));
+  }
+
+  // The facets of the cells around the polyhedron, seen from outside.
+  template <typename CellRange>
+  void open_outer_facets(const CellRange& old_cells)
+  {
+    for(const Cell_handle c : old_cells)
+      for(int i = 0; i < 4; ++i)
+      {
+        const Cell_handle n = c->neighbor(i);
+        if(std::find(old_cells.begin(), old_cells.end(), n) == old_cells.end())
+          m_open_facets.push_back({ facet_key(c, i), n, n->index(c) });
+      }
+  }
+
+  // Makes the facet i of c adjacent to the open facet with the same vertices, or opens it.
+  // The list is short (a shell has 2m outer facets), so a search from its end beats any table.
+  void glue(Tr& tr, const Cell_handle c, const int i)
+  {
+    const Simplex_key_3<3> key = facet_key(c, i);
+    for(std::size_t k = m_open_facets.size(); k-- > 0; )
+      if(m_open_facets[k].key == key)
+      {
+        tr.tds().set_adjacency(c, i, m_open_facets[k].cell, m_open_facets[k].index);
+        m_open_facets[k] = m_open_facets.back();
+        m_open_facets.pop_back();
+        return;
+      }
+    m_open_facets.push_back({ key, c, i });
+  }
+
+  boost::container::small_vector<Open_facet, 64> m_open_facets;
+  Cells m_new_cells;
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_CELL_REPLACEMENT_H

@@ -1,0 +1,212 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_CONSTRAINTS_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_CONSTRAINTS_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/internal/Simplex_key_3.h>
+
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <unordered_map>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * The constraints: edges and facets, numbered in the order in which they were given.
+ *
+ * The edges of constrained facets are constrained, too. What is constrained is never destroyed once it is in the mesh, so
+ * asking whether a mesh simplex is a constraint is all that the flips have to do.
+ */
+template <typename Tr>
+class Constraints_3
+{
+public:
+  typedef typename Tr::Vertex_handle    Vertex_handle;
+  typedef typename Tr::Cell_handle      Cell_handle;
+  typedef std::array<Vertex_handle, 2>  Edge;
+  typedef std::array<Vertex_handle, 3>  Facet;
+
+  static constexpr std::size_t none = std::size_t(-1);
+
+  void reserve(const std::size_t number_of_facets)
+  {
+    m_edges.reserve(3 * number_of_facets / 2);
+    m_edge_indices.reserve(3 * number_of_facets / 2);
+    m_facets.reserve(number_of_facets);
+    m_facet_indices.reserve(number_of_facets);
+  }
+
+  // Adds an edge, unless it is there already, and returns its index.
+  std::size_t insert(const Vertex_handle u, const Vertex_handle v)
+  {
+    const auto inserted = m_edge_indices.emplace(simplex_key(u, v), m_edges.size());
+    if(inserted.second)
+      m_edges.push_back({{ u, v }});
+    return inserted.first->second;
+  }
+
+  // Adds a facet with its edges, unless it is there already, and returns its index.
+  std::size_t insert(const Vertex_handle u, const Vertex_handle v, const Vertex_handle w)
+  {
+    const auto inserted = m_facet_indices.emplace(simplex_key(u, v, w), m_facets.size());
+    if(inserted.second)
+    {
+      m_facets.push_back({{ u, v, w }});
+      insert(u, v);
+      insert(v, w);
+      insert(w, u);
+    }
+    return inserted.first->second;
+  }
+
+  const std::vector<Edge>& edges() const { return m_edges; }
+  const std::vector<Facet>& facets() const { return m_facets; }
+
+  std::size_t index(const Vertex_handle u, const Vertex_handle v) const
+  {
+    const auto it = m_edge_indices.find(simplex_key(u, v));
+    return it == m_edge_indices.end() ? none : it->second;
+  }
+
+  bool is_constrained(const Vertex_handle u, const Vertex_handle v) const
+  {
+    return m_edge_indices.count(simplex_key(u, v)) != 0;
+  }
+
+  bool is_constrained(const Vertex_handle u, const Vertex_handle v, const Vertex_handle w) const
+  {
+    return m_facet_indices.count(simplex_key(u, v, w)) != 0;
+  }
+
+private:
+  std::vector<Edge> m_edges;
+  std::vector<Facet> m_facets;
+  std::unordered_map<Simplex_key_3<2>, std::size_t, Simplex_key_hash> m_edge_indices;  // look-up only
+  std::unordered_map<Simplex_key_3<3>, std::size_t, Simplex_key_hash> m_facet_indices; // look-up only
+};
+
+// The constraints that are not in the mesh, by their indices in increasing order.
+struct Lost_constraints
+{
+  std::vector<std::size_t> edges;
+  std::vector<std::size_t> facets;
+};
+
+/*
+ * Looks up every constraint in the mesh.
+ *
+ * The star of each vertex is visited once, for all the constraints that have this vertex first.
+ */
+template <typename Tr>
+class Constraint_search_3
+{
+public:
+  typedef Constraints_3<Tr>                  Constraints;
+  typedef typename Tr::Vertex_handle         Vertex_handle;
+  typedef typename Tr::Cell_handle           Cell_handle;
+
+  Constraint_search_3(const Tr& tr, const Constraints& constraints) : m_tr(tr), m_constraints(constraints) { }
+
+  Lost_constraints operator()()
+  {
+    sort_by_first_vertex();
+    Lost_constraints lost;
+    std::vector<char> is_edge_lost(m_constraints.edges().size(), true);
+    std::vector<char> is_facet_lost(m_constraints.facets().size(), true);
+    for(std::size_t i = 0; i + 1 < m_edge_ranges.size(); ++i)
+    {
+      m_star.clear();
+      m_tr.tds().incident_cells(m_vertices[i], std::back_inserter(m_star));
+      for(std::size_t k = m_edge_ranges[i]; k < m_edge_ranges[i + 1]; ++k)
+        is_edge_lost[m_edges[k]] = ! is_in_star(m_constraints.edges()[m_edges[k]]);
+      for(std::size_t k = m_facet_ranges[i]; k < m_facet_ranges[i + 1]; ++k)
+        is_facet_lost[m_facets[k]] = ! is_in_star(m_constraints.facets()[m_facets[k]]);
+    }
+    for(std::size_t e = 0; e < is_edge_lost.size(); ++e)
+      if(is_edge_lost[e])
+        lost.edges.push_back(e);
+    for(std::size_t f = 0; f < is_facet_lost.size(); ++f)
+      if(is_facet_lost[f])
+        lost.facets.push_back(f);
+    return lost;
+  }
+
+private:
+  template <std::size_t N>
+  bool is_in_star(const std::array<Vertex_handle, N>& simplex) const
+  {
+    for(const Cell_handle c : m_star)
+    {
+      std::size_t i = 0;
+      while(i < N && c->has_vertex(simplex[i]))
+        ++i;
+      if(i == N)
+        return true;
+    }
+    return false;
+  }
+
+  // Buckets the constraints by their first vertex, in the order in which vertices come first.
+  void sort_by_first_vertex()
+  {
+    m_vertices.clear();
+    std::unordered_map<const void*, std::size_t> index; // look-up only
+    index.reserve(m_constraints.edges().size() / 3);
+    std::vector<std::size_t> edge_bucket, facet_bucket;
+    for(const auto& e : m_constraints.edges())
+      edge_bucket.push_back(bucket(e[0], index));
+    for(const auto& f : m_constraints.facets())
+      facet_bucket.push_back(bucket(f[0], index));
+    count_sort(edge_bucket, m_edges, m_edge_ranges);
+    count_sort(facet_bucket, m_facets, m_facet_ranges);
+  }
+
+  std::size_t bucket(const Vertex_handle v, std::unordered_map<const void*, std::size_t>& index)
+  {
+    const auto inserted = index.emplace(&*v, m_vertices.size());
+    if(inserted.second)
+      m_vertices.push_back(v);
+    return inserted.first->second;
+  }
+
+  void count_sort(const std::vector<std::size_t>& buckets,
+                  std::vector<std::size_t>& sorted, std::vector<std::size_t>& ranges) const
+  {
+    ranges.assign(m_vertices.size() + 1, 0);
+    for(const std::size_t b : buckets)
+      ++ranges[b + 1];
+    for(std::size_t i = 1; i < ranges.size(); ++i)
+      ranges[i] += ranges[i - 1];
+    sorted.resize(buckets.size());
+    std::vector<std::size_t> next(ranges.begin(), ranges.end() - 1);
+    for(std::size_t i = 0; i < buckets.size(); ++i)
+      sorted[next[buckets[i]]++] = i;
+  }
+
+  const Tr& m_tr;
+  const Constraints& m_constraints;
+  std::vector<Vertex_handle> m_vertices;
+  std::vector<std::size_t> m_edges, m_facets;             // sorted by first vertex
+  std::vector<std::size_t> m_edge_ranges, m_facet_ranges; // where each vertex begins
+  std::vector<Cell_handle> m_star;
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_CONSTRAINTS_3_H

@@ -1,0 +1,387 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_COVERING_MESH_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_COVERING_MESH_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/Partial_triangulation.h>
+#include <CGAL/Boundary_recovery_3/Shell_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
+
+#include <boost/container/small_vector.hpp>
+
+#include <array>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * Geometric validity of the elements that a partial triangulation of the skirt polygon of a shell stands for.
+ *
+ * The infinite vertex may be an ear of the skirt polygon only, and only if the two facets of the convex hull at ab are
+ * coplanar and form a strictly convex quadrilateral: then exchanging its diagonals leaves the hull as it is.
+ */
+template <typename Tr>
+class Shell_positivity
+{
+public:
+  typedef Shell_3<Tr>              Shell;
+  typedef Vertex_predicates_3<Tr>  Predicates;
+
+  Shell_positivity(const Shell& shell, const Predicates& predicates)
+    : m_shell(shell), m_predicates(predicates)
+  { }
+
+  // Whether conv(t,a) and conv(t,b) are positive for t = p_i p_k p_j.
+  bool is_triangle_positive(const int i, const int k, const int j) const
+  {
+    const int h = m_shell.infinite_index();
+    if(h == i || h == k || h == j)
+      return (h == k && is_hull_ear(i, h, j)) || (h == i && is_hull_ear(j, h, k)) || (h == j && is_hull_ear(k, h, i));
+    return m_predicates.orientation(m_shell.vertex(i), m_shell.vertex(k), m_shell.vertex(j), m_shell.b()) == POSITIVE
+        && m_predicates.orientation(m_shell.vertex(i), m_shell.vertex(k), m_shell.vertex(j), m_shell.a()) == NEGATIVE;
+  }
+
+  // Whether the tetrahedron a b p_i p_j of a core is positive.
+  bool is_core_edge_positive(const int i, const int j) const
+  {
+    if(j == m_shell.next(i))
+      return true;
+    const int h = m_shell.infinite_index();
+    return h != i && h != j
+        && m_predicates.orientation(m_shell.a(), m_shell.b(), m_shell.vertex(i), m_shell.vertex(j)) == POSITIVE;
+  }
+
+private:
+  bool is_hull_ear(const int i, const int h, const int j) const
+  {
+    return m_shell.next(i) == h && m_shell.next(h) == j
+        && m_predicates.segments_cross(m_shell.a(), m_shell.b(), m_shell.vertex(i), m_shell.vertex(j));
+  }
+
+  const Shell& m_shell;
+  const Predicates& m_predicates;
+};
+
+/*
+ * Searches the optimal covering mesh of a shell: steps 1 to 4 of [CZZ+17, Alg. 3].
+ *
+ * Instead of enumerating all the cycles of the triangulation graph, a second dynamic program finds the best core of each
+ * size: over the cores with the smallest position s, `m_suffix[t](i)` is the best value of t arcs that lead from i
+ * back to s. The time is O(m^3) for the matrices and O(m^4) for the cores, m being the degree of the shell.
+ *
+ * Ties are broken so that the outcome is unique: among equal vectors the lexicographically smallest core, and in
+ * each ring the first apex, counted from its start.
+ */
+template <typename Tr, typename Quality, typename Validity>
+class Covering_mesh_search
+{
+public:
+  typedef Shell_3<Tr>                 Shell;
+  typedef Vertex_predicates_3<Tr>     Predicates;
+  typedef typename Quality::Value     Value;
+
+  static constexpr int none = Shell::none;
+
+  Covering_mesh_search(const Predicates& predicates, const Quality& quality, const Validity& validity)
+    : m_predicates(predicates), m_quality(quality), m_validity(validity)
+  { }
+
+  // Finds the best covering mesh of `shell`, where the face a b p_f is to be avoided (f may be none).
+  // If `keeps_edge`, ab stays; skirt vertices for which `is_kept(i)` holds stay in the core, i.e. the face a b p_i stays.
+  // Returns false if that is the covering mesh that is there.
+  template <typename IsKept>
+  bool operator()(const Shell& shell, const int f, const bool keeps_edge, const IsKept& is_kept)
+  {
+    m_shell = &shell;
+    m = shell.degree();
+    m_f = f;
+    m_keeps_edge = keeps_edge;
+    m_kept.resize(m);
+    for(int i = 0; i < m; ++i)
+      m_kept[i] = is_kept(i);
+    fill_in_matrices();
+    choose_core();
+    if(m_best.core_size == m)
+      return false;
+    build_partial_triangulation();
+    return true;
+  }
+
+  // The outcome of the last search that returned true.
+  const Partial_triangulation& partial_triangulation() const { return m_result; }
+
+  // The main quality index Q of the best covering mesh.
+  const Value& quality() const { return m_best.value; }
+
+private:
+  struct Candidate
+  {
+    int core_size = -1;     // n; -1: none yet
+    int start = 0;          // smallest position of the core
+    bool avoids = false;    // Q' = 1
+    Value value = Value();  // Q
+  };
+
+  int at(const int i, const int j) const { return i * m + j; }
+  bool has_ring(const int i, const int j) const { return m_apex[at(i, j)] != invalid; }
+
+  // [CZZ+17, Alg. 2]
+  void fill_in_matrices()
+  {
+    m_apex.assign(m * m, invalid);
+    m_value.assign(m * m, m_quality.best());
+    m_triangles.assign(m * m * m, unknown);
+    for(int i = 0; i < m; ++i)
+      m_apex[at(i, m_shell->next(i))] = ring_edge;
+    for(int d = 2; d < m; ++d)
+      for(int i = 0; i < m; ++i)
+        fill_in_ring(i, (i + d) % m);
+  }
+
+  void fill_in_ring(const int i, const int j)
+  {
+    for(int k = m_shell->next(i); k != j; k = m_shell->next(k))
+    {
+      if(! has_ring(i, k) || ! has_ring(k, j) || m_kept[k] || ! is_valid_triangle(i, k, j))
+        continue;
+      const Value q = m_quality.combine(m_quality.combine(m_value[at(i, k)], m_value[at(k, j)]),
+                                        m_quality.of_triangle(*m_shell, i, k, j));
+      if(! has_ring(i, j) || m_value[at(i, j)] < q)
+      {
+        m_value[at(i, j)] = q;
+        m_apex[at(i, j)] = k;
+      }
+    }
+    if(! has_ring(i, j) || j == m_shell->previous(i))
+      return; // p_j p_i is an edge of the skirt polygon: no chord
+    if(m_validity.is_valid_chord(*m_shell, i, j))
+      m_value[at(i, j)] = m_quality.combine(m_value[at(i, j)], m_quality.of_chord(*m_shell, i, j));
+    else
+      m_apex[at(i, j)] = invalid;
+  }
+
+  bool is_valid_triangle(int i, int k, int j)
+  {
+    while(k < i || j < i) // the same triangle comes in three rotations
+    {
+      const int first = i;
+      i = k; k = j; j = first;
+    }
+    signed char& state = m_triangles[at(at(i, k), j)];
+    if(state == unknown)
+      state = Shell_positivity<Tr>(*m_shell, m_predicates).is_triangle_positive(i, k, j)
+           && m_validity.is_valid_triangle(*m_shell, i, k, j);
+    return state == 1;
+  }
+
+  // The share of one arc <i,j> of a core in the quality: what covers R_ij, the tetrahedron a b p_i p_j, the face a b p_i.
+  Value arc_value(const int i, const int j) const { return m_arc_value[at(i, j)]; }
+  bool has_arc(const int i, const int j) const { return m_has_arc[at(i, j)]; }
+
+  void fill_in_arcs()
+  {
+    m_has_arc.assign(m * m, false);
+    m_arc_value.resize(m * m);
+    const Shell_positivity<Tr> positivity(*m_shell, m_predicates);
+    for(int i = 0; i < m; ++i)
+      for(int j = 0; j < m; ++j)
+      {
+        // R_{j-1,j} closed the long way round would be a core of two vertices
+        if(i == j || j == m_shell->previous(i) || ! has_ring(i, j) || ! positivity.is_core_edge_positive(i, j))
+          continue;
+        m_has_arc[at(i, j)] = true;
+        m_arc_value[at(i, j)] = m_quality.combine(m_value[at(i, j)],
+                                                  m_quality.combine(m_quality.of_core_edge(*m_shell, i, j),
+                                                                    m_quality.of_core_vertex(*m_shell, i)));
+      }
+  }
+
+  bool is_better(const Candidate& x, const Candidate& y) const
+  {
+    if(y.core_size < 0)
+      return true;
+    const bool x_first = y.value < x.value;
+    const bool y_first = x.value < y.value;
+    if(Quality::is_first_in_vector && (x_first || y_first))
+      return x_first;
+    if(x.avoids != y.avoids)
+      return x.avoids;
+    if(x.core_size != y.core_size)
+      return x.core_size < y.core_size;
+    return x_first;
+  }
+
+  void choose_core()
+  {
+    m_best = Candidate();
+    if(! m_keeps_edge && has_ring(0, m - 1))
+    {
+      m_best.core_size = 0;
+      m_best.avoids = true;
+      m_best.value = m_value[at(0, m - 1)];
+      if(! Quality::is_first_in_vector)
+        return; // [1, N_big, Q] cannot be beaten
+    }
+    fill_in_arcs();
+    choose_core(none);
+    if(m_f != none)
+      choose_core(m_f);
+  }
+
+  // Tries all the cores, or those without the position `avoided`.
+  void choose_core(const int avoided)
+  {
+    Candidate best; // of this call; ties between the two calls cannot occur, for they differ in Q'
+    for(int s = 0; s + 3 <= m; ++s)
+    {
+      if(s == avoided)
+        continue;
+      const int largest = (! Quality::is_first_in_vector && best.core_size > 0) ? best.core_size : m - s;
+      fill_in_suffixes(s, largest, avoided);
+      for(int n = 3; n <= largest; ++n)
+      {
+        if(! m_has_suffix[n * m + s])
+          continue;
+        Candidate c;
+        c.core_size = n;
+        c.start = s;
+        c.avoids = m_f == none || avoided != none;
+        c.value = m_quality.combine(m_quality.of_supporting_edge(*m_shell), m_suffix[n * m + s]);
+        if(best.core_size < 0 || is_better(c, best))
+        {
+          best = c;
+          if(is_better(c, m_best))
+          {
+            m_best = c;
+            m_best_avoided = avoided;
+          }
+        }
+      }
+    }
+  }
+
+  // m_suffix[t * m + i]: the best value of t arcs from i to s that visit increasing positions > s only.
+  void fill_in_suffixes(const int s, const int largest, const int avoided)
+  {
+    m_has_suffix.assign((largest + 1) * m, false);
+    m_suffix.resize((largest + 1) * m);
+    for(int i = s + 1; i < m; ++i)
+      if(i != avoided && has_arc(i, s))
+      {
+        m_has_suffix[m + i] = true;
+        m_suffix[m + i] = arc_value(i, s);
+      }
+    for(int t = 2; t <= largest; ++t)
+      for(int i = s; i < m; ++i)
+      {
+        if(i == avoided)
+          continue;
+        for(int j = i + 1; j < m; ++j)
+        {
+          if(! m_has_suffix[(t - 1) * m + j] || ! has_arc(i, j))
+            continue;
+          const Value q = m_quality.combine(arc_value(i, j), m_suffix[(t - 1) * m + j]);
+          if(! m_has_suffix[t * m + i] || m_suffix[t * m + i] < q)
+          {
+            m_has_suffix[t * m + i] = true;
+            m_suffix[t * m + i] = q;
+          }
+        }
+      }
+  }
+
+  void build_partial_triangulation()
+  {
+    m_result.core.clear();
+    m_result.triangles.clear();
+    if(m_best.core_size == 0)
+    {
+      triangulate_ring(0, m - 1);
+      return;
+    }
+    trace_core();
+    const int n = m_best.core_size;
+    for(int c = 0; c < n; ++c)
+      triangulate_ring(m_result.core[c], m_result.core[c + 1 == n ? 0 : c + 1]);
+  }
+
+  // The lexicographically smallest core that has the best value.
+  void trace_core()
+  {
+    const int s = m_best.start;
+    fill_in_suffixes(s, m_best.core_size, m_best_avoided);
+    Value prefix = m_quality.of_supporting_edge(*m_shell);
+    int i = s;
+    m_result.core.push_back(s);
+    for(int t = m_best.core_size; t > 1; --t)
+      for(int j = i + 1; j < m; ++j)
+      {
+        if(! m_has_suffix[(t - 1) * m + j] || ! has_arc(i, j))
+          continue;
+        const Value through_j = m_quality.combine(prefix, arc_value(i, j));
+        if(m_quality.combine(through_j, m_suffix[(t - 1) * m + j]) < m_best.value)
+          continue;
+        prefix = through_j;
+        m_result.core.push_back(i = j);
+        break;
+      }
+  }
+
+  // Iterative, since the depth of the triangulation is not bounded by anything small.
+  void triangulate_ring(const int from, const int to)
+  {
+    boost::container::small_vector<std::array<int, 2>, 16> rings(1, std::array<int, 2>{{ from, to }});
+    while(! rings.empty())
+    {
+      const std::array<int, 2> r = rings.back();
+      rings.pop_back();
+      const int k = m_apex[at(r[0], r[1])];
+      if(k == ring_edge)
+        continue;
+      m_result.triangles.push_back({{ r[0], k, r[1] }});
+      rings.push_back({{ k, r[1] }});
+      rings.push_back({{ r[0], k }});
+    }
+  }
+
+  static constexpr int invalid = -1;   // no valid triangulation of the ring
+  static constexpr int ring_edge = -2; // the ring is one edge of the skirt polygon
+  static constexpr signed char unknown = -1;
+
+  const Predicates& m_predicates;
+  const Quality& m_quality;
+  const Validity& m_validity;
+
+  const Shell* m_shell = nullptr;
+  int m = 0;
+  int m_f = none;
+  bool m_keeps_edge = false;
+  std::vector<char> m_kept;
+  std::vector<int> m_apex;              // M_k, and which entries exist
+  std::vector<Value> m_value;           // M_q
+  std::vector<signed char> m_triangles; // validity of each triangle, computed when first asked for
+  std::vector<char> m_has_arc;
+  std::vector<Value> m_arc_value;
+  std::vector<char> m_has_suffix;
+  std::vector<Value> m_suffix;
+  Candidate m_best;
+  int m_best_avoided = none;
+  Partial_triangulation m_result;
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_COVERING_MESH_3_H

@@ -1,0 +1,149 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FACET_WALK_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FACET_WALK_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/Shell_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Simplex_key_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
+
+#include <CGAL/assertions.h>
+
+#include <array>
+#include <unordered_set>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * An exact walk over a triangle uvw whose edges are edges of the mesh.
+ *
+ * Nothing but mesh edges that pierce the triangle can keep it from being a facet of the mesh: mesh facets cannot cut its edges,
+ * and a vertex inside it is reported as being in the way. The mesh facets cut the triangle along segments between such
+ * piercing points and the corners; the walk goes from a cell at uv to all others across these segments.
+ */
+template <typename Tr>
+class Facet_walk_3
+{
+public:
+  typedef typename Tr::Vertex_handle   Vertex_handle;
+  typedef typename Tr::Cell_handle     Cell_handle;
+  typedef Vertex_predicates_3<Tr>      Predicates;
+  typedef Shell_3<Tr>                  Shell;
+
+  // A mesh edge that pierces the triangle, and a cell that has it.
+  struct Crossing
+  {
+    std::array<Vertex_handle, 2> vertices;
+    Cell_handle cell;
+  };
+
+  enum Outcome
+  {
+    IS_FACET, // the triangle is a mesh facet
+    CROSSED,  // it is pierced by edges
+    BLOCKED   // a vertex is in the interior of the triangle
+  };
+
+  Facet_walk_3(const Tr& tr, const Predicates& predicates) : m_tr(tr), m_predicates(predicates) { }
+
+  // `c` is a cell that has the edge uv; vw and wu are mesh edges, too.
+  Outcome operator()(const Vertex_handle u, const Vertex_handle v, const Vertex_handle w, const Cell_handle c)
+  {
+    m_u = u;
+    m_v = v;
+    m_w = w;
+    m_crossings.clear();
+    m_crossed.clear();
+    m_blocking_vertex = Vertex_handle();
+    const Outcome outcome = find_first_crossing(c);
+    for(std::size_t i = 0; i < m_crossings.size(); ++i)
+      find_crossings_around(Crossing(m_crossings[i]));
+    return m_blocking_vertex == Vertex_handle() ? outcome : BLOCKED;
+  }
+
+  const std::vector<Crossing>& crossings() const { return m_crossings; }
+
+  // The vertex in the way, if the last walk was blocked.
+  Vertex_handle blocking_vertex() const { return m_blocking_vertex; }
+
+private:
+  // The cell at uv that the triangle runs into has exactly one edge that pierces it or a vertex inside it.
+  Outcome find_first_crossing(const Cell_handle c)
+  {
+    m_shell.assign(m_tr, c, c->index(m_u), c->index(m_v));
+    if(m_shell.index(m_w) != Shell::none)
+      return IS_FACET;
+    const int m = m_shell.degree();
+    m_sides.resize(m);
+    for(int i = 0; i < m; ++i)
+      m_sides[i] = i == m_shell.infinite_index()
+                 ? ZERO : m_predicates.orientation(m_u, m_v, m_shell.vertex(i), m_w);
+    for(int i = 0; i < m; ++i)
+    {
+      const int n = m_shell.next(i);
+      const Vertex_handle p = m_shell.vertex(i), q = m_shell.vertex(n);
+      if(i == m_shell.infinite_index())
+        continue;
+      if(m_sides[i] == COPLANAR && m_predicates.side_of_line(m_u, m_v, p, m_w) == POSITIVE)
+      {
+        // uvp would have to cut uw or vw, unless p is inside or on the rim of the triangle
+        m_blocking_vertex = p;
+        return BLOCKED;
+      }
+      if(n != m_shell.infinite_index() && m_sides[i] == POSITIVE && m_sides[n] == NEGATIVE)
+      {
+        check(p, q, m_shell.cell(i));
+        return CROSSED;
+      }
+    }
+    CGAL_assertion(false);
+    return CROSSED;
+  }
+
+  void find_crossings_around(const Crossing& crossing)
+  {
+    const Vertex_handle p = crossing.vertices[0], q = crossing.vertices[1];
+    m_shell.assign(m_tr, crossing.cell, crossing.cell->index(p), crossing.cell->index(q));
+    for(int i = 0; i < m_shell.degree(); ++i)
+      for(const Vertex_handle end : { p, q })
+        check(end, m_shell.vertex(i), m_shell.cell(i));
+    for(int i = 0; i < m_shell.degree(); ++i)
+      check(m_shell.vertex(i), m_shell.vertex(m_shell.next(i)), m_shell.cell(i));
+  }
+
+  // Lists the mesh edge pq if it pierces the triangle and is not listed yet.
+  void check(const Vertex_handle p, const Vertex_handle q, const Cell_handle c)
+  {
+    if(m_tr.is_infinite(p) || m_tr.is_infinite(q) || ! m_predicates.segment_pierces_triangle(p, q, m_u, m_v, m_w))
+      return;
+    if(m_crossed.insert(simplex_key(p, q)).second)
+      m_crossings.push_back({ {{ p, q }}, c });
+  }
+
+  const Tr& m_tr;
+  const Predicates& m_predicates;
+  Vertex_handle m_u, m_v, m_w;
+  std::vector<Crossing> m_crossings;
+  std::unordered_set<Simplex_key_3<2>, Simplex_key_hash> m_crossed; // look-up only
+  Vertex_handle m_blocking_vertex;
+  Shell m_shell;
+  std::vector<Orientation> m_sides;
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FACET_WALK_3_H

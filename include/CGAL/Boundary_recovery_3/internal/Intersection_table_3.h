@@ -1,0 +1,125 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_INTERSECTION_TABLE_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_INTERSECTION_TABLE_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/internal/Simplex_key_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
+
+#include <CGAL/Bbox_3.h>
+
+#include <array>
+#include <cstddef>
+#include <unordered_map>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * How often mesh edges and faces are crossed by the lost constraints of one dimension N - 1 (N = 2: edges, N = 3: facets).
+ *
+ * This is the hash table of [CZZ+17, Section 4.2.1], with one difference. There, entities that come up during a pass are not
+ * counted before the next one. Here an entity is counted when it is first asked for, against the lost constraints whose
+ * bounding boxes meet its own, and the count is remembered; it depends on the lost constraints only, not on the mesh.
+ */
+template <typename Tr, std::size_t N>
+class Intersection_table_3
+{
+public:
+  typedef typename Tr::Vertex_handle    Vertex_handle;
+  typedef std::array<Vertex_handle, N>  Constraint;
+
+  explicit Intersection_table_3(const Tr& tr) : m_predicates(tr) { }
+
+  // Sets the lost constraints, and forgets all counts if they changed.
+  void set_constraints(const std::vector<Constraint>& constraints)
+  {
+    if(constraints == m_constraints)
+      return;
+    m_constraints = constraints;
+    m_boxes.clear();
+    for(const Constraint& c : constraints)
+      m_boxes.push_back(box(c));
+    m_edges.clear();
+    m_faces.clear();
+  }
+
+  int number_of_crossings(const Vertex_handle u, const Vertex_handle v)
+  {
+    const auto inserted = m_edges.emplace(simplex_key(u, v), 0);
+    if(inserted.second)
+      inserted.first->second = count(std::array<Vertex_handle, 2>{{ u, v }});
+    return inserted.first->second;
+  }
+
+  int number_of_crossings(const Vertex_handle u, const Vertex_handle v, const Vertex_handle w)
+  {
+    if(N == 3) // where a lost facet has its edges, a mesh face can meet it along its own edges only
+      return 0;
+    const auto inserted = m_faces.emplace(simplex_key(u, v, w), 0);
+    if(inserted.second)
+      inserted.first->second = count(std::array<Vertex_handle, 3>{{ u, v, w }});
+    return inserted.first->second;
+  }
+
+private:
+  template <std::size_t M>
+  Bbox_3 box(const std::array<Vertex_handle, M>& simplex) const
+  {
+    Bbox_3 b;
+    for(const Vertex_handle v : simplex)
+      b += m_predicates.point(v).bbox();
+    return b;
+  }
+
+  template <std::size_t M>
+  int count(const std::array<Vertex_handle, M>& entity) const
+  {
+    const Bbox_3 b = box(entity);
+    int n = 0;
+    for(std::size_t i = 0; i < m_constraints.size(); ++i)
+      if(do_overlap(b, m_boxes[i]) && crosses(m_constraints[i], entity))
+        ++n;
+    return n;
+  }
+
+  typedef std::array<Vertex_handle, 2> Edge;
+  typedef std::array<Vertex_handle, 3> Face;
+
+  bool crosses(const Edge& c, const Edge& e) const { return m_predicates.segments_cross(c[0], c[1], e[0], e[1]); }
+
+  bool crosses(const Edge& c, const Face& f) const
+  {
+    return m_predicates.segment_pierces_triangle(c[0], c[1], f[0], f[1], f[2]);
+  }
+
+  bool crosses(const Face& c, const Edge& e) const
+  {
+    return m_predicates.segment_pierces_triangle(e[0], e[1], c[0], c[1], c[2]);
+  }
+
+  bool crosses(const Face&, const Face&) const { return false; }
+
+  Vertex_predicates_3<Tr> m_predicates;
+  std::vector<Constraint> m_constraints;
+  std::vector<Bbox_3> m_boxes;
+  std::unordered_map<Simplex_key_3<2>, int, Simplex_key_hash> m_edges; // look-up only
+  std::unordered_map<Simplex_key_3<3>, int, Simplex_key_hash> m_faces; // look-up only
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_INTERSECTION_TABLE_3_H

@@ -1,0 +1,270 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SEGMENT_WALK_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SEGMENT_WALK_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/Shell_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
+
+#include <CGAL/assertions.h>
+
+#include <boost/container/small_vector.hpp>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * An exact walk through the mesh along the segment between two vertices.
+ *
+ * The walk is always in one of three states: at the start vertex, in the interior of a mesh edge, or in the interior of
+ * a mesh facet. It lists the edges and facets that it crosses, in their order along the segment. A facet in whose plane the
+ * segment runs is not listed; its edges that are crossed are. It ends at the target, or at a vertex in the way.
+ */
+template <typename Tr>
+class Segment_walk_3
+{
+public:
+  typedef typename Tr::Vertex_handle   Vertex_handle;
+  typedef typename Tr::Cell_handle     Cell_handle;
+  typedef Vertex_predicates_3<Tr>      Predicates;
+  typedef Shell_3<Tr>                  Shell;
+
+  // A mesh edge (dimension 1) or facet (dimension 2) that is crossed, and a cell that has it.
+  struct Crossing
+  {
+    int dimension;
+    std::array<Vertex_handle, 3> vertices;
+    Cell_handle cell;
+  };
+
+  enum Outcome
+  {
+    IS_EDGE, // the segment is a mesh edge: nothing is crossed
+    CROSSED, // the segment ends at the target after the crossings
+    BLOCKED  // a vertex is in the interior of the segment
+  };
+
+  Segment_walk_3(const Tr& tr, const Predicates& predicates) : m_tr(tr), m_predicates(predicates) { }
+
+  Outcome operator()(const Vertex_handle u, const Vertex_handle v)
+  {
+    m_u = u;
+    m_v = v;
+    m_crossings.clear();
+    m_blocking_vertex = Vertex_handle();
+    Outcome outcome = CROSSED;
+    bool is_finished = leave_start(outcome);
+    while(! is_finished)
+      is_finished = m_crossings.back().dimension == 2 ? leave_facet(outcome) : leave_edge(outcome);
+    return outcome;
+  }
+
+  const std::vector<Crossing>& crossings() const { return m_crossings; }
+
+  // The vertex in the way, if the last walk was blocked.
+  Vertex_handle blocking_vertex() const { return m_blocking_vertex; }
+
+private:
+  // All of these return true when the walk has come to its end.
+
+  bool leave_start(Outcome& outcome)
+  {
+    const Cell_handle c = find_first_cell();
+    if(c == Cell_handle())
+    {
+      outcome = IS_EDGE;
+      return true;
+    }
+    // The direction to v is in the closed cone of c at u. The facets at u that contain it decide.
+    const int i = c->index(m_u);
+    std::array<Vertex_handle, 3> w;
+    for(int k = 0; k < 3; ++k)
+      w[k] = c->vertex(Tr::vertex_triple_index(i, k));
+    boost::container::small_vector<Vertex_handle, 3> ends;
+    std::array<bool, 3> is_in_plane; // of u, w[k], w[k+1]
+    for(int k = 0; k < 3; ++k)
+      is_in_plane[k] = m_predicates.orientation(m_u, w[k], w[(k + 1) % 3], m_v) == COPLANAR;
+    // w[k] is an end of the crossed entity unless the direction is in the plane opposite to it
+    for(int k = 0; k < 3; ++k)
+      if(! is_in_plane[(k + 1) % 3])
+        ends.push_back(w[k]);
+    return cross(ends, c, outcome);
+  }
+
+  // A cell at u whose closed cone contains the direction to v, or none if uv is a mesh edge.
+  Cell_handle find_first_cell()
+  {
+    // A walk around u settles nearly all cases in a few steps; it may run in circles where the mesh is not Delaunay.
+    static constexpr int max_number_of_steps = 32;
+    Cell_handle c = m_u->cell();
+    if(m_tr.is_infinite(c))
+      c = c->neighbor(c->index(m_tr.infinite_vertex()));
+    for(int step = 0; step < max_number_of_steps; ++step)
+    {
+      if(c->has_vertex(m_v))
+        return Cell_handle();
+      const int k = separating_facet(c);
+      if(k < 0)
+        return c;
+      c = c->neighbor(k);
+      CGAL_assertion(! m_tr.is_infinite(c));
+    }
+    m_star.clear();
+    m_tr.incident_cells(m_u, std::back_inserter(m_star));
+    for(const Cell_handle s : m_star)
+      if(s->has_vertex(m_v))
+        return Cell_handle();
+    for(const Cell_handle s : m_star)
+      if(! m_tr.is_infinite(s) && separating_facet(s) < 0)
+        return s;
+    CGAL_assertion(false);
+    return Cell_handle();
+  }
+
+  // The index in c of a facet at u that has v strictly on its other side; -1 if there is none.
+  int separating_facet(const Cell_handle c) const
+  {
+    const int i = c->index(m_u);
+    for(int k = 0; k < 3; ++k)
+    {
+      const Vertex_handle p = c->vertex(Tr::vertex_triple_index(i, k));
+      const Vertex_handle q = c->vertex(Tr::vertex_triple_index(i, (k + 1) % 3));
+      if(m_predicates.orientation(m_u, p, q, m_v) == POSITIVE)
+        return Tr::vertex_triple_index(i, (k + 2) % 3);
+    }
+    return -1;
+  }
+
+  // From the interior of a facet into the cell behind it.
+  bool leave_facet(Outcome& outcome)
+  {
+    const Crossing from = m_crossings.back();
+    const Cell_handle c = from.cell;
+    Vertex_handle s;
+    for(int i = 0; i < 4; ++i)
+      if(std::find(from.vertices.begin(), from.vertices.end(), c->vertex(i)) == from.vertices.end())
+        s = c->vertex(i);
+    if(s == m_v)
+      return true;
+    // Seen along uv, s is beside, on, or behind each vertex of the facet.
+    std::array<Orientation, 3> side; // of s with respect to the plane of u, v and vertex k
+    for(int k = 0; k < 3; ++k)
+      side[k] = m_predicates.orientation(m_u, m_v, from.vertices[k], s);
+    const Orientation turn = m_predicates.orientation(m_u, m_v, from.vertices[0], from.vertices[1]);
+    boost::container::small_vector<Vertex_handle, 3> ends;
+    for(int k = 0; k < 3; ++k)
+    {
+      const int n = (k + 1) % 3;
+      if(side[k] == COPLANAR && side[n] == COPLANAR)
+        return cross({ s }, c, outcome);
+      if(side[k] == - turn && side[n] == turn)
+        ends = { from.vertices[k], from.vertices[n], s };
+    }
+    if(ends.empty()) // in the plane of exactly one vertex of the facet, and on its side of the line
+      for(int k = 0; k < 3; ++k)
+        if(side[k] == COPLANAR && side[(k + 1) % 3] == turn)
+          ends = { from.vertices[k], s };
+    return cross(ends, c, outcome);
+  }
+
+  // From the interior of an edge into the cell or facet at it that the segment enters.
+  bool leave_edge(Outcome& outcome)
+  {
+    const Crossing from = m_crossings.back();
+    const Vertex_handle p = from.vertices[0], q = from.vertices[1];
+    m_shell.assign(m_tr, from.cell, from.cell->index(p), from.cell->index(q));
+    if(m_shell.index(m_v) != Shell::none)
+      return true;
+    const int m = m_shell.degree();
+    m_sides.resize(m);
+    for(int i = 0; i < m; ++i)
+      m_sides[i] = i == m_shell.infinite_index() ? ZERO : m_predicates.orientation(p, q, m_shell.vertex(i), m_v);
+    for(int i = 0; i < m; ++i)
+    {
+      const int n = m_shell.next(i);
+      const Vertex_handle r = m_shell.vertex(i), s = m_shell.vertex(n);
+      if(i == m_shell.infinite_index())
+        continue;
+      if(m_sides[i] == COPLANAR && m_predicates.side_of_line(p, q, r, m_v) == POSITIVE)
+        return leave_edge_in_facet(p, q, r, m_shell.cell(i), outcome);
+      if(n != m_shell.infinite_index() && m_sides[i] == POSITIVE && m_sides[n] == NEGATIVE)
+        return leave_edge_in_cell(p, q, r, s, m_shell.cell(i), outcome);
+    }
+    CGAL_assertion(false);
+    return true;
+  }
+
+  // The segment runs inside the facet pqr: it crosses pr or qr, or runs into r.
+  bool leave_edge_in_facet(const Vertex_handle p, const Vertex_handle q, const Vertex_handle r,
+                           const Cell_handle c, Outcome& outcome)
+  {
+    const Orientation side = m_predicates.side_of_line(m_u, m_v, p, r);
+    if(side == COLLINEAR)
+      return cross({ r }, c, outcome);
+    return side == POSITIVE ? cross({ q, r }, c, outcome) : cross({ p, r }, c, outcome);
+  }
+
+  // The segment runs into the cell pqrs between its facets pqr and pqs.
+  bool leave_edge_in_cell(const Vertex_handle p, const Vertex_handle q, const Vertex_handle r, const Vertex_handle s,
+                          const Cell_handle c, Outcome& outcome)
+  {
+    const Orientation side = m_predicates.orientation(m_u, m_v, r, s);
+    if(side == COPLANAR)
+      return cross({ r, s }, c, outcome);
+    return m_predicates.orientation(m_u, m_v, p, r) == side ? cross({ p, r, s }, c, outcome)
+                                                            : cross({ q, r, s }, c, outcome);
+  }
+
+  typedef boost::container::small_vector<Vertex_handle, 3> Vertices;
+
+  // Appends the entity of c with these vertices. For a facet, the cell behind it is stored, for that is where to go on.
+  bool cross(const Vertices& vertices, const Cell_handle c, Outcome& outcome)
+  {
+    CGAL_assertion(! vertices.empty());
+    if(vertices.size() == 1)
+    {
+      m_blocking_vertex = vertices[0];
+      outcome = BLOCKED;
+      return true;
+    }
+    Crossing crossing = { static_cast<int>(vertices.size()) - 1, {{ vertices[0], vertices[1], Vertex_handle() }}, c };
+    if(vertices.size() == 3)
+    {
+      crossing.vertices[2] = vertices[2];
+      for(int i = 0; i < 4; ++i)
+        if(std::find(vertices.begin(), vertices.end(), c->vertex(i)) == vertices.end())
+          crossing.cell = c->neighbor(i);
+    }
+    m_crossings.push_back(crossing);
+    return false;
+  }
+
+  const Tr& m_tr;
+  const Predicates& m_predicates;
+  Vertex_handle m_u, m_v;
+  std::vector<Crossing> m_crossings;
+  Vertex_handle m_blocking_vertex;
+  Shell m_shell;
+  std::vector<Orientation> m_sides;
+  std::vector<Cell_handle> m_star;
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SEGMENT_WALK_3_H

@@ -1,0 +1,116 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_VERTEX_PREDICATES_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_VERTEX_PREDICATES_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/enum.h>
+#include <CGAL/number_utils.h>
+
+#include <array>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * Exact decisions about finite vertices of a triangulation.
+ *
+ * Every phase asks here, by vertex handles, and never touches coordinates itself: this is the one place that has
+ * to change for a vertex whose position is not that of its point().
+ *
+ * "Crosses" and "pierces" mean transversal intersections in relative interiors: a segment crosses an edge in an interior
+ * point of both, and pierces a triangle in an interior point of both that is the only common one. What merely touches,
+ * and a segment inside the plane of a triangle, does neither.
+ */
+template <typename Tr>
+class Vertex_predicates_3
+{
+public:
+  typedef typename Tr::Vertex_handle       Vertex_handle;
+  typedef typename Tr::Geom_traits         Geom_traits;
+  typedef typename Geom_traits::Point_3    Point_3;
+
+  explicit Vertex_predicates_3(const Tr& tr)
+    : m_tr(&tr),
+      m_orientation(tr.geom_traits().orientation_3_object()),
+      m_coplanar_orientation(tr.geom_traits().coplanar_orientation_3_object())
+  { }
+
+  bool is_infinite(const Vertex_handle v) const { return m_tr->is_infinite(v); }
+
+  const Point_3& point(const Vertex_handle v) const { return v->point(); }
+
+  std::array<double, 3> approximate_point(const Vertex_handle v) const
+  {
+    const Point_3& p = v->point();
+    return {{ CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()) }};
+  }
+
+  // Sign of the volume of the tetrahedron pqrs.
+  Orientation orientation(const Vertex_handle p, const Vertex_handle q,
+                          const Vertex_handle r, const Vertex_handle s) const
+  {
+    return m_orientation(p->point(), q->point(), r->point(), s->point());
+  }
+
+  bool are_collinear(const Vertex_handle p, const Vertex_handle q, const Vertex_handle r) const
+  {
+    return m_coplanar_orientation(p->point(), q->point(), r->point()) == COLLINEAR;
+  }
+
+  // For coplanar p, q, r, s: POSITIVE if r and s are on the same side of the line pq, NEGATIVE if on opposite sides,
+  // COLLINEAR if one of them is on that line.
+  Orientation side_of_line(const Vertex_handle p, const Vertex_handle q,
+                           const Vertex_handle r, const Vertex_handle s) const
+  {
+    return are_collinear(p, q, r) ? COLLINEAR
+                                  : m_coplanar_orientation(p->point(), q->point(), r->point(), s->point());
+  }
+
+  // Whether the segments uv and pq cross, known to be coplanar.
+  bool coplanar_segments_cross(const Vertex_handle u, const Vertex_handle v,
+                               const Vertex_handle p, const Vertex_handle q) const
+  {
+    return side_of_line(u, v, p, q) == NEGATIVE && side_of_line(p, q, u, v) == NEGATIVE;
+  }
+
+  bool segments_cross(const Vertex_handle u, const Vertex_handle v,
+                      const Vertex_handle p, const Vertex_handle q) const
+  {
+    if(p == u || p == v || q == u || q == v)
+      return false;
+    return orientation(u, v, p, q) == COPLANAR && coplanar_segments_cross(u, v, p, q);
+  }
+
+  bool segment_pierces_triangle(const Vertex_handle u, const Vertex_handle v,
+                                const Vertex_handle p, const Vertex_handle q, const Vertex_handle r) const
+  {
+    if(p == u || p == v || q == u || q == v || r == u || r == v)
+      return false;
+    const Orientation side = orientation(u, v, p, q);
+    return side != COPLANAR
+        && orientation(u, v, q, r) == side
+        && orientation(u, v, r, p) == side
+        && orientation(p, q, r, u) * orientation(p, q, r, v) == NEGATIVE;
+  }
+
+private:
+  const Tr* m_tr;
+  typename Geom_traits::Orientation_3 m_orientation;
+  typename Geom_traits::Coplanar_orientation_3 m_coplanar_orientation;
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_VERTEX_PREDICATES_3_H

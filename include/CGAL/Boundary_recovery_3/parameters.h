@@ -1,0 +1,99 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_PARAMETERS_H
+#define CGAL_BOUNDARY_RECOVERY_3_PARAMETERS_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <type_traits>
+
+// The named parameters that only this package has, beside those of CGAL. They can start a chain of CGAL's
+// parameters, but not follow a dot (that list is closed); several packs are passed one after the other instead.
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+enum recovery_mode_t       { recovery_mode };
+enum max_recursion_level_t { max_recursion_level };
+enum constrained_edges_t   { constrained_edges };
+enum list_defects_t        { list_defects };
+
+// A pack with all the parameters of both packs; those of the second win.
+template <typename NP, typename T, typename Tag>
+auto merge(const NP& a, const Named_function_parameters<T, Tag>& b)
+{
+  return Named_function_parameters<T, Tag, NP>(b.v, a);
+}
+
+template <typename NP, typename T, typename Tag, typename T2, typename Tag2, typename Base2>
+auto merge(const NP& a,
+           const Named_function_parameters<T, Tag, Named_function_parameters<T2, Tag2, Base2> >& b)
+{
+  const auto ab = merge(a, static_cast<const Named_function_parameters<T2, Tag2, Base2>&>(b));
+  return Named_function_parameters<T, Tag, std::decay_t<decltype(ab)> >(b.v, ab);
+}
+
+template <typename NP>
+NP merge_all(const NP& np) { return np; }
+
+template <typename NP1, typename NP2, typename ... NPs>
+auto merge_all(const NP1& np1, const NP2& np2, const NPs& ... nps)
+{
+  return merge_all(merge(np1, np2), nps...);
+}
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+
+namespace parameters {
+
+/// \ingroup PkgBoundaryRecovery3Functions
+/// how far the recovery goes: a value of `CGAL::Boundary_recovery_3::Recovery_mode`.
+template <typename K>
+Named_function_parameters<K, Boundary_recovery_3::internal::recovery_mode_t>
+recovery_mode(const K& k)
+{
+  return Named_function_parameters<K, Boundary_recovery_3::internal::recovery_mode_t>(k);
+}
+
+/// \ingroup PkgBoundaryRecovery3Functions
+/// the recursion level (`l_max` in [CZZ+17, Alg. 1]) that is never exceeded, an integer.
+template <typename K>
+Named_function_parameters<K, Boundary_recovery_3::internal::max_recursion_level_t>
+max_recursion_level(const K& k)
+{
+  return Named_function_parameters<K, Boundary_recovery_3::internal::max_recursion_level_t>(k);
+}
+
+/// \ingroup PkgBoundaryRecovery3Functions
+/// edges to be recovered beside the facets: a range of arrays of two vertex indices or vertex handles.
+template <typename K>
+Named_function_parameters<K, Boundary_recovery_3::internal::constrained_edges_t>
+constrained_edges(const K& k)
+{
+  return Named_function_parameters<K, Boundary_recovery_3::internal::constrained_edges_t>(k);
+}
+
+/// \ingroup PkgBoundaryRecovery3Functions
+/// whether intersections of constraints are searched before anything else is done, a Boolean.
+template <typename K>
+Named_function_parameters<K, Boundary_recovery_3::internal::list_defects_t>
+list_defects(const K& k)
+{
+  return Named_function_parameters<K, Boundary_recovery_3::internal::list_defects_t>(k);
+}
+
+} // namespace parameters
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_PARAMETERS_H

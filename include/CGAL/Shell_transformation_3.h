@@ -1,0 +1,414 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_SHELL_TRANSFORMATION_3_H
+#define CGAL_SHELL_TRANSFORMATION_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/Boundary_recovery_visitor_3.h>
+#include <CGAL/Boundary_recovery_3/Partial_triangulation.h>
+#include <CGAL/Boundary_recovery_3/Shell_3.h>
+#include <CGAL/Boundary_recovery_3/Shell_quality_3.h>
+#include <CGAL/Boundary_recovery_3/Shell_validity_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Cell_replacement.h>
+#include <CGAL/Boundary_recovery_3/internal/Covering_mesh_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
+
+#include <CGAL/assertions.h>
+
+#include <boost/container/small_vector.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace CGAL {
+
+/*!
+ * \ingroup PkgBoundaryRecovery3Classes
+ *
+ * \brief the shell transformation, and its recursive use to remove an edge or a facet from a triangulation.
+ *
+ * A shell transformation replaces the cells around an edge `ab`, the covering mesh of its shell, by a better covering mesh:
+ * one that belongs to a partial triangulation of the skirt polygon. What is better is told by the quality, what is allowed by the
+ * validity; whatever they say, all new cells are positively oriented, decided exactly, and the convex hull stays as it is.
+ * Source: [CZZ+17, Sections 2 and 3].
+ *
+ * The triangulation is changed in place and is in general no longer Delaunay. Vertices are kept, with their handles.
+ * Cells that are replaced are destroyed; the visitor is told before and after, so that data attached to them can be
+ * carried over.
+ *
+ * \tparam Tr an instance of `CGAL::Triangulation_3`, or of a class derived from it. It has to be 3-dimensional.
+ * \tparam Quality a model of `ShellQuality_3`
+ * \tparam Validity a model of `ShellValidity_3`
+ * \tparam Visitor has the members `before_cells_removal()` and `after_cells_creation()` of `Default_boundary_recovery_visitor_3`
+ */
+template <typename Tr,
+          typename Quality_ = Boundary_recovery_3::Worst_element_quality_3<Tr>,
+          typename Validity_ = Boundary_recovery_3::No_shell_validity_3,
+          typename Visitor_ = Default_boundary_recovery_visitor_3>
+class Shell_transformation_3
+{
+public:
+  typedef Tr       Triangulation; ///< the triangulation type
+  typedef Quality_ Quality;       ///< the quality type
+  typedef Validity_ Validity;     ///< the validity type
+  typedef Visitor_ Visitor;       ///< the visitor type
+  typedef Boundary_recovery_3::Shell_3<Tr>  Shell; ///< the shell type
+  typedef typename Tr::Vertex_handle Vertex_handle; ///< the vertex handle of the triangulation
+  typedef typename Tr::Cell_handle   Cell_handle;   ///< the cell handle of the triangulation
+  typedef typename Tr::Edge          Edge;          ///< the edge of the triangulation
+  typedef typename Tr::Facet         Facet;         ///< the facet of the triangulation
+
+  /// shells of a larger degree are left alone.
+  static constexpr int max_degree = 40;
+
+  /// default bound on the number of shells visited in one call of `remove_edge()` or `remove_facet()`.
+  static constexpr std::size_t default_max_number_of_shells = 2000;
+
+  /// what a shell transformation did
+  enum Outcome
+  {
+    UNCHANGED, ///< the covering mesh is the best one already, or nothing is allowed
+    REDUCED,   ///< the degree of the shell is smaller now
+    REMOVED    ///< the supporting edge is gone
+  };
+
+  /*!
+   * \param tr the triangulation to change
+   * \param quality what makes a covering mesh better
+   * \param validity which covering meshes are allowed
+   * \param visitor is told which cells go and come. It has to outlive this object.
+   */
+  Shell_transformation_3(Tr& tr, const Quality& quality, const Validity& validity, Visitor& visitor)
+    : m_tr(tr), m_predicates(tr), m_quality(quality), m_validity(validity), m_visitor(&visitor)
+  { }
+
+  /// as above, with a visitor that does nothing.
+  Shell_transformation_3(Tr& tr, const Quality& quality, const Validity& validity = Validity())
+    : m_tr(tr), m_predicates(tr), m_quality(quality), m_validity(validity), m_visitor(&m_no_visitor)
+  { }
+
+  Shell_transformation_3(const Shell_transformation_3&) = delete;
+  Shell_transformation_3& operator=(const Shell_transformation_3&) = delete;
+
+  /*!
+   * transforms the shell of an edge once [CZZ+17, Alg. 3].
+   *
+   * \param e the supporting edge. An edge at the infinite vertex and a constrained one that cannot be kept are left alone.
+   * \param p if not the default handle, the face of `e` and this vertex is to be avoided
+   *
+   * \pre `tr.dimension() == 3`
+   */
+  Outcome operator()(const Edge& e, const Vertex_handle p = Vertex_handle())
+  {
+    CGAL_precondition(m_tr.dimension() == 3);
+    const Supporting_edge root(e.first->vertex(e.second), e.first->vertex(e.third), e.first, nullptr);
+    if(m_tr.is_infinite(root.a) || m_tr.is_infinite(root.b))
+      return UNCHANGED;
+    Shell shell(m_tr, e.first, e.second, e.third);
+    return transform(shell, root, p == Vertex_handle() ? Shell::none : shell.index(p));
+  }
+
+  /*!
+   * removes an edge by recursive shell transformations [CZZ+17, Alg. 1].
+   *
+   * \param e the edge
+   * \param l_max the maximal recursion level; 0: only the shell of `e` itself is transformed
+   *
+   * \return whether the edge is gone. If it is not, cells may have been replaced nevertheless.
+   *
+   * \pre `tr.dimension() == 3`
+   */
+  bool remove_edge(const Edge& e, const int l_max)
+  {
+    return remove(e.first->vertex(e.second), e.first->vertex(e.third), Vertex_handle(), e.first, l_max);
+  }
+
+  /*!
+   * removes a facet by recursive shell transformations around its edges, one after the other [CZZ+17, Alg. 4, lines 8 to 11].
+   *
+   * \param f the facet
+   * \param l_max the maximal recursion level; 0: only the shells of the edges of `f` are transformed
+   *
+   * \return whether the facet is gone. If it is not, cells may have been replaced nevertheless.
+   *
+   * \pre `tr.dimension() == 3`
+   */
+  bool remove_facet(const Facet& f, const int l_max)
+  {
+    const std::array<Vertex_handle, 3> v = {{ f.first->vertex((f.second + 1) & 3),
+                                              f.first->vertex((f.second + 2) & 3),
+                                              f.first->vertex((f.second + 3) & 3) }};
+    if(m_validity.is_constrained(v[0], v[1], v[2]))
+      return false;
+    bool was_cut_off = false;
+    Cell_handle c = f.first;
+    for(int i = 0; i < 3; ++i)
+    {
+      if(remove(v[i], v[(i + 1) % 3], v[(i + 2) % 3], c, l_max))
+        return true;
+      was_cut_off |= m_was_cut_off;
+      // The facet is still there, but its cells may have been replaced.
+      const Shell shell(m_tr, m_root_cell, m_root_cell->index(v[i]), m_root_cell->index(v[(i + 1) % 3]));
+      c = shell.cell(shell.index(v[(i + 2) % 3]));
+    }
+    m_was_cut_off = was_cut_off;
+    return false;
+  }
+
+  /// sets the bound on the number of shells visited in one call of `remove_edge()`, or for one edge in `remove_facet()`.
+  void set_max_number_of_shells(const std::size_t n) { m_max_number_of_shells = n; }
+
+  /// returns the number of covering meshes that were replaced so far.
+  std::size_t number_of_transformations() const { return m_number_of_transformations; }
+
+  /// returns whether the last removal was cut off by the recursion level or by the bound on the number of shells.
+  bool was_cut_off() const { return m_was_cut_off; }
+
+  /// returns the triangulation.
+  Triangulation& triangulation() { return m_tr; }
+
+  /// returns the validity.
+  Validity& validity() { return m_validity; }
+
+  /// returns the quality.
+  Quality& quality() { return m_quality; }
+
+private:
+  typedef Boundary_recovery_3::internal::Cell_replacement<Tr>  Cell_replacement;
+  typedef typename Cell_replacement::Tetrahedron               Tetrahedron;
+
+  // A node of the edge tree of [CZZ+17, Section 2.2], with its way up to the root.
+  // `cell` is one of the cells around the edge; it is kept up to date while cells are replaced.
+  struct Supporting_edge
+  {
+    Supporting_edge(const Vertex_handle a, const Vertex_handle b, const Cell_handle cell, const Supporting_edge* parent)
+      : a(a), b(b), cell(cell), parent(parent)
+    { }
+
+    bool is_edge_of(const Cell_handle c) const { return c->has_vertex(a) && c->has_vertex(b); }
+    bool is(const Vertex_handle u, const Vertex_handle v) const { return (u == a && v == b) || (u == b && v == a); }
+
+    const Vertex_handle a, b;
+    mutable Cell_handle cell;
+    const Supporting_edge* const parent;
+  };
+
+  // Condition 2 of [CZZ+17, Section 3.2]: no new supporting face around an ancestor edge. It is the conjunction with
+  // the caller's validity that the search for a covering mesh has to obey.
+  struct Recursion_validity
+  {
+    const Validity* validity;
+    const Supporting_edge* ancestors;
+
+    bool is_ancestor(const Vertex_handle u, const Vertex_handle v) const
+    {
+      for(const Supporting_edge* e = ancestors; e != nullptr; e = e->parent)
+        if(e->is(u, v))
+          return true;
+      return false;
+    }
+
+    bool is_valid_triangle(const Shell& s, const int i, const int k, const int j) const
+    {
+      return ! (s.next(i) == k && is_ancestor(s.vertex(i), s.vertex(k)))
+          && ! (s.next(k) == j && is_ancestor(s.vertex(k), s.vertex(j)))
+          && ! (s.next(j) == i && is_ancestor(s.vertex(j), s.vertex(i)))
+          && validity->is_valid_triangle(s, i, k, j);
+    }
+
+    bool is_valid_chord(const Shell& s, const int i, const int j) const
+    {
+      if(ancestors != nullptr)
+        for(const Vertex_handle apex : { s.a(), s.b() })
+          if(is_ancestor(apex, s.vertex(i)) || is_ancestor(apex, s.vertex(j)))
+            return false;
+      return validity->is_valid_chord(s, i, j);
+    }
+  };
+
+  bool remove(const Vertex_handle a, const Vertex_handle b, const Vertex_handle p, const Cell_handle c, const int l_max)
+  {
+    CGAL_precondition(m_tr.dimension() == 3);
+    m_was_cut_off = false;
+    m_root_cell = c;
+    if(m_tr.is_infinite(a) || m_tr.is_infinite(b) || (p == Vertex_handle() && m_validity.is_constrained(a, b)))
+      return false;
+    m_number_of_shells = 0;
+    const Supporting_edge root(a, b, c, nullptr);
+    const bool is_removed = remove(root, p, 0, l_max);
+    m_root_cell = root.cell;
+    return is_removed;
+  }
+
+  // recursiveST(e, f, l, l_max) of [CZZ+17, Alg. 1], where f is the face of e and p, or none if p is the default handle.
+  // Its tail recursion is a loop here; the depth of the other recursion is bounded by l_max.
+  bool remove(const Supporting_edge& e, const Vertex_handle p, const int l, const int l_max)
+  {
+    Shell shell;
+    while(true)
+    {
+      if(++m_number_of_shells > m_max_number_of_shells)
+      {
+        m_was_cut_off = true;
+        return false;
+      }
+      shell.assign(m_tr, e.cell, e.cell->index(e.a), e.cell->index(e.b));
+      int f = Shell::none;
+      if(p != Vertex_handle() && (f = shell.index(p)) == Shell::none)
+        return true;
+      const Outcome outcome = transform(shell, e, f);
+      if(outcome == REMOVED)
+        return true;
+      if(outcome == REDUCED)
+      {
+        shell.assign(m_tr, e.cell, e.cell->index(e.a), e.cell->index(e.b));
+        if(f != Shell::none && shell.index(p) == Shell::none)
+          return true;
+      }
+      if(! reduce_by_link_edges(shell, e, l, l_max))
+        return false;
+    }
+  }
+
+  // Lines 8 to 14 of [CZZ+17, Alg. 1]: returns true as soon as the shell of e shrank.
+  bool reduce_by_link_edges(const Shell& shell, const Supporting_edge& e, const int l, const int l_max)
+  {
+    for(int i = 0; i < shell.degree(); ++i)
+      for(const bool at_a : { true, false })
+      {
+        if(! is_recursable_link_edge(shell, i, at_a, e))
+          continue;
+        if(l >= l_max)
+        {
+          m_was_cut_off = true;
+          return false;
+        }
+        const Vertex_handle apex = at_a ? shell.a() : shell.b();
+        const Vertex_handle other = at_a ? shell.b() : shell.a();
+        const Supporting_edge link_edge(apex, shell.vertex(i), shell.cell(i), &e);
+        const std::size_t before = m_number_of_transformations;
+        remove(link_edge, other, l + 1, l_max);
+        if(m_number_of_transformations != before && degree(e) < shell.degree())
+          return true;
+        if(m_number_of_shells > m_max_number_of_shells)
+          return false;
+      }
+    return false;
+  }
+
+  int degree(const Supporting_edge& e) const
+  {
+    return Shell(m_tr, e.cell, e.cell->index(e.a), e.cell->index(e.b)).degree();
+  }
+
+  // The filters of [CZZ+17, Section 2.2] for the edge from a (or b) to p_i, a link edge of the face a b p_i.
+  // Flat angles count as reflex: in the planes of CAD models everything is flat.
+  bool is_recursable_link_edge(const Shell& s, const int i, const bool at_a, const Supporting_edge& e) const
+  {
+    const int h = s.infinite_index();
+    if(i == h || m_validity.is_constrained(s.a(), s.b(), s.vertex(i)))
+      return false;
+    const Vertex_handle apex = at_a ? s.a() : s.b();
+    if(h == s.next(i) || h == s.previous(i))
+      return false;
+    const Orientation angle = at_a
+      ? m_predicates.orientation(apex, s.vertex(i), s.vertex(s.previous(i)), s.vertex(s.next(i)))
+      : m_predicates.orientation(apex, s.vertex(i), s.vertex(s.next(i)), s.vertex(s.previous(i)));
+    if(angle == NEGATIVE || m_validity.is_constrained(apex, s.vertex(i)))
+      return false;
+    for(const Supporting_edge* x = e.parent; x != nullptr; x = x->parent)
+      if(x->is_edge_of(s.cell(i)) || x->is_edge_of(s.cell(s.previous(i))))
+        return false;
+    return true;
+  }
+
+  // shellTransformation(a, b, f, P, K_old) of [CZZ+17, Alg. 3], where f is a position in the skirt polygon.
+  Outcome transform(const Shell& shell, const Supporting_edge& e, const int f)
+  {
+    if(shell.degree() > max_degree)
+      return UNCHANGED;
+    m_search_validity = { &m_validity, e.parent };
+    const bool is_ab_constrained = m_validity.is_constrained(shell.a(), shell.b());
+    const auto is_kept = [&](const int i)
+    {
+      return is_ab_constrained && m_validity.is_constrained(shell.a(), shell.b(), shell.vertex(i));
+    };
+    if(! m_search(shell, f, is_ab_constrained, is_kept)
+       || ! m_validity.is_valid_covering_mesh(shell, m_search.partial_triangulation()))
+      return UNCHANGED;
+    replace(shell, m_search.partial_triangulation(), e);
+    return m_search.partial_triangulation().core.empty() ? REMOVED : REDUCED;
+  }
+
+  // Step 8 of [CZZ+17, Alg. 3]. Cells that belong to both covering meshes stay.
+  void replace(const Shell& s, const Boundary_recovery_3::Partial_triangulation& k, const Supporting_edge& e)
+  {
+    m_old_cells.clear();
+    m_tetrahedra.clear();
+    m_old_cells.assign(s.cells().begin(), s.cells().end());
+    for(int c = 0; c < k.core_size(); ++c)
+    {
+      const int i = k.core[c], j = k.core[c + 1 == k.core_size() ? 0 : c + 1];
+      if(j == s.next(i))
+        m_old_cells[i] = Cell_handle();
+      else
+        m_tetrahedra.push_back(Tetrahedron{{ s.a(), s.b(), s.vertex(i), s.vertex(j) }});
+    }
+    m_old_cells.erase(std::remove(m_old_cells.begin(), m_old_cells.end(), Cell_handle()), m_old_cells.end());
+    for(const std::array<int, 3>& t : k.triangles)
+    {
+      m_tetrahedra.push_back(Tetrahedron{{ s.vertex(t[0]), s.vertex(t[1]), s.vertex(t[2]), s.b() }});
+      m_tetrahedra.push_back(Tetrahedron{{ s.vertex(t[0]), s.vertex(t[2]), s.vertex(t[1]), s.a() }});
+    }
+    m_visitor->before_cells_removal(m_old_cells);
+    m_replacement(m_tr, m_old_cells, m_tetrahedra);
+    m_visitor->after_cells_creation(m_replacement.new_cells());
+    ++m_number_of_transformations;
+    update_cells(e);
+  }
+
+  // Each edge of the way up to the root gets a cell that exists. If its cell is gone, one of the new cells is around it,
+  // for they fill the same polyhedron.
+  void update_cells(const Supporting_edge& e)
+  {
+    for(const Supporting_edge* x = &e; x != nullptr; x = x->parent)
+      if(std::find(m_old_cells.begin(), m_old_cells.end(), x->cell) != m_old_cells.end())
+        for(const Cell_handle c : m_replacement.new_cells())
+          if(x->is_edge_of(c))
+          {
+            x->cell = c;
+            break;
+          }
+  }
+
+  Tr& m_tr;
+  Boundary_recovery_3::internal::Vertex_predicates_3<Tr> m_predicates;
+  Quality m_quality;
+  Validity m_validity;
+  Visitor m_no_visitor;
+  Visitor* m_visitor;
+  Recursion_validity m_search_validity = { nullptr, nullptr };
+  Boundary_recovery_3::internal::Covering_mesh_search<Tr, Quality, Recursion_validity>
+    m_search{ m_predicates, m_quality, m_search_validity };
+  Cell_replacement m_replacement;
+  boost::container::small_vector<Cell_handle, 32> m_old_cells;
+  boost::container::small_vector<Tetrahedron, 32> m_tetrahedra;
+  Cell_handle m_root_cell;
+  std::size_t m_max_number_of_shells = default_max_number_of_shells;
+  std::size_t m_number_of_shells = 0;
+  std::size_t m_number_of_transformations = 0;
+  bool m_was_cut_off = false;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_SHELL_TRANSFORMATION_3_H
