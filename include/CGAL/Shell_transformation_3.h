@@ -68,10 +68,10 @@ public:
   typedef typename Tr::Facet         Facet;         ///< the facet of the triangulation
 
   /// shells of a larger degree are left alone.
-  static constexpr int max_degree = 40;
+  static constexpr int max_degree = 24;
 
   /// default bound on the number of shells visited in one call of `remove_edge()` or `remove_facet()`.
-  static constexpr std::size_t default_max_number_of_shells = 2000;
+  static constexpr std::size_t default_max_number_of_shells = 300;
 
   /// what a shell transformation did
   enum Outcome
@@ -265,7 +265,7 @@ private:
       int f = Shell::none;
       if(p != Vertex_handle() && (f = shell.index(p)) == Shell::none)
         return true;
-      const Outcome outcome = transform(shell, e, f);
+      const Outcome outcome = transform(shell, e, f, l == l_max);
       if(outcome == REMOVED)
         return true;
       if(outcome == REDUCED)
@@ -310,20 +310,16 @@ private:
     return Shell(m_tr, e.cell, e.cell->index(e.a), e.cell->index(e.b)).degree();
   }
 
-  // The filters of [CZZ+17, Section 2.2] for the edge from a (or b) to p_i, a link edge of the face a b p_i.
-  // Flat angles count as reflex: in the planes of CAD models everything is flat.
+  // The filters of [CZZ+17, Section 2.2] for the edge from a (or b) to p_i, a link edge of the face a b p_i, with two
+  // differences. Flat angles count as reflex, and angles on the hull as flat: in the planes of CAD models everything is
+  // flat. Constrained link edges are not filtered out: their shells can be reduced, and their constrained faces stay.
   bool is_recursable_link_edge(const Shell& s, const int i, const bool at_a, const Supporting_edge& e) const
   {
     const int h = s.infinite_index();
     if(i == h || m_validity.is_constrained(s.a(), s.b(), s.vertex(i)))
       return false;
-    const Vertex_handle apex = at_a ? s.a() : s.b();
-    if(h == s.next(i) || h == s.previous(i))
-      return false;
-    const Orientation angle = at_a
-      ? m_predicates.orientation(apex, s.vertex(i), s.vertex(s.previous(i)), s.vertex(s.next(i)))
-      : m_predicates.orientation(apex, s.vertex(i), s.vertex(s.next(i)), s.vertex(s.previous(i)));
-    if(angle == NEGATIVE || m_validity.is_constrained(apex, s.vertex(i)))
+    const bool is_on_hull = h == s.next(i) || h == s.previous(i);
+    if(! is_on_hull && angle_at_link_edge(s, i, at_a) == NEGATIVE)
       return false;
     for(const Supporting_edge* x = e.parent; x != nullptr; x = x->parent)
       if(x->is_edge_of(s.cell(i)) || x->is_edge_of(s.cell(s.previous(i))))
@@ -331,8 +327,17 @@ private:
     return true;
   }
 
+  // POSITIVE if the edge from a (or b) to p_i is a reflex edge of the face a b p_i [CZZ+17, Fig. 4], ZERO if flat.
+  Orientation angle_at_link_edge(const Shell& s, const int i, const bool at_a) const
+  {
+    const Vertex_handle p = s.vertex(s.previous(i)), q = s.vertex(s.next(i));
+    return at_a ? m_predicates.orientation(s.a(), s.vertex(i), p, q)
+                : m_predicates.orientation(s.b(), s.vertex(i), q, p);
+  }
+
   // shellTransformation(a, b, f, P, K_old) of [CZZ+17, Alg. 3], where f is a position in the skirt polygon.
-  Outcome transform(const Shell& shell, const Supporting_edge& e, const int f)
+  // If `only_if_done`, a covering mesh that neither loses ab nor avoids f is not worth a change: no recursion follows.
+  Outcome transform(const Shell& shell, const Supporting_edge& e, const int f, const bool only_if_done = false)
   {
     if(shell.degree() > max_degree)
       return UNCHANGED;
@@ -345,8 +350,12 @@ private:
     if(! m_search(shell, f, is_ab_constrained, is_kept)
        || ! m_validity.is_valid_covering_mesh(shell, m_search.partial_triangulation()))
       return UNCHANGED;
-    replace(shell, m_search.partial_triangulation(), e);
-    return m_search.partial_triangulation().core.empty() ? REMOVED : REDUCED;
+    const Boundary_recovery_3::Partial_triangulation& k = m_search.partial_triangulation();
+    if(only_if_done && ! k.core.empty()
+       && (f == Shell::none || std::find(k.core.begin(), k.core.end(), f) != k.core.end()))
+      return UNCHANGED;
+    replace(shell, k, e);
+    return k.core.empty() ? REMOVED : REDUCED;
   }
 
   // Step 8 of [CZZ+17, Alg. 3]. Cells that belong to both covering meshes stay.

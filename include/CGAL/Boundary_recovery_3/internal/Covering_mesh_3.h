@@ -247,8 +247,8 @@ private:
     {
       if(s == avoided)
         continue;
-      const int largest = (! Quality::is_first_in_vector && best.core_size > 0) ? best.core_size : m - s;
-      fill_in_suffixes(s, largest, avoided);
+      const int limit = (! Quality::is_first_in_vector && best.core_size > 0) ? best.core_size : m - s;
+      const int largest = fill_in_suffixes(s, limit, avoided);
       for(int n = 3; n <= largest; ++n)
       {
         if(! m_has_suffix[n * m + s])
@@ -272,7 +272,8 @@ private:
   }
 
   // m_suffix[t * m + i]: the best value of t arcs from i to s that visit increasing positions > s only.
-  void fill_in_suffixes(const int s, const int largest, const int avoided)
+  // Returns the largest t for which this was computed: `largest`, or the first that closes a cycle where only that matters.
+  int fill_in_suffixes(const int s, const int largest, const int avoided)
   {
     m_has_suffix.assign((largest + 1) * m, false);
     m_suffix.resize((largest + 1) * m);
@@ -283,22 +284,29 @@ private:
         m_suffix[m + i] = arc_value(i, s);
       }
     for(int t = 2; t <= largest; ++t)
+    {
       for(int i = s; i < m; ++i)
+        if(i != avoided)
+          fill_in_suffix(t, i);
+      if(! Quality::is_first_in_vector && m_has_suffix[t * m + s])
+        return t;
+    }
+    return largest;
+  }
+
+  void fill_in_suffix(const int t, const int i)
+  {
+    for(int j = i + 1; j < m; ++j)
+    {
+      if(! m_has_suffix[(t - 1) * m + j] || ! has_arc(i, j))
+        continue;
+      const Value q = m_quality.combine(arc_value(i, j), m_suffix[(t - 1) * m + j]);
+      if(! m_has_suffix[t * m + i] || m_suffix[t * m + i] < q)
       {
-        if(i == avoided)
-          continue;
-        for(int j = i + 1; j < m; ++j)
-        {
-          if(! m_has_suffix[(t - 1) * m + j] || ! has_arc(i, j))
-            continue;
-          const Value q = m_quality.combine(arc_value(i, j), m_suffix[(t - 1) * m + j]);
-          if(! m_has_suffix[t * m + i] || m_suffix[t * m + i] < q)
-          {
-            m_has_suffix[t * m + i] = true;
-            m_suffix[t * m + i] = q;
-          }
-        }
+        m_has_suffix[t * m + i] = true;
+        m_suffix[t * m + i] = q;
       }
+    }
   }
 
   void build_partial_triangulation()
@@ -322,20 +330,31 @@ private:
     const int s = m_best.start;
     fill_in_suffixes(s, m_best.core_size, m_best_avoided);
     Value prefix = m_quality.of_supporting_edge(*m_shell);
-    int i = s;
     m_result.core.push_back(s);
     for(int t = m_best.core_size; t > 1; --t)
-      for(int j = i + 1; j < m; ++j)
-      {
-        if(! m_has_suffix[(t - 1) * m + j] || ! has_arc(i, j))
-          continue;
-        const Value through_j = m_quality.combine(prefix, arc_value(i, j));
-        if(m_quality.combine(through_j, m_suffix[(t - 1) * m + j]) < m_best.value)
-          continue;
-        prefix = through_j;
-        m_result.core.push_back(i = j);
-        break;
-      }
+    {
+      const int i = m_result.core.back(), j = next_of_core(i, t, prefix);
+      prefix = m_quality.combine(prefix, arc_value(i, j));
+      m_result.core.push_back(j);
+    }
+  }
+
+  // The smallest position that t - 1 arcs lead from back to the start with the best value in all.
+  int next_of_core(const int i, const int t, const Value& prefix) const
+  {
+    int best = none;
+    for(int j = i + 1; j < m; ++j)
+    {
+      if(! m_has_suffix[(t - 1) * m + j] || ! has_arc(i, j))
+        continue;
+      const Value& suffix = m_suffix[(t - 1) * m + j];
+      if(! (m_quality.combine(m_quality.combine(prefix, arc_value(i, j)), suffix) < m_best.value))
+        return j;
+      // a sum that is rounded differently here than before may miss the best value: then the suffix decides
+      if(best == none && ! (m_quality.combine(arc_value(i, j), suffix) < m_suffix[t * m + i]))
+        best = j;
+    }
+    return best;
   }
 
   // Iterative, since the depth of the triangulation is not bounded by anything small.

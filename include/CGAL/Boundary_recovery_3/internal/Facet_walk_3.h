@@ -117,10 +117,25 @@ private:
     const Vertex_handle p = crossing.vertices[0], q = crossing.vertices[1];
     m_shell.assign(m_tr, crossing.cell, crossing.cell->index(p), crossing.cell->index(q));
     for(int i = 0; i < m_shell.degree(); ++i)
+    {
+      // a vertex inside the triangle need not be seen from uv, but some cell at a piercing edge has it
+      if(m_blocking_vertex == Vertex_handle() && is_inside(m_shell.vertex(i)))
+        m_blocking_vertex = m_shell.vertex(i);
       for(const Vertex_handle end : { p, q })
         check(end, m_shell.vertex(i), m_shell.cell(i));
+    }
     for(int i = 0; i < m_shell.degree(); ++i)
       check(m_shell.vertex(i), m_shell.vertex(m_shell.next(i)), m_shell.cell(i));
+  }
+
+  // Whether a vertex of the mesh is in the triangle. It cannot be on its rim, which consists of mesh edges.
+  bool is_inside(const Vertex_handle p) const
+  {
+    return p != m_u && p != m_v && p != m_w && ! m_tr.is_infinite(p)
+        && m_predicates.orientation(m_u, m_v, m_w, p) == COPLANAR
+        && m_predicates.side_of_line(m_u, m_v, p, m_w) == POSITIVE
+        && m_predicates.side_of_line(m_v, m_w, p, m_u) == POSITIVE
+        && m_predicates.side_of_line(m_w, m_u, p, m_v) == POSITIVE;
   }
 
   // Lists the mesh edge pq if it pierces the triangle and is not listed yet.
