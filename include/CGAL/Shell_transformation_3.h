@@ -403,7 +403,8 @@ private:
   Boundary_recovery_3::internal::Vertex_predicates_3<Tr> m_predicates;
   Quality m_quality;
   Validity m_validity;
-  Visitor m_no_visitor;
+  // what the constructor without a visitor points to; other visitors need not be default constructible
+  Default_boundary_recovery_visitor_3 m_no_visitor;
   Visitor* m_visitor;
   Recursion_validity m_search_validity = { nullptr, nullptr };
   Boundary_recovery_3::internal::Covering_mesh_search<Tr, Quality, Recursion_validity>

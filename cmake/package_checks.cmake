@@ -1,0 +1,86 @@
+# Tests of the package rather than of the code: headers alone, Clang, conventions, data, installation, manual.
+
+# Registers a test that reports itself as skipped, with the reason.
+function(br3_add_skipped_test name reason)
+  add_test(NAME ${name} COMMAND ${CMAKE_COMMAND} -E echo "skipped: ${reason}")
+  set_tests_properties(${name} PROPERTIES SKIP_REGULAR_EXPRESSION "skipped: ")
+endfunction()
+
+# What a compiler must be told to parse our headers, and a file that holds nothing but what `-include` brings.
+set(br3_includes $<TARGET_PROPERTY:Boundary_recovery_3,INTERFACE_INCLUDE_DIRECTORIES>)
+set(br3_definitions $<TARGET_PROPERTY:Boundary_recovery_3,INTERFACE_COMPILE_DEFINITIONS>)
+set(br3_syntax -std=c++17 -frounding-math -fsyntax-only -Wall -Wextra -Werror
+  $<$<BOOL:${br3_includes}>:-I$<JOIN:${br3_includes},$<SEMICOLON>-I>>
+  $<$<BOOL:${br3_definitions}>:-D$<JOIN:${br3_definitions},$<SEMICOLON>-D>>)
+set(br3_empty_file ${CMAKE_CURRENT_BINARY_DIR}/empty.cpp)
+file(WRITE ${br3_empty_file} "// empty\n")
+
+# Every header alone, internal ones too: a header that leans on what another one includes does not compile.
+file(GLOB_RECURSE br3_headers CONFIGURE_DEPENDS
+     RELATIVE ${CMAKE_CURRENT_SOURCE_DIR}/include ${CMAKE_CURRENT_SOURCE_DIR}/include/CGAL/*.h)
+function(br3_add_header_tests label compiler)
+  foreach(header ${br3_headers})
+    string(REGEX REPLACE "^CGAL/" "" name ${header})
+    string(MAKE_C_IDENTIFIER ${name} name)
+    add_test(NAME header_alone_${label}__${name}
+             COMMAND ${compiler} ${br3_syntax} ${ARGN} -include ${header} ${br3_empty_file} COMMAND_EXPAND_LISTS)
+    set_tests_properties(header_alone_${label}__${name} PROPERTIES LABELS "header;${label}")
+  endforeach()
+endfunction()
+
+# Every program of the examples and tests: only their instantiations show Clang the bodies of our templates.
+function(br3_add_program_tests label compiler)
+  foreach(folder examples test)
+    get_property(targets DIRECTORY ${folder}/Boundary_recovery_3 PROPERTY BUILDSYSTEM_TARGETS)
+    foreach(target ${targets})
+      get_target_property(type ${target} TYPE)
+      if(type STREQUAL "EXECUTABLE")
+        get_target_property(sources ${target} SOURCES)
+        add_test(NAME program_${label}__${target}
+                 COMMAND ${compiler} ${br3_syntax} ${ARGN} ${sources} COMMAND_EXPAND_LISTS)
+        set_tests_properties(program_${label}__${target} PROPERTIES LABELS "program;${label}")
+      endif()
+    endforeach()
+  endforeach()
+endfunction()
+
+# CGAL's targets set -frounding-math for the compiler of the build; Clang 14 accepts it with a warning only.
+br3_add_header_tests(build_compiler ${CMAKE_CXX_COMPILER})
+find_program(BR3_CLANG NAMES clang++ clang++-19 clang++-16 clang++-15 clang++-14 DOC "Clang, for syntax checks")
+if(BR3_CLANG)
+  br3_add_header_tests(clang ${BR3_CLANG} -Wno-unknown-warning-option)
+  br3_add_program_tests(clang ${BR3_CLANG} -Wno-unknown-warning-option)
+else()
+  br3_add_skipped_test(header_alone_clang "no clang++ was found")
+endif()
+
+find_package(Python3 QUIET COMPONENTS Interpreter)
+if(Python3_FOUND)
+  add_test(NAME conventions COMMAND Python3::Interpreter
+           ${CMAKE_CURRENT_SOURCE_DIR}/test/Boundary_recovery_3/check_conventions.py ${CMAKE_CURRENT_SOURCE_DIR})
+  add_test(NAME conventions_are_checked COMMAND Python3::Interpreter
+           ${CMAKE_CURRENT_SOURCE_DIR}/test/Boundary_recovery_3/check_conventions.py --self-test
+           ${CMAKE_CURRENT_BINARY_DIR}/conventions_self_test ${CMAKE_CURRENT_SOURCE_DIR})
+  add_test(NAME data_is_reproducible COMMAND Python3::Interpreter
+           ${CMAKE_CURRENT_SOURCE_DIR}/data/generate_meshes.py --check ${CMAKE_CURRENT_SOURCE_DIR}/data/meshes)
+  if(TARGET recover_boundary)
+    add_test(NAME program_behaves_as_documented COMMAND Python3::Interpreter
+             ${CMAKE_CURRENT_SOURCE_DIR}/test/Boundary_recovery_3/test_program_br3.py $<TARGET_FILE:recover_boundary>)
+    set_tests_properties(program_behaves_as_documented PROPERTIES DEPENDS compilation_of__recover_boundary)
+  endif()
+else()
+  br3_add_skipped_test(conventions "no python3 was found")
+endif()
+
+add_test(NAME install_and_find_package COMMAND ${CMAKE_COMMAND}
+         -DBUILD_DIR=${CMAKE_CURRENT_BINARY_DIR} -DSOURCE_DIR=${CMAKE_CURRENT_SOURCE_DIR}
+         -DSCRATCH_DIR=${CMAKE_CURRENT_BINARY_DIR}/install_test -DCGAL_DIR=${CGAL_DIR}
+         -DCXX_COMPILER=${CMAKE_CXX_COMPILER} -DVERSION=${PROJECT_VERSION}
+         -P ${CMAKE_CURRENT_SOURCE_DIR}/test/Boundary_recovery_3/install_test/run_install_test.cmake)
+
+if(DOXYGEN_FOUND)
+  add_test(NAME manual_builds_without_warning COMMAND Doxygen::doxygen Boundary_recovery_3.dxy
+           WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR})
+else()
+  br3_add_skipped_test(manual_builds_without_warning "no doxygen was found")
+endif()

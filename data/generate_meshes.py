@@ -1,0 +1,235 @@
+#!/usr/bin/env python3
+"""Makes the small closed surfaces of data/meshes, from geometry alone.
+
+usage: generate_meshes.py FOLDER           write the files into FOLDER
+       generate_meshes.py --check FOLDER   exit 1 unless FOLDER holds exactly what would be written
+
+Coordinates are rounded to 4 digits, so that the files do not depend on the last bit of a sine. Every
+surface is checked before it is written: closed, consistently oriented, of the expected volume sign.
+"""
+import math
+import os
+import sys
+from fractions import Fraction
+
+
+class Surface:
+    """Points, each once, as tuples of exact decimals; triangles, oriented outwards."""
+
+    def __init__(self):
+        self.points, self.index, self.triangles = [], {}, []
+
+    def point(self, x, y, z):
+        p = tuple(Fraction(round(c * 10000), 10000) for c in (x, y, z))
+        if p not in self.index:
+            self.index[p] = len(self.points)
+            self.points.append(p)
+        return self.index[p]
+
+    def triangle(self, a, b, c):
+        self.triangles.append((a, b, c))
+
+    def quad(self, a, b, c, d, diagonal=0):
+        """Two triangles; diagonal 0 joins a and c, 1 joins b and d."""
+        if diagonal == 0:
+            self.triangle(a, b, c)
+            self.triangle(a, c, d)
+        else:
+            self.triangle(a, b, d)
+            self.triangle(b, c, d)
+
+    def six_volumes(self):
+        total = 0
+        for t in self.triangles:
+            (ax, ay, az), (bx, by, bz), (cx, cy, cz) = (self.points[v] for v in t)
+            total += ax * (by * cz - bz * cy) - ay * (bx * cz - bz * cx) + az * (bx * cy - by * cx)
+        return total
+
+    def check(self, edges_of_more_than_two_triangles=0):
+        """Each directed edge is matched by its reverse; only so many edges have more than two triangles."""
+        count = {}
+        for t in self.triangles:
+            assert len(set(t)) == 3
+            for i in range(3):
+                a, b = t[i], t[(i + 1) % 3]
+                count.setdefault((min(a, b), max(a, b)), []).append(1 if a < b else -1)
+        assert all(len(c) >= 2 for c in count.values())
+        assert sum(len(c) > 2 for c in count.values()) == edges_of_more_than_two_triangles
+        if edges_of_more_than_two_triangles == 0:
+            assert all(sum(c) == 0 for c in count.values()) and self.six_volumes() > 0
+        assert len(set(map(frozenset, self.triangles))) == len(self.triangles)
+        return self
+
+    def off(self):
+        def decimal(x):
+            text = "%.4f" % float(x)
+            return text.rstrip("0").rstrip(".")
+
+        lines = ["OFF", "%d %d 0" % (len(self.points), len(self.triangles))]
+        lines += [" ".join("0" if c == 0 else decimal(c) for c in p) for p in self.points]
+        lines += ["3 %d %d %d" % t for t in self.triangles]
+        return "\n".join(lines) + "\n"
+
+
+def add_box(surface, low, high, outwards=True, without=()):
+    """The six quads of a box; `without` names sides like '+x' that are left out."""
+    v = [surface.point(*((low, high)[(i >> k) & 1][k] for k in range(3))) for i in range(8)]
+    sides = {"-x": (0, 4, 6, 2), "+x": (1, 3, 7, 5), "-y": (0, 1, 5, 4), "+y": (2, 6, 7, 3),
+             "-z": (0, 2, 3, 1), "+z": (4, 5, 7, 6)}
+    for name, q in sides.items():
+        if name not in without:
+            q = [v[i] for i in (q if outwards else reversed(q))]
+            surface.quad(*q)
+
+
+def cube():
+    s = Surface()
+    add_box(s, (0, 0, 0), (1, 1, 1))
+    return s.check()
+
+
+def nested_cubes():
+    """A cube with a cubical void."""
+    s = Surface()
+    add_box(s, (0, 0, 0), (3, 3, 3))
+    add_box(s, (1, 1, 1), (2, 2, 2), outwards=False)
+    return s.check()
+
+
+def two_cubes():
+    """Two regions: 11 distinct quads, the four edges of the shared one have more than two triangles."""
+    s = Surface()
+    add_box(s, (0, 0, 0), (1, 1, 1))
+    add_box(s, (1, 0, 0), (2, 1, 1), without=("-x",))
+    assert len(s.triangles) == 22
+    return s.check(edges_of_more_than_two_triangles=4)
+
+
+def schoenhardt():
+    """Schoenhardt's prism, twisted by 30 degrees: no tetrahedra fill it without a further point."""
+    s = Surface()
+
+    def ring(z, turn):
+        return [s.point(math.cos(math.radians(120 * i + turn)), math.sin(math.radians(120 * i + turn)), z)
+                for i in range(3)]
+
+    low, high = ring(0, 0), ring(1, 30)
+    s.triangle(low[0], low[2], low[1])
+    s.triangle(*high)
+    for i in range(3):
+        j = (i + 1) % 3
+        s.quad(low[i], low[j], high[j], high[i])  # the diagonal low[i] high[j] is reflex
+        corners = [s.points[v] for v in (low[i], low[j], high[j], high[i])]
+        assert orientation_3(*corners) > 0, "the diagonal is not reflex"
+    return s.check()
+
+
+def orientation_3(p, q, r, t):
+    u, v, w = (tuple(x - y for x, y in zip(a, p)) for a in (q, r, t))
+    return (u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0])
+            + u[2] * (v[0] * w[1] - v[1] * w[0]))
+
+
+def orientation_2(p, q, r):
+    return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
+
+
+def circle(n, radius, turn=0.0):
+    return [(radius * math.cos(2 * math.pi * (i + turn) / n), radius * math.sin(2 * math.pi * (i + turn) / n))
+            for i in range(n)]
+
+
+def strip(outer, inner):
+    """Triangles between two nested polygons that start at about the same angle and run counterclockwise:
+    corners ('o', i) and ('i', j), advanced by angle."""
+    triangles, i, j = [], 0, 0
+    while i < len(outer) or j < len(inner):
+        o, n = ("o", i % len(outer)), ("i", j % len(inner))
+        if i < len(outer) and (j == len(inner) or (i + 1) * len(inner) <= (j + 1) * len(outer)):
+            i += 1
+            triangles.append((o, ("o", i % len(outer)), n))
+        else:
+            j += 1
+            triangles.append((o, ("i", j % len(inner)), n))
+    return triangles
+
+
+def extrude(outline, bore, cap, height):
+    """A part of constant section: `cap` holds triangles over corners ('o', i) of the outline, ('i', j) of the bore."""
+    s = Surface()
+    low = {("o", i): s.point(x, y, 0) for i, (x, y) in enumerate(outline)}
+    low.update({("i", j): s.point(x, y, 0) for j, (x, y) in enumerate(bore)})
+    high = {c: s.point(s.points[v][0], s.points[v][1], height) for c, v in low.items()}
+    area = 0
+    for a, b, c in cap:
+        turn = orientation_2(*(s.points[low[v]] for v in (a, b, c)))
+        assert turn > 0, "the cap is folded"
+        area += turn
+        s.triangle(high[a], high[b], high[c])
+        s.triangle(low[a], low[c], low[b])
+    for kind, n, sign in (("o", len(outline), 1), ("i", len(bore), -1)):
+        for i in range(n):
+            a, b = (kind, i), (kind, (i + 1) % n)
+            if sign < 0:
+                a, b = b, a
+            s.quad(low[a], low[b], high[b], high[a], diagonal=i % 2)
+            area -= orientation_2((0, 0), s.points[low[a]], s.points[low[b]])
+    assert area == 0, "the cap does not cover the section exactly"
+    return s.check()
+
+
+def washer():
+    """A thin plate with a round hole."""
+    outline, bore = circle(24, 4), circle(16, 2)
+    return extrude(outline, bore, strip(outline, bore), 0.25)
+
+
+def gear():
+    """A gear cut as a CSG program would: a fine outline joined to a coarse bore by stretched triangles."""
+    teeth, root, tip = 24, circle(48, 8, -0.5), []
+    for i in range(teeth):
+        for side in (-0.3, 0.3):
+            angle = 2 * math.pi * (i + side / 2) / teeth
+            tip.append((10 * math.cos(angle), 10 * math.sin(angle)))
+    outline, number = [], {}
+    for i in range(teeth):
+        for name, p in (("r", root[2 * i]), ("t", tip[2 * i]), ("t", tip[2 * i + 1]), ("r", root[2 * i + 1])):
+            number[name, p] = len(outline)
+            outline.append(p)
+    cap = []
+    for i in range(teeth):
+        a, b, c, d = (("o", 4 * i + k) for k in range(4))
+        cap += [(a, b, c), (a, c, d)]
+    bore = circle(7, 3, 0.02)
+    for triangle in strip(root, bore):
+        cap.append(tuple(("o", number["r", root[v]]) if kind == "o" else (kind, v) for kind, v in triangle))
+    return extrude(outline, bore, cap, 0.5)
+
+
+SURFACES = {"cube_br3.off": cube, "nested_cubes_br3.off": nested_cubes, "two_cubes_br3.off": two_cubes,
+            "schoenhardt_br3.off": schoenhardt, "washer_br3.off": washer, "gear_br3.off": gear}
+
+
+def main(arguments):
+    check = arguments[:1] == ["--check"]
+    if len(arguments) != 1 + check:
+        print(__doc__)
+        return 1
+    folder, wrong = arguments[-1], 0
+    for name, make in SURFACES.items():
+        path, text = os.path.join(folder, name), make().off()
+        if not check:
+            with open(path, "w", newline="\n") as file:
+                file.write(text)
+        elif not os.path.exists(path) or open(path, newline="").read() != text:
+            wrong += 1
+            print("%s: missing, or not what the generator makes" % path)
+    for name in sorted(os.listdir(folder)) if check else ():
+        if name not in SURFACES:
+            wrong += 1
+            print("%s: no generator makes it" % os.path.join(folder, name))
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,188 @@
+// Reads a triangulated surface, recovers it in a Delaunay triangulation of its vertices, and writes the
+// tetrahedra of the domain that it bounds. `recover_boundary --help` tells the options.
+
+#include <CGAL/recover_boundary.h>
+
+#include "command_line.h"
+#include "default_surface.h"
+#include "print_summary.h"
+#include "read_surface.h"
+#include "write_domain.h"
+#include "write_report.h"
+
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iostream>
+#include <string>
+#include <system_error>
+#include <vector>
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel   Kernel;
+typedef Kernel::Point_3                                       Point;
+typedef CGAL::Delaunay_triangulation_3<Kernel>                Triangulation;
+typedef CGAL::Boundary_recovery_result_3<Triangulation>       Result;
+typedef CGAL::Boundary_recovery_3::Recovery_status            Status;
+
+#ifndef BOUNDARY_RECOVERY_3_VERSION // our CMakeLists.txt tells the version of the package
+#define BOUNDARY_RECOVERY_3_VERSION "unknown"
+#endif
+
+enum Exit_status { recovered = 0, usage_or_file_error = 1, invalid_input = 2, incomplete_or_stopped = 3 };
+
+// recovers the faces of the surface in `tr`, which is empty at first: the call inserts the points, too
+Result recover(Triangulation& tr, const Surface<Point>& surface, const Options& options, Progress_printer& progress)
+{
+  const auto common = CGAL::parameters::visitor(std::ref(progress)).maximum_running_time(options.time_limit);
+  const auto mode = CGAL::parameters::recovery_mode(options.mode);
+  if(options.max_recursion_level < 0)
+    return CGAL::recover_boundary(tr, surface.points, surface.faces, common, mode);
+  return CGAL::recover_boundary(tr, surface.points, surface.faces, common, mode,
+                                CGAL::parameters::max_recursion_level(options.max_recursion_level));
+}
+
+// The surface has each point once and may lack vertices of the file: translates to the numbers of the file.
+void use_vertex_numbers_of_file(Result& result, const Surface<Point>& surface)
+{
+  const auto translate = [&](Result::Input_simplex& simplex)
+  {
+    if(simplex.dimension == 0 && simplex.index != Result::Input_simplex::no_index)
+      simplex.index = surface.file_vertex(simplex.index);
+    for(std::size_t& v : simplex.vertices)
+      v = surface.file_vertex(v);
+  };
+  std::for_each(result.missing_edges.begin(), result.missing_edges.end(), translate);
+  std::for_each(result.missing_facets.begin(), result.missing_facets.end(), translate);
+  for(Result::Input_defect& defect : result.defects)
+    std::for_each(defect.simplices.begin(), defect.simplices.end(), translate);
+}
+
+// whether a file can be opened for writing; leaves no trace of the trial
+bool is_writable(const std::string& file)
+{
+  std::error_code ignored;
+  const bool existed = std::filesystem::exists(file, ignored);
+  const bool opened = std::ofstream(file, std::ios::app).is_open();
+  if(opened && ! existed)
+    std::filesystem::remove(file, ignored);
+  return opened;
+}
+
+int fail(const std::string& message)
+{
+  std::cerr << "recover_boundary: " << message << std::endl;
+  return usage_or_file_error;
+}
+
+void print_defects(const Result& result)
+{
+  const std::size_t n = result.defects.size(), shown = (std::min)(n, std::size_t(10));
+  std::cerr << "recover_boundary: invalid input, " << n << (n == 1 ? " defect" : " defects") << '\n';
+  for(std::size_t i = 0; i < shown; ++i)
+    std::cerr << "  " << result.defects[i] << '\n';
+  if(n > shown)
+    std::cerr << "  and " << n - shown << " more: --report lists all of them\n";
+}
+
+bool write_report(const Options& options, const Result& result, const Domain<Point>& domain,
+                  const std::array<double, 2>& angles)
+{
+  static constexpr const char* modes[] = { "constrained", "conforming", "flips_only" };
+  std::ofstream os(options.report);
+  Json_writer json(os);
+  json.begin('{');
+  json.entry("program", "recover_boundary");
+  json.entry("version", BOUNDARY_RECOVERY_3_VERSION);
+  json.entry("cgal_version", CGAL_VERSION_STR);
+  json.entry("input", options.input.empty() ? std::string("default surface") : options.input);
+  json.entry("mode", modes[static_cast<int>(options.mode)]);
+  Report_writer<Result> write_result(json);
+  write_result(result);
+  json.entry("number_of_points", domain.points.size());
+  json.entry("number_of_tetrahedra", domain.tetrahedra.size());
+  json.entry("number_of_regions", domain.number_of_regions);
+  json.entry("domain", domain.tetrahedra.empty() ? "none" : domain.is_convex_hull ? "convex_hull" : "regions");
+  json.entry("min_dihedral_angle", angles[0]);
+  json.entry("max_dihedral_angle", angles[1]);
+  json.entry("seconds", sum_of_seconds(result.phases, true));
+  json.entry("seconds_recovery", sum_of_seconds(result.phases, false));
+  json.end('}');
+  os << '\n';
+  os.close();
+  return ! os.fail();
+}
+
+int run(const Options& options)
+{
+  Surface<Point> surface;
+  std::string message;
+  if(options.input.empty())
+    surface = default_surface<Point>();
+  else if(! read_surface(options.input, surface, message))
+    return fail(message);
+
+  std::vector<std::string> files = options.outputs;
+  if(! options.report.empty())
+    files.push_back(options.report);
+  for(const std::string& file : files)
+    if(! is_writable(file)) // better said now than after the work
+      return fail("cannot write " + file);
+
+  Triangulation tr;
+  Progress_printer progress(std::cout, ! options.quiet && stdout_is_terminal());
+  Result result = recover(tr, surface, options, progress);
+
+  Domain<Point> domain;
+  if(result.status != Status::invalid_input)
+    domain = Domain_builder<Triangulation>(tr)(surface, result, options.keep_exterior);
+  const std::array<double, 2> angles = range_of_dihedral_angles(domain);
+  use_vertex_numbers_of_file(result, surface);
+
+  if(! options.report.empty() && ! write_report(options, result, domain, angles))
+    return fail("cannot write " + options.report);
+  if(result.status == Status::invalid_input)
+  {
+    print_defects(result);
+    return invalid_input;
+  }
+  for(const std::string& file : options.outputs)
+    if(! write_domain(file, read_surface_internal::lower_case_extension(file), domain))
+      return fail("cannot write " + file);
+
+  if(! options.quiet)
+    print_summary(std::cout, result, domain, angles);
+  if(options.table)
+    print_levels(std::cout, result.levels);
+  if(options.timing)
+    std::cout << "@@rec " << sum_of_seconds(result.phases, false) << '\n'
+              << "@@tmesh " << sum_of_seconds(result.phases, true) << std::endl;
+  return result ? recovered : incomplete_or_stopped;
+}
+
+int main(int argc, char* argv[])
+{
+  Options options;
+  Command_line command_line(argc, argv);
+  if(! command_line.parse(options))
+    return fail(command_line.message());
+  if(options.help)
+  {
+    std::cout << usage;
+    return recovered;
+  }
+  try
+  {
+    return run(options);
+  }
+  catch(const std::exception& e) // such as memory that is exhausted
+  {
+    return fail(e.what());
+  }
+}

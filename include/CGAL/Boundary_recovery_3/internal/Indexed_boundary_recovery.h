@@ -1,0 +1,233 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_INDEXED_BOUNDARY_RECOVERY_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_INDEXED_BOUNDARY_RECOVERY_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Constraint_intersections_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Indexed_input_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Input_diagnosis_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Recovery_context.h>
+#include <CGAL/Boundary_recovery_3/internal/Recovery_diagnosis.h>
+#include <CGAL/Boundary_recovery_3/internal/Vertex_location.h>
+#include <CGAL/Constrained_boundary_recovery_3.h>
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+struct Recovery_options
+{
+  Recovery_mode mode = Recovery_mode::constrained;
+  int max_recursion_level = -1;                                               // negative: the default of the driver
+  double maximum_running_time = std::numeric_limits<double>::infinity();      // seconds
+  bool list_defects = false;
+};
+
+/*
+ * The work behind all the overloads of recover_boundary(), on input in index form: it checks the input, finds or inserts
+ * the vertices, runs the recovery, and writes the account in the caller's indices.
+ */
+template <typename Tr, typename GT, typename Visitor>
+class Indexed_boundary_recovery
+{
+public:
+  typedef typename Tr::Vertex_handle                Vertex_handle;
+  typedef typename Tr::Geom_traits::Point_3         Point_3;
+  typedef Indexed_input_3<Point_3>                  Input;
+  typedef Boundary_recovery_result_3<Tr>            Result;
+  typedef typename Result::Input_simplex            Simplex;
+  typedef typename Result::Input_defect             Defect;
+
+  Indexed_boundary_recovery(Tr& tr, const Input& input, const GT& gt, const Recovery_options& options, Visitor& visitor)
+    : m_tr(tr), m_input(input), m_gt(gt), m_options(options), m_context(visitor)
+  {
+    m_context.set_maximum_running_time(options.maximum_running_time);
+  }
+
+  // `vertices` are those of the input points where the caller knows them, else empty.
+  Result operator()(std::vector<Vertex_handle> vertices)
+  {
+    m_result.defects = simple_defects(m_input, m_gt, m_tr.dimension() < 3);
+    if(m_result.defects.empty() && m_options.list_defects)
+      m_result.defects = intersecting_constraints(m_input, m_gt);
+    if(m_result.defects.empty() && vertices.empty())
+      find_vertices();
+    else
+      m_result.vertices = std::move(vertices);
+    if(m_result.defects.empty() && m_tr.dimension() < 3 && ! m_context.is_stopped())
+      m_result.defects.push_back(Defect{ Input_defect_kind::dimension_less_than_3, {} });
+    if(! m_result.defects.empty())
+      return invalid_input();
+    if(m_context.is_stopped())
+      return stopped_early();
+    recover();
+    return std::move(m_result);
+  }
+
+private:
+  typedef Constrained_boundary_recovery_3<Tr, Visitor> Recovery;
+
+  void find_vertices()
+  {
+    const double start = m_context.seconds();
+    m_context.visitor().on_phase_begin(Recovery_phase::insertion);
+    m_result.vertices.assign(m_input.points.size(), Vertex_handle());
+    bool is_complete = false;
+    if(m_tr.number_of_vertices() > 0)
+    {
+      const Vertex_location<Tr> location(m_tr);
+      is_complete = true;
+      for(std::size_t i = 0; i < m_input.points.size(); ++i)
+      {
+        m_result.vertices[i] = location(m_input.points[i]);
+        is_complete = is_complete && m_result.vertices[i] != Vertex_handle();
+      }
+    }
+    if(! is_complete)
+      insert_missing_points();
+    Phase_report report;
+    report.phase = Recovery_phase::insertion;
+    report.seconds = m_context.seconds() - start;
+    m_result.phases.push_back(report);
+    m_context.visitor().on_phase_end(report);
+  }
+
+  void insert_missing_points()
+  {
+    if(can_insert(m_tr))
+      m_result.number_of_inserted_vertices = insert_points(m_tr, m_input.points, m_result.vertices, m_context);
+    else
+      for(std::size_t i = 0; i < m_input.points.size(); ++i)
+        if(m_result.vertices[i] == Vertex_handle())
+          m_result.defects.push_back(Defect{ Input_defect_kind::unknown_vertex, { describe_vertex(m_input, i) } });
+  }
+
+  Result invalid_input()
+  {
+    m_result.status = Recovery_status::invalid_input;
+    m_result.vertices.clear();
+    m_result.number_of_edges = m_input.edges.size();
+    m_result.number_of_facets = m_input.facets.size();
+    return std::move(m_result);
+  }
+
+  // The points are not all in the triangulation: nothing can be said about constraints but that they are missing.
+  Result stopped_early()
+  {
+    m_result.status = Recovery_status::stopped;
+    m_result.number_of_edges = m_input.edges.size();
+    m_result.number_of_facets = m_input.facets.size();
+    for(std::size_t e = 0; e < m_input.edges.size(); ++e)
+      m_result.missing_edges.push_back(describe_edge(m_input, e));
+    for(std::size_t f = 0; f < m_input.facets.size(); ++f)
+      m_result.missing_facets.push_back(describe_facet(m_input, f));
+    return std::move(m_result);
+  }
+
+  void recover()
+  {
+    Recovery recovery(m_tr, m_context.visitor());
+    recovery.set_maximum_running_time(m_options.maximum_running_time - m_context.seconds());
+    if(m_options.max_recursion_level >= 0)
+      recovery.set_max_recursion_level(m_options.max_recursion_level);
+    insert_constraints(recovery);
+    const bool is_recovered = recovery();
+    take_account(recovery);
+    if(is_recovered)
+      m_result.status = Recovery_status::recovered;
+    else if(! recovery.is_stopped())
+      judge_missing_constraints();
+    else
+      m_result.status = Recovery_status::stopped;
+  }
+
+  void insert_constraints(Recovery& recovery)
+  {
+    const std::vector<Vertex_handle>& v = m_result.vertices;
+    for(std::size_t i = 0; i < m_input.edges.size(); ++i)
+    {
+      const auto& e = m_input.edges[i];
+      if(recovery.insert_constraint(v[e[0]], v[e[1]]) == m_edges.size())
+        m_edges.push_back(describe_edge(m_input, i));
+    }
+    for(const auto& f : m_input.facets)
+      recovery.insert_constraint(v[f[0]], v[f[1]], v[f[2]]);
+  }
+
+  void take_account(const Recovery& recovery)
+  {
+    m_result.number_of_edges = recovery.constrained_edges().size();
+    m_result.number_of_facets = recovery.constrained_facets().size();
+    m_result.number_of_shell_transformations = recovery.number_of_transformations();
+    m_result.phases.insert(m_result.phases.end(), recovery.phases().begin(), recovery.phases().end());
+    m_result.levels = recovery.levels();
+    for(const std::size_t f : recovery.lost_facets()) // facets are all distinct, so they keep their indices
+      m_result.missing_facets.push_back(describe_facet(m_input, f));
+    describe_lost_edges(recovery);
+  }
+
+  // Edges of facets have no index of their own in the input, only vertices.
+  void describe_lost_edges(const Recovery& recovery)
+  {
+    if(recovery.lost_edges().empty())
+      return;
+    std::vector<Simplex> lost(recovery.lost_edges().size());
+    std::vector<std::size_t> position(recovery.constrained_edges().size(), std::size_t(-1));
+    for(std::size_t k = 0; k < lost.size(); ++k)
+      position[recovery.lost_edges()[k]] = k;
+    for(const auto& f : m_input.facets)
+      for(int i = 0; i < 3; ++i)
+      {
+        const std::array<std::size_t, 2> e = {{ f[i], f[(i + 1) % 3] }};
+        const std::size_t k = position[recovery.index(m_result.vertices[e[0]], m_result.vertices[e[1]])];
+        if(k != std::size_t(-1) && lost[k].dimension < 0)
+          lost[k] = describe_simplex(m_input, Simplex::no_index, e);
+      }
+    for(std::size_t k = 0; k < lost.size(); ++k)
+      if(recovery.lost_edges()[k] < m_edges.size())
+        lost[k] = m_edges[recovery.lost_edges()[k]];
+    m_result.missing_edges = std::move(lost);
+  }
+
+  // Constraints that intersect cannot be in one triangulation; nor can one with a foreign vertex inside.
+  void judge_missing_constraints()
+  {
+    std::vector<Simplex> missing = m_result.missing_facets;
+    missing.insert(missing.end(), m_result.missing_edges.begin(), m_result.missing_edges.end());
+    const Recovery_diagnosis<GT> diagnosis(m_input, m_gt);
+    m_result.defects = diagnosis.intersecting_pairs(missing);
+    if(m_result.defects.empty())
+      m_result.defects = diagnosis.vertices_on_constraints(missing, m_tr, m_result.vertices);
+    m_result.status = m_result.defects.empty() ? Recovery_status::incomplete : Recovery_status::invalid_input;
+  }
+
+  Tr& m_tr;
+  const Input& m_input;
+  const GT& m_gt;
+  const Recovery_options& m_options;
+  Recovery_context<Visitor> m_context;
+  Result m_result;
+  std::vector<Simplex> m_edges; // the constraints that were given as edges, by their indices in the recovery
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_INDEXED_BOUNDARY_RECOVERY_H

@@ -1,0 +1,146 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_RECOVERY_DIAGNOSIS_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_RECOVERY_DIAGNOSIS_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Constraint_intersections_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Indexed_input_3.h>
+
+#include <CGAL/Bbox_3.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * Tells invalid input from difficult input, when constraints are missing after the recovery.
+ *
+ * Of two constraints that intersect at most one can be in a triangulation. So if any two do, then one that is missing
+ * does, and it is enough to look around the missing ones. Only if this finds something, all pairs are computed.
+ */
+template <typename GT>
+class Recovery_diagnosis
+{
+public:
+  typedef typename GT::Point_3         Point_3;
+  typedef Indexed_input_3<Point_3>     Input;
+  typedef Input_defect_3<Point_3>      Defect;
+  typedef Input_simplex_3<Point_3>     Simplex;
+
+  Recovery_diagnosis(const Input& input, const GT& gt) : m_input(input), m_gt(gt) { }
+
+  // All pairs of constraints that intersect; `missing` are constraints one of which takes part if there are any.
+  std::vector<Defect> intersecting_pairs(const std::vector<Simplex>& missing) const
+  {
+    if(intersecting_constraints(neighborhood(missing), m_gt).empty())
+      return std::vector<Defect>();
+    return intersecting_constraints(m_input, m_gt);
+  }
+
+  // The missing constraints with a vertex of the triangulation inside them that is not theirs.
+  template <typename Tr>
+  std::vector<Defect> vertices_on_constraints(const std::vector<Simplex>& missing, const Tr& tr,
+                                              const std::vector<typename Tr::Vertex_handle>& vertices) const
+  {
+    std::vector<Defect> defects;
+    for(const Simplex& simplex : missing)
+    {
+      const Bbox_3 b = bbox(simplex.points);
+      for(const typename Tr::Vertex_handle v : tr.finite_vertex_handles())
+        if(do_overlap(b, v->point().bbox()) && is_inside(v->point(), simplex))
+        {
+          Simplex vertex;
+          vertex.dimension = 0;
+          for(std::size_t i = 0; i < vertices.size(); ++i)
+            if(vertices[i] == v)
+            {
+              vertex.index = i;
+              vertex.vertices.assign(1, i);
+              break;
+            }
+          vertex.points.assign(1, v->point());
+          defects.push_back(Defect{ Input_defect_kind::intersecting_constraints, { vertex, simplex } });
+        }
+    }
+    return defects;
+  }
+
+private:
+  static Bbox_3 bbox(const std::vector<Point_3>& points)
+  {
+    Bbox_3 b;
+    for(const Point_3& p : points)
+      b += p.bbox();
+    return b;
+  }
+
+  template <std::size_t N>
+  Bbox_3 bbox(const std::array<std::size_t, N>& simplex) const
+  {
+    Bbox_3 b;
+    for(const std::size_t v : simplex)
+      b += m_input.points[v].bbox();
+    return b;
+  }
+
+  // The constraints whose bounding boxes meet that of a missing one.
+  Input neighborhood(const std::vector<Simplex>& missing) const
+  {
+    std::vector<Bbox_3> boxes;
+    for(const Simplex& simplex : missing)
+      boxes.push_back(bbox(simplex.points));
+    const auto is_near = [&](const auto& simplex)
+    {
+      const Bbox_3 b = bbox(simplex);
+      for(const Bbox_3& box : boxes)
+        if(do_overlap(b, box))
+          return true;
+      return false;
+    };
+    Input near;
+    near.points = m_input.points;
+    for(const auto& facet : m_input.facets)
+      if(is_near(facet))
+        near.facets.push_back(facet);
+    for(const auto& edge : m_input.edges)
+      if(is_near(edge))
+        near.edges.push_back(edge);
+    return near;
+  }
+
+  // Whether p is in the simplex, but not one of its vertices.
+  bool is_inside(const Point_3& p, const Simplex& simplex) const
+  {
+    for(const Point_3& q : simplex.points)
+      if(m_gt.equal_3_object()(p, q))
+        return false;
+    if(simplex.dimension == 1)
+      return m_gt.collinear_3_object()(simplex.points[0], p, simplex.points[1])
+          && m_gt.collinear_are_ordered_along_line_3_object()(simplex.points[0], p, simplex.points[1]);
+    const auto triangle = m_gt.construct_triangle_3_object()(simplex.points[0], simplex.points[1], simplex.points[2]);
+    return m_gt.has_on_3_object()(triangle, p);
+  }
+
+  const Input& m_input;
+  const GT& m_gt;
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_RECOVERY_DIAGNOSIS_H

@@ -1,0 +1,458 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_CONSTRAINED_BOUNDARY_RECOVERY_3_H
+#define CGAL_CONSTRAINED_BOUNDARY_RECOVERY_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
+#include <CGAL/Boundary_recovery_3/Boundary_recovery_visitor_3.h>
+#include <CGAL/Boundary_recovery_3/Shell_quality_3.h>
+#include <CGAL/Boundary_recovery_3/Shell_validity_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Constraints_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Edge_recovery_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Facet_recovery_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Intersection_table_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Recovery_context.h>
+#include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
+#include <CGAL/Shell_transformation_3.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+ * \ingroup PkgBoundaryRecovery3Classes
+ *
+ * \brief recovers constrained edges and facets in a triangulation by recursive shell transformations, without adding points.
+ *
+ * It holds the constraints and runs the preprocessing of [CZZ+17, Section 4.2]; each phase can be called on its own.
+ * Constraints that are in the triangulation are never destroyed.
+ *
+ * \tparam Tr an instance of `CGAL::Triangulation_3`, or of a class derived from it
+ * \tparam Visitor has the members of `Default_boundary_recovery_visitor_3`
+ *
+ * \sa `CGAL::recover_boundary()`
+ */
+template <typename Tr, typename Visitor_ = Default_boundary_recovery_visitor_3>
+class Constrained_boundary_recovery_3
+{
+public:
+  typedef Tr       Triangulation;                         ///< the triangulation type
+  typedef Visitor_ Visitor;                               ///< the visitor type
+  typedef typename Tr::Vertex_handle Vertex_handle;       ///< the vertex handle of the triangulation
+  typedef Boundary_recovery_3::Recovery_phase Phase;      ///< the phases
+  typedef Boundary_recovery_3::Phase_report Phase_report; ///< the counts of a phase
+  typedef Boundary_recovery_3::Recursion_level_report Recursion_level_report; ///< the counts of a pass
+
+  /// the maximal recursion level if none is set; no corpus surface made progress beyond 20.
+  static constexpr int default_max_recursion_level = 30;
+
+  /*!
+   * \param tr the triangulation to change
+   * \param visitor is told about progress and may stop the recovery. It has to outlive this object.
+   *
+   * \pre `tr.dimension() == 3`
+   */
+  Constrained_boundary_recovery_3(Tr& tr, Visitor& visitor)
+    : m_tr(tr), m_predicates(tr), m_context(visitor), m_edge_recovery(tr, m_predicates), m_facet_recovery(tr, m_predicates)
+  {
+    CGAL_precondition(tr.dimension() == 3);
+  }
+
+  Constrained_boundary_recovery_3(const Constrained_boundary_recovery_3&) = delete;
+  Constrained_boundary_recovery_3& operator=(const Constrained_boundary_recovery_3&) = delete;
+
+  /// \name Constraints
+  /// @{
+
+  /// adds the constrained edge `uv`, unless it is there already, and returns its index.
+  std::size_t insert_constraint(const Vertex_handle u, const Vertex_handle v) { return m_constraints.insert(u, v); }
+
+  /// adds the constrained facet `uvw` and its edges, unless they are there already, and returns the index of the facet.
+  std::size_t insert_constraint(const Vertex_handle u, const Vertex_handle v, const Vertex_handle w)
+  {
+    return m_constraints.insert(u, v, w);
+  }
+
+  /// returns the constrained edges by their indices, a range of arrays of two vertex handles.
+  const std::vector<std::array<Vertex_handle, 2> >& constrained_edges() const { return m_constraints.edges(); }
+
+  /// returns the constrained facets by their indices, a range of arrays of three vertex handles.
+  const std::vector<std::array<Vertex_handle, 3> >& constrained_facets() const { return m_constraints.facets(); }
+
+  /// returns the index of the constrained edge `uv`, or `std::size_t(-1)`.
+  std::size_t index(const Vertex_handle u, const Vertex_handle v) const { return m_constraints.index(u, v); }
+
+  /// returns the indices of the edges that were lost when last looked for, in increasing order.
+  const std::vector<std::size_t>& lost_edges() const { return m_lost.edges; }
+
+  /// returns the indices of the facets that were lost when last looked for, in increasing order.
+  const std::vector<std::size_t>& lost_facets() const { return m_lost.facets; }
+  /// @}
+
+  /// \name Settings
+  /// @{
+
+  /// sets the maximal recursion level.
+  void set_max_recursion_level(const int l_max) { m_max_recursion_level = l_max; }
+
+  /// sets the time after which the recovery stops, in seconds from the construction of this object.
+  void set_maximum_running_time(const double seconds) { m_context.set_maximum_running_time(seconds); }
+  /// @}
+
+  /// \name Phases
+  /// Each may be called on its own, after `search()`.
+  /// @{
+
+  /// runs all the phases. Returns whether every constraint is in the triangulation.
+  bool operator()()
+  {
+    search();
+    remove_plainly();
+    recover_edges_brc1();
+    recover_edges_brc3();
+    recover_facets_brc2();
+    recover_facets_brc4();
+    recount();
+    return m_lost.edges.empty() && m_lost.facets.empty();
+  }
+
+  /// looks up every constraint.
+  void search() { run(Phase::search, [&] { look_up(); }); }
+
+  /// removes what crosses lost edges by complete removals of single shells: the cases that need neither
+  /// quality nor recursion.
+  void remove_plainly()
+  {
+    typedef Shell_transformation_3<Tr, No_quality, Edge_validity, Visitor> Transformation;
+    if(m_lost.edges.empty())
+      return;
+    run(Phase::plain_removal, [&]
+    {
+      Transformation st(m_tr, No_quality(), edge_validity(m_constraints.edges().front()), m_context.visitor());
+      for(std::size_t before = 0; before != m_lost.edges.size() && ! m_lost.edges.empty(); )
+      {
+        before = m_lost.edges.size();
+        edge_pass(Phase::plain_removal, st, 0);
+      }
+      m_number_of_transformations += st.number_of_transformations();
+    });
+  }
+
+  /// is the first calling of [CZZ+17, Alg. 5]: under BRC1, with the vector [Q', Q'', Q_1].
+  void recover_edges_brc1()
+  {
+    typedef Shell_transformation_3<Tr, Worst_element_quality, Edge_validity, Visitor> Transformation;
+    if(m_lost.edges.empty())
+      return;
+    run(Phase::edge_recovery_brc1, [&]
+    {
+      Transformation st(m_tr, Worst_element_quality(m_tr), edge_validity(m_constraints.edges().front()),
+                        m_context.visitor());
+      raise_recursion_level(Phase::edge_recovery_brc1, m_lost.edges,
+                            [&] { return edge_report(); },
+                            [&](const int l_max) { edge_pass(Phase::edge_recovery_brc1, st, l_max); },
+                            [](const Recursion_level_report& r) { return r.n1; });
+      m_number_of_transformations += st.number_of_transformations();
+    });
+  }
+
+  /// is the second calling of [CZZ+17, Alg. 5]: under BRC3, with the vector [Q_2, Q', Q''].
+  void recover_edges_brc3()
+  {
+    typedef Boundary_recovery_3::internal::Intersection_table_3<Tr, 2> Table;
+    typedef Boundary_recovery_3::Fewest_intersections_quality_3<Tr, Table> Quality;
+    typedef Boundary_recovery_3::Shell_validity_conjunction_3<Kept, Boundary_recovery_3::BRC3<Tr, Table> > Validity;
+    typedef Shell_transformation_3<Tr, Quality, Validity, Visitor> Transformation;
+    if(m_lost.edges.empty())
+      return;
+    run(Phase::edge_recovery_brc3, [&]
+    {
+      Table table(m_tr);
+      Transformation st(m_tr, Quality(table), Validity(Kept(m_constraints), Boundary_recovery_3::BRC3<Tr, Table>(table)),
+                        m_context.visitor());
+      raise_recursion_level(Phase::edge_recovery_brc3, m_lost.edges,
+                            [&] { return edge_report(); },
+                            [&](const int l_max)
+                            {
+                              table.set_constraints(simplices(m_lost.edges, m_constraints.edges()));
+                              edge_pass(Phase::edge_recovery_brc3, st, l_max);
+                            },
+                            [](const Recursion_level_report& r) { return r.n2; });
+      m_number_of_transformations += st.number_of_transformations();
+    });
+  }
+
+  /// is the first calling for facets [CZZ+17, Section 4.2.2]: under BRC2.
+  /// Facets are treated if their edges are in the triangulation.
+  void recover_facets_brc2()
+  {
+    typedef Shell_transformation_3<Tr, Worst_element_quality, Facet_validity, Visitor> Transformation;
+    if(m_lost.facets.empty())
+      return;
+    run(Phase::facet_recovery_brc2, [&]
+    {
+      look_up();
+      find_treatable_facets();
+      if(m_treatable_facets.empty())
+        return;
+      Transformation st(m_tr, Worst_element_quality(m_tr), facet_validity(m_constraints.facets().front()),
+                        m_context.visitor());
+      raise_recursion_level(Phase::facet_recovery_brc2, m_treatable_facets,
+                            [&] { return facet_report(); },
+                            [&](const int l_max) { facet_pass(Phase::facet_recovery_brc2, st, l_max); },
+                            [](const Recursion_level_report& r) { return r.n1; });
+      m_number_of_transformations += st.number_of_transformations();
+      look_up();
+    });
+  }
+
+  /// is the second calling for facets [CZZ+17, Section 4.2.2]: under BRC4.
+  void recover_facets_brc4()
+  {
+    typedef Boundary_recovery_3::internal::Intersection_table_3<Tr, 3> Table;
+    typedef Boundary_recovery_3::Fewest_intersections_quality_3<Tr, Table> Quality;
+    typedef Boundary_recovery_3::Shell_validity_conjunction_3<Kept, Boundary_recovery_3::BRC4<Tr, Table> > Validity;
+    typedef Shell_transformation_3<Tr, Quality, Validity, Visitor> Transformation;
+    find_treatable_facets();
+    if(m_treatable_facets.empty())
+      return;
+    run(Phase::facet_recovery_brc4, [&]
+    {
+      Table table(m_tr);
+      Transformation st(m_tr, Quality(table), Validity(Kept(m_constraints), Boundary_recovery_3::BRC4<Tr, Table>(table)),
+                        m_context.visitor());
+      raise_recursion_level(Phase::facet_recovery_brc4, m_treatable_facets,
+                            [&] { return facet_report(); },
+                            [&](const int l_max)
+                            {
+                              table.set_constraints(simplices(m_treatable_facets, m_constraints.facets()));
+                              facet_pass(Phase::facet_recovery_brc4, st, l_max);
+                            },
+                            [](const Recursion_level_report& r) { return r.n2; });
+      m_number_of_transformations += st.number_of_transformations();
+    });
+  }
+
+  /// looks up every constraint again: only this tells what was recovered.
+  void recount() { run(Phase::recount, [&] { look_up(); }); }
+  /// @}
+
+  /// \name Account
+  /// @{
+
+  /// returns whether the visitor or the time limit ended the recovery.
+  bool is_stopped() const { return m_context.is_stopped(); }
+
+  /// returns the counts of each phase that ran.
+  const std::vector<Phase_report>& phases() const { return m_phases; }
+
+  /// returns the counts of each pass, the rows of the tables of [CZZ+17, Section 5.1.2].
+  const std::vector<Recursion_level_report>& levels() const { return m_levels; }
+
+  /// returns the number of covering meshes that were replaced.
+  std::size_t number_of_transformations() const { return m_number_of_transformations; }
+  /// @}
+
+private:
+  typedef Boundary_recovery_3::internal::Constraints_3<Tr>    Constraints;
+  typedef Boundary_recovery_3::internal::Lost_constraints     Lost_constraints;
+  typedef Boundary_recovery_3::Kept_constraints_3<Constraints> Kept;
+  typedef Boundary_recovery_3::No_shell_quality_3             No_quality;
+  typedef Boundary_recovery_3::Worst_element_quality_3<Tr>    Worst_element_quality;
+  typedef Boundary_recovery_3::Shell_validity_conjunction_3<Kept, Boundary_recovery_3::BRC1<Tr> > Edge_validity;
+  typedef Boundary_recovery_3::Shell_validity_conjunction_3<Kept, Boundary_recovery_3::BRC2<Tr> > Facet_validity;
+
+  // Number of passes in a row without progress after which a calling of Alg. 5 ends.
+  static constexpr int max_number_of_failures = 3;
+
+  template <typename Work>
+  void run(const Phase phase, const Work& work)
+  {
+    const double start = m_context.seconds();
+    m_context.visitor().on_phase_begin(phase);
+    if(m_context.go_further() || phase == Phase::recount || phase == Phase::search)
+      work();
+    Phase_report report;
+    report.phase = phase;
+    report.lost_edges = m_lost.edges.size();
+    report.lost_facets = m_lost.facets.size();
+    report.seconds = m_context.seconds() - start;
+    m_phases.push_back(report);
+    m_context.visitor().on_phase_end(report);
+  }
+
+  void look_up()
+  {
+    m_lost = Boundary_recovery_3::internal::Constraint_search_3<Tr>(m_tr, m_constraints)();
+  }
+
+  // recvBndEdgesByST_Wrap of [CZZ+17, Alg. 5], for edges and for facets: raises the recursion level from pass to pass until
+  // nothing is lost, or until three passes in a row did not improve the measure.
+  template <typename Report, typename Pass, typename Measure>
+  void raise_recursion_level(const Phase phase, const std::vector<std::size_t>& lost,
+                             const Report& report, const Pass& pass, const Measure& measure)
+  {
+    std::size_t best = add_level(phase, -1, report(), measure);
+    int number_of_failures = 0;
+    for(int l_max = 0; l_max <= m_max_recursion_level && ! lost.empty() && m_context.go_further(); ++l_max)
+    {
+      pass(l_max);
+      const std::size_t value = add_level(phase, l_max, report(), measure);
+      number_of_failures = value < best ? 0 : number_of_failures + 1;
+      best = (std::min)(best, value);
+      if(number_of_failures == max_number_of_failures)
+        return;
+    }
+  }
+
+  template <typename Measure>
+  std::size_t add_level(const Phase phase, const int l_max, Recursion_level_report report, const Measure& measure)
+  {
+    report.phase = phase;
+    report.max_recursion_level = l_max;
+    m_levels.push_back(report);
+    return measure(report);
+  }
+
+  // recvBndEdgesByST of [CZZ+17, Alg. 4].
+  template <typename Transformation>
+  void edge_pass(const Phase phase, Transformation& st, const int l_max)
+  {
+    std::size_t kept = 0, done = 0;
+    const std::size_t total = m_lost.edges.size();
+    for(const std::size_t e : m_lost.edges)
+    {
+      const std::array<Vertex_handle, 2>& edge = m_constraints.edges()[e];
+      set_target(st, edge);
+      if(! m_edge_recovery(st, edge[0], edge[1], l_max, m_context))
+        m_lost.edges[kept++] = e;
+      m_context.visitor().on_progress(phase, ++done, total);
+    }
+    m_lost.edges.resize(kept);
+  }
+
+  template <typename Transformation>
+  void facet_pass(const Phase phase, Transformation& st, const int l_max)
+  {
+    std::size_t kept = 0, done = 0;
+    const std::size_t total = m_treatable_facets.size();
+    for(const std::size_t f : m_treatable_facets)
+    {
+      const std::array<Vertex_handle, 3>& facet = m_constraints.facets()[f];
+      set_target(st, facet);
+      if(! m_facet_recovery(st, facet[0], facet[1], facet[2], l_max, m_context))
+        m_treatable_facets[kept++] = f;
+      m_context.visitor().on_progress(phase, ++done, total);
+    }
+    m_treatable_facets.resize(kept);
+  }
+
+  // BRC1 and BRC2 are about the constraint that is being recovered, BRC3 and BRC4 about all of them.
+  template <typename Quality>
+  void set_target(Shell_transformation_3<Tr, Quality, Edge_validity, Visitor>& st,
+                  const std::array<Vertex_handle, 2>& edge) const
+  {
+    st.validity() = edge_validity(edge);
+  }
+
+  template <typename Quality>
+  void set_target(Shell_transformation_3<Tr, Quality, Facet_validity, Visitor>& st,
+                  const std::array<Vertex_handle, 3>& facet) const
+  {
+    st.validity() = facet_validity(facet);
+  }
+
+  template <typename Transformation, typename Simplex>
+  void set_target(Transformation&, const Simplex&) const { }
+
+  Edge_validity edge_validity(const std::array<Vertex_handle, 2>& e) const
+  {
+    return Edge_validity(Kept(m_constraints), Boundary_recovery_3::BRC1<Tr>(m_tr, e[0], e[1]));
+  }
+
+  Facet_validity facet_validity(const std::array<Vertex_handle, 3>& f) const
+  {
+    return Facet_validity(Kept(m_constraints), Boundary_recovery_3::BRC2<Tr>(m_tr, f[0], f[1], f[2]));
+  }
+
+  template <typename Simplex>
+  static std::vector<Simplex> simplices(const std::vector<std::size_t>& indices, const std::vector<Simplex>& all)
+  {
+    std::vector<Simplex> result;
+    for(const std::size_t i : indices)
+      result.push_back(all[i]);
+    return result;
+  }
+
+  void find_treatable_facets()
+  {
+    m_treatable_facets.clear();
+    for(const std::size_t f : m_lost.facets)
+    {
+      const std::array<Vertex_handle, 3>& facet = m_constraints.facets()[f];
+      if(m_facet_recovery.has_edges(facet[0], facet[1], facet[2]))
+        m_treatable_facets.push_back(f);
+    }
+  }
+
+  Recursion_level_report edge_report()
+  {
+    Recursion_level_report report;
+    report.n1 = m_lost.edges.size();
+    for(const std::size_t e : m_lost.edges)
+    {
+      const std::array<Vertex_handle, 2>& edge = m_constraints.edges()[e];
+      add_crossings(report, m_edge_recovery.number_of_crossings(edge[0], edge[1]));
+    }
+    return report;
+  }
+
+  Recursion_level_report facet_report()
+  {
+    Recursion_level_report report;
+    report.n1 = m_treatable_facets.size();
+    for(const std::size_t f : m_treatable_facets)
+    {
+      const std::array<Vertex_handle, 3>& facet = m_constraints.facets()[f];
+      add_crossings(report, m_facet_recovery.number_of_crossings(facet[0], facet[1], facet[2]));
+    }
+    return report;
+  }
+
+  static void add_crossings(Recursion_level_report& report, const std::size_t n)
+  {
+    report.n2 += n;
+    report.n3 = (std::max)(report.n3, n);
+  }
+
+  Tr& m_tr;
+  Boundary_recovery_3::internal::Vertex_predicates_3<Tr> m_predicates;
+  Boundary_recovery_3::internal::Recovery_context<Visitor> m_context;
+  Boundary_recovery_3::internal::Edge_recovery_3<Tr> m_edge_recovery;
+  Boundary_recovery_3::internal::Facet_recovery_3<Tr> m_facet_recovery;
+  Constraints m_constraints;
+  Lost_constraints m_lost;
+  std::vector<std::size_t> m_treatable_facets; // lost facets whose edges are in the mesh
+  std::vector<Phase_report> m_phases;
+  std::vector<Recursion_level_report> m_levels;
+  std::size_t m_number_of_transformations = 0;
+  int m_max_recursion_level = default_max_recursion_level;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_CONSTRAINED_BOUNDARY_RECOVERY_3_H

@@ -1,0 +1,257 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_RECOVER_BOUNDARY_H
+#define CGAL_RECOVER_BOUNDARY_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
+#include <CGAL/Boundary_recovery_3/Boundary_recovery_visitor_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Indexed_boundary_recovery.h>
+#include <CGAL/Boundary_recovery_3/internal/input_conversion.h>
+#include <CGAL/Boundary_recovery_3/parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/property_map.h>
+
+#include <boost/range/has_range_iterator.hpp>
+
+#include <type_traits>
+
+namespace CGAL {
+
+/*!
+ * \ingroup PkgBoundaryRecovery3Functions
+ *
+ * \brief recovers the faces of a triangle soup in a triangulation: every triangle becomes a facet of `tr`.
+ *
+ * The soup may be open, non-manifold, have sheets that end inside, and bound several regions. The function
+ * 1. checks the input;
+ * 2. finds the points among the vertices of `tr` by their exact coordinates, and inserts those that are not there;
+ * 3. recovers lost edges, then lost facets, by recursive shell transformations [CZZ+17, Section 4.2], without adding points;
+ * 4. looks up every constraint again.
+ *
+ * The triangulation is changed in place and is no longer Delaunay afterwards, although its type may say so: point insertion, point
+ * location by conflicts, and nearest vertex queries are undefined from then on. The base `Triangulation_3::is_valid()` holds.
+ * Vertices keep their handles and their coordinates, bit for bit. Cells are replaced; data in them is lost, unless a visitor carries it over.
+ * A later call on the same triangulation has to be given the earlier constraints again, or it may flip them away.
+ *
+ * Nothing is printed, and nothing is thrown because of the input.
+ *
+ * \tparam Triangulation an instance of `Delaunay_triangulation_3`, or of `Triangulation_3`, or of a class derived from one of them,
+ *         with an exact-predicates kernel as geometric traits. No points are inserted in a triangulation that is not
+ *         Delaunay: it has to have them all.
+ * \tparam PointRange a model of `ConstRange` whose value type is `Triangulation::Geom_traits::Point_3`, unless `point_map` is given
+ * \tparam TriangleRange a model of `ConstRange` whose value type is a model of `RandomAccessContainer` of vertex indices
+ * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+ *
+ * \param tr the triangulation. It may be empty; then the function does everything.
+ * \param points the points
+ * \param triangles the triangles, each three indices of points
+ * \param np an optional sequence of named parameters among the ones listed below. Those that only this package has, `recovery_mode`,
+ *        `max_recursion_level`, `constrained_edges` and `list_defects`, start a chain; several chains are passed one
+ *        after the other.
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{recovery_mode}
+ *     \cgalParamDescription{how far the recovery goes}
+ *     \cgalParamType{`CGAL::Boundary_recovery_3::Recovery_mode`}
+ *     \cgalParamDefault{`Recovery_mode::constrained`}
+ *     \cgalParamExtra{Steiner points are not implemented yet: whatever the mode, what flips cannot recover is reported as
+ *                     missing, with the status `incomplete`.}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{max_recursion_level}
+ *     \cgalParamDescription{the recursion level that is never exceeded; 0: no recursion}
+ *     \cgalParamType{`int`}
+ *     \cgalParamDefault{30}
+ *     \cgalParamExtra{The levels are raised from 0, and no longer than they help.}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{constrained_edges}
+ *     \cgalParamDescription{edges to be recovered beside those of the triangles}
+ *     \cgalParamType{a `ConstRange` whose value type is an array of two vertex indices}
+ *     \cgalParamDefault{no edges}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{maximum_running_time}
+ *     \cgalParamDescription{the time in seconds after which the recovery stops, with a valid triangulation}
+ *     \cgalParamType{`double`}
+ *     \cgalParamDefault{no limit}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{visitor}
+ *     \cgalParamDescription{is told about phases, progress, and the cells that go and come, and can stop the recovery}
+ *     \cgalParamType{a class with the members of `Default_boundary_recovery_visitor_3`}
+ *     \cgalParamDefault{`Default_boundary_recovery_visitor_3`}
+ *     \cgalParamExtra{Pass `std::ref(visitor)` to have the object itself called and not a copy.}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{list_defects}
+ *     \cgalParamDescription{whether intersections of constraints are searched first, and the triangulation is left alone if there are any}
+ *     \cgalParamType{`bool`}
+ *     \cgalParamDefault{`false`: they are searched only when constraints are missing in the end}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{point_map}
+ *     \cgalParamDescription{a property map from the elements of `points` to points}
+ *     \cgalParamType{a model of `ReadablePropertyMap`}
+ *     \cgalParamDefault{`CGAL::Identity_property_map`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{geom_traits}
+ *     \cgalParamDescription{the traits for checking the input}
+ *     \cgalParamType{a kernel with the point type of the triangulation}
+ *     \cgalParamDefault{the traits of the triangulation}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \return the status, and what is missing or wrong in terms of the indices of points and triangles. It converts to `true` iff every
+ *         triangle and constrained edge is in the triangulation.
+ *         If the status is `invalid_input`, the triangulation was not changed, with two exceptions: the points have been inserted if they
+ *         and the vertices of a triangulation of a dimension less than 3 turn out to be coplanar; and constraints that intersect are, unless
+ *         `list_defects` is set, found only after points were inserted and cells flipped.
+ */
+template <typename Triangulation, typename PointRange, typename TriangleRange, typename CGAL_NP_TEMPLATE_PARAMETERS
+#ifndef DOXYGEN_RUNNING
+          , std::enable_if_t<boost::has_range_const_iterator<TriangleRange>::value>* = nullptr
+#endif
+          >
+Boundary_recovery_result_3<Triangulation>
+recover_boundary(Triangulation& tr, const PointRange& points, const TriangleRange& triangles,
+                 const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  typedef typename Triangulation::Geom_traits::Point_3 Point_3;
+  namespace BR3 = Boundary_recovery_3::internal;
+  const auto point_map = parameters::choose_parameter<Identity_property_map<Point_3> >(
+    parameters::get_parameter(np, internal_np::point_map));
+
+  BR3::Input_conversion<Triangulation> conversion;
+  for(const auto& p : points)
+    conversion.add_point(get(point_map, p));
+  for(const auto& t : triangles)
+    conversion.add_facet(t);
+  return conversion.recover(tr, np);
+}
+
+/*!
+ * \ingroup PkgBoundaryRecovery3Functions
+ *
+ * \brief recovers the faces of a surface mesh in a triangulation: every face becomes a facet of `tr`.
+ *
+ * It does what the other overload does for a soup, and has its named parameters except `point_map` and `constrained_edges`.
+ *
+ * \tparam Triangulation see the other overload
+ * \tparam FaceListGraph a model of `FaceListGraph`
+ * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+ *
+ * \param tr the triangulation. It may be empty.
+ * \param surface the surface mesh. It may be open and may have several components. Indices in the result are positions in `vertices(surface)`
+ *        and in `faces(surface)`.
+ * \param np an optional sequence of named parameters among those of the other overload and the ones listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{vertex_point_map}
+ *     \cgalParamDescription{a property map from the vertices of `surface` to points}
+ *     \cgalParamType{a model of `ReadablePropertyMap`}
+ *     \cgalParamDefault{`boost::get(CGAL::vertex_point, surface)`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{vertex_to_vertex_map}
+ *     \cgalParamDescription{a property map that gets the vertex of `tr` for each vertex of `surface`, unless the input is invalid}
+ *     \cgalParamType{a model of `WritablePropertyMap` from vertex descriptors to `Triangulation::Vertex_handle`}
+ *     \cgalParamDefault{unused}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \return see the other overload
+ */
+template <typename Triangulation, typename FaceListGraph, typename CGAL_NP_TEMPLATE_PARAMETERS
+#ifndef DOXYGEN_RUNNING
+          , std::enable_if_t<! boost::has_range_const_iterator<FaceListGraph>::value>* = nullptr
+#endif
+          >
+Boundary_recovery_result_3<Triangulation>
+recover_boundary(Triangulation& tr, const FaceListGraph& surface,
+                 const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  namespace BR3 = Boundary_recovery_3::internal;
+  const auto point_map = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                                      get_const_property_map(CGAL::vertex_point, surface));
+  BR3::Input_conversion<Triangulation> conversion;
+  conversion.add_surface(surface, point_map);
+  const Boundary_recovery_result_3<Triangulation> result = conversion.recover(tr, np);
+  if constexpr(! parameters::is_default_parameter<CGAL_NP_CLASS, internal_np::vertex_to_vertex_map_t>::value)
+  {
+    auto vertex_map = parameters::get_parameter(np, internal_np::vertex_to_vertex_map);
+    std::size_t i = 0;
+    for(const auto v : vertices(surface))
+      if(i < result.vertices.size())
+        put(vertex_map, v, result.vertices[i++]);
+  }
+  return result;
+}
+
+/*!
+ * \ingroup PkgBoundaryRecovery3Functions
+ *
+ * \brief recovers facets between vertices of a triangulation.
+ *
+ * It does what the overload for soups does, without inserting points, and has its named parameters except `point_map`; the
+ * value type of `constrained_edges` is an array of two vertex handles here.
+ *
+ * \tparam Triangulation see the other overload
+ * \tparam FacetRange a model of `ConstRange` whose value type is an array of three vertex handles of `Triangulation`
+ * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+ *
+ * \param tr the triangulation
+ * \param facets the facets. Indices of facets in the result are positions in this range; indices of vertices count the vertices of the
+ *        facets, then of the edges, in the order of their first appearance, and `vertices` of the result holds them.
+ * \param np an optional sequence of named parameters
+ *
+ * \return see the other overload
+ */
+template <typename Triangulation, typename FacetRange, typename CGAL_NP_TEMPLATE_PARAMETERS
+#ifndef DOXYGEN_RUNNING
+          , std::enable_if_t<boost::has_range_const_iterator<FacetRange>::value>* = nullptr
+#endif
+          >
+Boundary_recovery_result_3<Triangulation>
+recover_boundary(Triangulation& tr, const FacetRange& facets,
+                 const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  Boundary_recovery_3::internal::Handle_conversion<Triangulation> conversion(tr);
+  for(const auto& f : facets)
+    conversion.add_facet(f);
+  return conversion.recover(tr, np);
+}
+
+#ifndef DOXYGEN_RUNNING
+
+// Several chains of named parameters, one after the other.
+
+template <typename Triangulation, typename PointRange, typename TriangleRange,
+          typename T1, typename Tag1, typename Base1, typename T2, typename Tag2, typename Base2, typename ... NPs>
+Boundary_recovery_result_3<Triangulation>
+recover_boundary(Triangulation& tr, const PointRange& points, const TriangleRange& triangles,
+                 const Named_function_parameters<T1, Tag1, Base1>& np1,
+                 const Named_function_parameters<T2, Tag2, Base2>& np2, const NPs& ... nps)
+{
+  return recover_boundary(tr, points, triangles, Boundary_recovery_3::internal::merge_all(np1, np2, nps...));
+}
+
+template <typename Triangulation, typename Boundary,
+          typename T1, typename Tag1, typename Base1, typename T2, typename Tag2, typename Base2, typename ... NPs>
+Boundary_recovery_result_3<Triangulation>
+recover_boundary(Triangulation& tr, const Boundary& boundary,
+                 const Named_function_parameters<T1, Tag1, Base1>& np1,
+                 const Named_function_parameters<T2, Tag2, Base2>& np2, const NPs& ... nps)
+{
+  return recover_boundary(tr, boundary, Boundary_recovery_3::internal::merge_all(np1, np2, nps...));
+}
+
+#endif // DOXYGEN_RUNNING
+
+} // namespace CGAL
+
+#endif // CGAL_RECOVER_BOUNDARY_H

@@ -1,0 +1,255 @@
+#!/usr/bin/env python3
+"""Checks the files of the package as CGAL's continuous integration would, and our own rules.
+
+usage: check_conventions.py ROOT
+       check_conventions.py --self-test SCRATCH ROOT   break a copy of the package in many ways; each must be noticed
+"""
+import os
+import re
+import shutil
+import sys
+
+PACKAGE = "Boundary_recovery_3"
+TEXT = {".h", ".cpp", ".txt", ".cmake", ".md", ".py", ".sh", ".in", ".off", ".cmd", ".bib", ".svg", ""}
+SKIPPED_FOLDERS = {".git", "build", "__pycache__"}
+FORBIDDEN_IN_HEADERS = {
+    r"\bstd::(cout|cerr|clog)\b|\b(printf|fprintf|puts)\s*\(": "prints",
+    r"\b(exit|abort|_Exit|quick_exit|terminate)\s*\(": "ends the program",
+    r"(?<![\w:])assert\s*\(": "uses assert instead of CGAL's macros",
+    r"\bNULL\b": "uses NULL",
+    r"\busing\s+namespace\b": "imports a namespace",
+}
+
+
+def files_of(root):
+    for folder, folders, names in os.walk(root):
+        folders[:] = sorted(f for f in folders if f not in SKIPPED_FOLDERS)
+        for name in sorted(names):
+            yield os.path.relpath(os.path.join(folder, name), root)
+
+
+def read(root, path):
+    with open(os.path.join(root, path), encoding="utf-8", newline="") as file:
+        return file.read()
+
+
+def without_comments_and_strings(code):
+    return re.sub(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"', " ", code, flags=re.S)
+
+
+class Checker:
+    def __init__(self, root):
+        self.root, self.complaints = root, []
+        self.paths = list(files_of(root))
+
+    def require(self, condition, path, text):
+        if not condition:
+            self.complaints.append("%s: %s" % (path, text))
+
+    def check_all(self):
+        for path in self.paths:
+            self.check_text(path)
+        headers = [p for p in self.paths if p.startswith("include/")]
+        self.require(headers, "include", "no header")
+        for path in headers:
+            self.check_header(path)
+        self.check_unique_names()
+        self.check_programs()
+        self.check_package_info()
+        self.check_readme()
+        self.check_sizes()
+        return self.complaints
+
+    def check_text(self, path):
+        if os.path.splitext(path)[1] not in TEXT or path.endswith((".png", ".jpg")):
+            return
+        try:
+            text = read(self.root, path)
+        except UnicodeDecodeError:
+            self.require(False, path, "not UTF-8")
+            return
+        if path == "LICENSE":
+            return  # as the Free Software Foundation wrote it
+        self.require(not text or text.endswith("\n"), path, "no newline at the end")
+        self.require("\r" not in text, path, "carriage return")
+        for number, line in enumerate(text.split("\n"), 1):
+            where = "%s:%d" % (path, number)
+            self.require("\t" not in line, where, "tab")
+            self.require(line == line.rstrip(), where, "trailing blank")
+            if path.endswith((".h", ".cpp")):
+                self.require(len(line) <= 120, where, "more than 120 columns")
+        script = text.startswith("#!")
+        executable = os.access(os.path.join(self.root, path), os.X_OK)
+        self.require(script or not executable, path, "executable, but no script")
+
+    def check_header(self, path):
+        text = read(self.root, path)
+        heading = text.split("#ifndef")[0]
+        for item in ("// Copyright (c) ", "// $URL$", "// $Id$", "// SPDX-License-Identifier: GPL-3.0-or-later",
+                     "// Author(s)     : "):
+            self.require("\n" + item in "\n" + heading, path, "no '%s' in the heading" % item)
+
+        # CGAL_FILE_NAME_H, or the same with folders before the file's name
+        parts = path[len("include/CGAL/"):].split("/")
+        tails = {"/".join(parts[i:]) for i in range(len(parts))}
+        names = {"CGAL_" + re.sub(r"\W", "_", tail).upper() for tail in tails}
+        guard = re.search(r"^#ifndef (\w+)\n#define (\w+)\n", text, re.M)
+        self.require(guard and guard.group(1) == guard.group(2) and guard.group(1) in names, path,
+                     "the include guard is not named after the file")
+        if guard:
+            self.require(text.endswith("\n#endif // %s\n" % guard.group(1)), path, "the #endif does not name the guard")
+
+        code = without_comments_and_strings(text)
+        if not path.startswith("include/CGAL/license/"):
+            first = re.search(r"^#include .*$", text, re.M)
+            self.require(first and first.group(0) == "#include <CGAL/license/%s.h>" % PACKAGE, path,
+                         "the first include is not the one of the licence")
+        for pattern, what in FORBIDDEN_IN_HEADERS.items():
+            self.require(not re.search(pattern, code), path, what)
+        for include in re.findall(r'^#include "(.*)"', text, re.M):
+            self.require(False, path, 'includes "%s" with quotes' % include)
+        internal = "/internal/" in path
+        self.require(not internal or "namespace internal" in code, path, "not in a namespace internal")
+
+    def check_unique_names(self):
+        seen = {}
+        for path in self.paths:
+            if path.endswith((".h", ".cpp")) and not path.startswith(("include/CGAL/license/", "doc/")) \
+                    and "/install_test/" not in path:
+                name = os.path.basename(path).lower()
+                self.require(name not in seen, path, "has the name of %s" % seen.get(name))
+                seen[name] = path
+
+    def check_programs(self):
+        """Every program is named in its CMakeLists.txt and every name there exists; examples also in the manual."""
+        for folder in ("examples", "test", "benchmark"):
+            base = "%s/%s" % (folder, PACKAGE)
+            if not os.path.exists(os.path.join(self.root, base, "CMakeLists.txt")):
+                self.require(folder == "benchmark", base, "no CMakeLists.txt")
+                continue
+            cmake = re.sub(r"#[^\n]*", "", read(self.root, base + "/CMakeLists.txt"))
+            self.require(cmake.lstrip().startswith("cmake_minimum_required"), base + "/CMakeLists.txt",
+                         "does not start with cmake_minimum_required")
+            named = set(re.findall(r'[\w.]+\.cpp', cmake))
+            there = {os.path.basename(p) for p in self.paths if os.path.dirname(p) == base and p.endswith(".cpp")}
+            for name in sorted(named ^ there):
+                self.require(False, "%s/%s" % (base, name),
+                             "not named in CMakeLists.txt" if name in there else "does not exist, but is named in CMakeLists.txt")
+            if folder == "examples":
+                self.check_examples_in_manual(base, there)
+
+    def check_examples_in_manual(self, base, there):
+        path = "doc/%s/examples.txt" % PACKAGE
+        listed = set(re.findall(r"\\example %s/(\S+)" % PACKAGE, read(self.root, path)))
+        manual = read(self.root, "doc/%s/%s.txt" % (PACKAGE, PACKAGE))
+        shown = set(re.findall(r"\\cgalExample\{%s/([^}]+)\}" % PACKAGE, manual))
+        for name in sorted(there - listed):
+            self.require(False, "%s/%s" % (base, name), "not named in %s" % path)
+        for name in sorted((listed | shown) - there):
+            self.require(False, path, "names %s, which does not exist" % name)
+        for name in sorted(shown - listed):
+            self.require(False, path, "does not name %s, which the manual shows" % name)
+
+    def check_package_info(self):
+        base = "package_info/%s/" % PACKAGE
+        for name in ("copyright", "description.txt", "license.txt", "maintainer", "dependencies", "long_description.txt"):
+            present = base + name in self.paths and read(self.root, base + name).strip()
+            self.require(present, base + name, "missing or empty")
+            if not present:
+                return
+        self.require(read(self.root, base + "license.txt") == "GPL (v3 or later)\n", base + "license.txt", "wrong licence")
+        self.require(re.fullmatch(r"[^<>\n]+ <[^<>@\s]+@[^<>@\s]+>\n", read(self.root, base + "maintainer")),
+                     base + "maintainer", "not 'Name <mail>'")
+        self.require(read(self.root, base + "description.txt").count("\n") == 1, base + "description.txt", "not one line")
+        dependencies = read(self.root, base + "dependencies").split()
+        self.require(dependencies == sorted(set(dependencies)), base + "dependencies", "not sorted")
+        manuals = read(self.root, "doc/%s/dependencies" % PACKAGE).split()
+        self.require(manuals[:1] == ["Manual"], "doc/%s/dependencies" % PACKAGE, "does not start with Manual")
+
+    def check_readme(self):
+        example = read(self.root, "examples/%s/recover_boundary_minimal.cpp" % PACKAGE)
+        self.require("```cpp\n%s```" % example in read(self.root, "README.md"), "README.md",
+                     "does not show recover_boundary_minimal.cpp as it is")
+        for link in re.findall(r"\]\((?!https?:)([^)#]+)\)", read(self.root, "README.md")):
+            self.require(os.path.exists(os.path.join(self.root, link)), "README.md", "links to %s, which does not exist" % link)
+
+    def check_sizes(self):
+        def size(prefix):
+            return sum(os.path.getsize(os.path.join(self.root, p)) for p in self.paths if p.startswith(prefix))
+        self.require(size("data/") < 100000, "data", "more than 100 KB")
+        self.require(size("doc/") < 2000000, "doc", "more than 2 MB")
+
+
+def self_test(scratch, root):
+    """Applies one defect after the other to a copy of the package."""
+    header = "include/CGAL/%s/parameters.h" % PACKAGE
+
+    def replace(path, old, new):
+        def defect(copy):
+            text = read(copy, path)
+            assert old in text, (path, old)
+            write(copy, path, text.replace(old, new, 1))
+        return defect
+
+    def append(path, text):
+        return lambda copy: write(copy, path, read(copy, path) + text)
+
+    def write(copy, path, text):
+        with open(os.path.join(copy, path), "w", encoding="utf-8", newline="") as file:
+            file.write(text)
+
+    code = "\n#endif // CGAL_BOUNDARY_RECOVERY_3_PARAMETERS_H"
+    examples = "examples/%s/" % PACKAGE
+    defects = {
+        "tab": append("CHANGES.md", "\tx\n"),
+        "trailing blank": append("CHANGES.md", "x \n"),
+        "newline at the end": append("CHANGES.md", "x"),
+        "carriage return": append("CHANGES.md", "x\r\n"),
+        "120 columns": append(examples + "recover_boundary_minimal.cpp", "//" + 120 * "x" + "\n"),
+        "executable": lambda copy: os.chmod(os.path.join(copy, "CHANGES.md"), 0o755),
+        "SPDX": replace(header, "SPDX-License-Identifier: GPL-3.0-or-later", "GPL"),
+        "$URL$": replace(header, "// $URL$", "//"),
+        "$Id$": replace(header, "// $Id$", "//"),
+        "guard is not named": replace(header, "#ifndef CGAL_BOUNDARY", "#ifndef CGAL_BONDARY"),
+        "#endif": replace(header, "#endif // CGAL", "#endif //CGAL"),
+        "include is not the one of the licence": replace(header, "#include <CGAL/license/Boundary_recovery_3.h>\n", ""),
+        "prints": replace(header, code, "\nvoid f() { std::cerr << 1; }\n" + code),
+        "ends the program": replace(header, code, "\nvoid f() { std::abort(); }\n" + code),
+        "assert": replace(header, code, "\nvoid f(int i) { assert(i); }\n" + code),
+        "does not exist, but is named": append(examples + "CMakeLists.txt", 'create_single_source_cgal_program("no.cpp")\n'),
+        "not named in CMakeLists.txt": lambda copy: write(copy, examples + "x_br3.cpp", "int main() { }\n"),
+        "not named in doc": replace("doc/%s/examples.txt" % PACKAGE, "\\example %s/recover_boundary_minimal.cpp\n" % PACKAGE, ""),
+        "has the name of": lambda copy: write(copy, examples + "PARAMETERS.h", "\n"),
+        "wrong licence": append("package_info/%s/license.txt" % PACKAGE, "or not\n"),
+        "not sorted": append("package_info/%s/dependencies" % PACKAGE, "AABB_tree\n"),
+        "does not show": append(examples + "recover_boundary_minimal.cpp", "// more\n"),
+        "more than 100 KB": lambda copy: write(copy, "data/meshes/x.off", 11000 * "123456789\n"),
+    }
+    unnoticed = []
+    before = set(Checker(root).check_all())
+    for expected, defect in defects.items():
+        shutil.rmtree(scratch, ignore_errors=True)
+        shutil.copytree(root, scratch, ignore=shutil.ignore_patterns(*SKIPPED_FOLDERS))
+        defect(scratch)
+        new = set(Checker(scratch).check_all()) - before
+        if not any(expected in complaint for complaint in new):
+            unnoticed.append("not noticed: %s; new complaints: %s" % (expected, sorted(new)))
+    shutil.rmtree(scratch, ignore_errors=True)
+    print("%d defects tried" % len(defects))
+    return unnoticed
+
+
+def main(arguments):
+    if len(arguments) == 3 and arguments[0] == "--self-test":
+        complaints = self_test(arguments[1], arguments[2])
+    elif len(arguments) == 1:
+        complaints = Checker(arguments[0]).check_all()
+    else:
+        print(__doc__)
+        return 1
+    print("\n".join(complaints) if complaints else "nothing to complain about")
+    return 1 if complaints else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
