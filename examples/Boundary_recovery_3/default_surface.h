@@ -51,14 +51,15 @@ private:
     return ring;
   }
 
-  // two triangles between each two angles, turned outward if the surface goes on from ring `a` to ring `b`
+  // Two triangles between each two angles, turned outward if the surface goes on from ring `a` to ring `b`. Their
+  // diagonals alternate: a bore whose diagonals all turn the same way cannot be filled without further points.
   void add_band(const Ring& a, const Ring& b)
   {
     for(std::size_t i = 0; i < a.size(); ++i)
     {
-      const std::size_t j = (i + 1) % a.size();
-      m_faces.push_back({ a[i], a[j], b[j] });
-      m_faces.push_back({ a[i], b[j], b[i] });
+      const std::size_t j = (i + 1) % a.size(), k = (i % 2 == 0) ? j : i; // the diagonal is at a[i + j - k] and b[k]
+      m_faces.push_back({ a[i], a[j], b[k] });
+      m_faces.push_back({ a[i + j - k], b[j], b[i] });
     }
   }
 };

@@ -147,6 +147,7 @@ public:
     const std::array<Vertex_handle, 3> v = {{ f.first->vertex((f.second + 1) & 3),
                                               f.first->vertex((f.second + 2) & 3),
                                               f.first->vertex((f.second + 3) & 3) }};
+    CGAL_precondition(m_tr.dimension() == 3);
     if(m_validity.is_constrained(v[0], v[1], v[2]))
       return false;
     bool was_cut_off = false;
@@ -256,15 +257,15 @@ private:
     Shell shell;
     while(true)
     {
+      shell.assign(m_tr, e.cell, e.cell->index(e.a), e.cell->index(e.b));
+      int f = Shell::none;
+      if(p != Vertex_handle() && (f = shell.index(p)) == Shell::none)
+        return true;
       if(++m_number_of_shells > m_max_number_of_shells)
       {
         m_was_cut_off = true;
         return false;
       }
-      shell.assign(m_tr, e.cell, e.cell->index(e.a), e.cell->index(e.b));
-      int f = Shell::none;
-      if(p != Vertex_handle() && (f = shell.index(p)) == Shell::none)
-        return true;
       const Outcome outcome = transform(shell, e, f, l == l_max);
       if(outcome == REMOVED)
         return true;

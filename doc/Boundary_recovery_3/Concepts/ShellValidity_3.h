@@ -82,8 +82,8 @@ public:
   /// @}
 
   /// \name Constraints
-  /// What is constrained and in the triangulation is never destroyed, and no recursion tries to. The edges of
-  /// a constrained facet have to be constrained, too.
+  /// What is constrained and in the triangulation is never destroyed. The edges of a constrained facet
+  /// have to be constrained, too.
   /// @{
 
   /*!

@@ -1,0 +1,434 @@
+// Recovers one surface by flips alone and prints what that took as one line of JSON; README.md tells what the
+// entries mean. Nothing that the library reports is taken on trust: the final triangulation is looked through.
+
+#include <CGAL/recover_boundary.h>
+
+#include <CGAL/Cartesian_converter.h>
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/Real_timer.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <fstream>
+#include <iostream>
+#include <limits>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#if defined(__unix__) || defined(__APPLE__)
+#include <sys/resource.h>
+#endif
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel   Epick;
+typedef CGAL::Exact_predicates_exact_constructions_kernel     Epeck;
+typedef CGAL::Boundary_recovery_3::Recovery_phase             Phase;
+typedef CGAL::Boundary_recovery_3::Recovery_status            Status;
+typedef std::array<std::size_t, 2>                            Edge;
+typedef std::array<std::size_t, 3>                            Facet;
+typedef std::array<std::size_t, 4>                            Cell;
+
+enum Exit_status { measured = 0, usage_or_file_error = 1, exception_caught = 2 };
+
+constexpr const char* usage =
+  "usage: benchmark_flips_only [options] SURFACE\n"
+  "Recovers a surface (.off .ply .stl .obj) by flips alone and prints one line of JSON.\n"
+  "  --kernel epick|epeck   the kernel; default: epick\n"
+  "  --time-limit SECONDS   stop the recovery after that time; default: never\n"
+  "  --table                add the numbers n1 to n4 of each recursion level\n"
+  "  --write-surface FILE   write the surface as it is recovered, in OFF, for other programs\n"
+  "exit status: 0 measured, 1 usage or file error, 2 an exception left the library\n";
+
+struct Options
+{
+  std::string input;
+  std::string surface;
+  bool is_exact = false;
+  bool table = false;
+  double time_limit = (std::numeric_limits<double>::infinity)();
+};
+
+struct Surface
+{
+  std::vector<Epick::Point_3> points;
+  std::vector<std::vector<std::size_t> > faces;
+};
+
+bool parse(const int argc, const char* const argv[], Options& options)
+{
+  for(int i = 1; i < argc; ++i)
+  {
+    const std::string argument = argv[i];
+    const std::string value = i + 1 < argc ? argv[i + 1] : "";
+    if(argument == "--table")
+      options.table = true;
+    else if(argument == "--kernel" && (value == "epick" || value == "epeck"))
+      options.is_exact = argv[++i] == std::string("epeck");
+    else if(argument == "--write-surface" && ! value.empty())
+      options.surface = argv[++i];
+    else if(argument == "--time-limit" && ! value.empty())
+    {
+      char* end = nullptr;
+      options.time_limit = std::strtod(argv[++i], &end);
+      if(*end != '\0' || ! (options.time_limit >= 0))
+        return false;
+    }
+    else if(! options.input.empty() || argument.empty() || argument[0] == '-')
+      return false;
+    else
+      options.input = argument;
+  }
+  return ! options.input.empty();
+}
+
+// Equal points become one, vertices that no face uses go; the order of the file remains.
+void use_each_point_once(Surface& surface)
+{
+  const std::vector<Epick::Point_3>& p = surface.points;
+  std::vector<std::size_t> order, number(p.size());
+  for(std::size_t i = 0; i < p.size(); ++i)
+  {
+    number[i] = i;
+    if(std::isfinite(p[i].x()) && std::isfinite(p[i].y()) && std::isfinite(p[i].z()))
+      order.push_back(i); // NaN has no place in an order; the library will refuse it
+  }
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return p[i] < p[j]; });
+  for(std::size_t k = 1; k < order.size(); ++k)
+    if(p[order[k - 1]] == p[order[k]])
+      number[order[k]] = number[order[k - 1]];
+
+  std::vector<bool> is_used(p.size(), false);
+  for(auto& face : surface.faces)
+    for(std::size_t& v : face)
+      is_used[v = number[v]] = true;
+  std::vector<Epick::Point_3> used;
+  for(std::size_t i = 0; i < p.size(); ++i)
+    if(is_used[i])
+    {
+      number[i] = used.size();
+      used.push_back(p[i]);
+    }
+  for(auto& face : surface.faces)
+    for(std::size_t& v : face)
+      v = number[v];
+  surface.points.swap(used);
+}
+
+bool read_surface(const std::string& file, Surface& surface)
+{
+  if(! CGAL::IO::read_polygon_soup(file, surface.points, surface.faces, CGAL::parameters::verbose(false)))
+    return false;
+  for(const auto& face : surface.faces)
+    for(const std::size_t v : face)
+      if(v >= surface.points.size())
+        return false;
+  use_each_point_once(surface);
+  return true;
+}
+
+bool write_surface(const std::string& file, const Surface& surface)
+{
+  std::ofstream os(file);
+  os.precision(17);
+  os << "OFF\n" << surface.points.size() << ' ' << surface.faces.size() << " 0\n";
+  for(const Epick::Point_3& p : surface.points)
+    os << p << '\n';
+  for(const auto& face : surface.faces)
+  {
+    os << face.size();
+    for(const std::size_t v : face)
+      os << ' ' << v;
+    os << '\n';
+  }
+  os.close();
+  return ! os.fail();
+}
+
+// Each simplex once and with its vertices in order.
+template <typename Simplex>
+void make_unique(std::vector<Simplex>& simplices)
+{
+  for(Simplex& s : simplices)
+    std::sort(s.begin(), s.end());
+  std::sort(simplices.begin(), simplices.end());
+  simplices.erase(std::unique(simplices.begin(), simplices.end()), simplices.end());
+}
+
+std::vector<Edge> edges_of(const std::vector<std::vector<std::size_t> >& faces)
+{
+  std::vector<Edge> edges;
+  for(const auto& face : faces)
+    for(std::size_t i = 0; i < face.size(); ++i)
+      edges.push_back({{ face[i], face[(i + 1) % face.size()] }});
+  make_unique(edges);
+  return edges;
+}
+
+// The cells by the input indices of their vertices, in an order of their own; the infinite vertex comes last.
+template <typename Triangulation>
+std::vector<Cell> indexed_cells(const Triangulation& tr,
+                                const CGAL::Boundary_recovery_result_3<Triangulation>& result)
+{
+  std::unordered_map<const void*, std::size_t> index; // look-up only
+  for(const auto v : result.vertices)
+    index.emplace(&*v, index.size());
+  for(const auto v : result.steiner_vertices)
+    index.emplace(&*v, index.size());
+  index.emplace(&*tr.infinite_vertex(), index.size());
+
+  std::vector<Cell> cells;
+  for(const auto c : tr.all_cell_handles())
+    cells.push_back({{ index.at(&*c->vertex(0)), index.at(&*c->vertex(1)),
+                       index.at(&*c->vertex(2)), index.at(&*c->vertex(3)) }});
+  for(Cell& c : cells)
+    std::sort(c.begin(), c.end());
+  std::sort(cells.begin(), cells.end());
+  return cells;
+}
+
+// FNV-1a on the indices, byte by byte
+std::uint64_t checksum(const std::vector<Cell>& cells)
+{
+  std::uint64_t hash = 14695981039346656037u;
+  for(const Cell& c : cells)
+    for(const std::size_t v : c)
+      for(int shift = 0; shift < 64; shift += 8)
+        hash = (hash ^ ((static_cast<std::uint64_t>(v) >> shift) & 0xff)) * 1099511628211u;
+  return hash;
+}
+
+template <typename Simplex>
+std::size_t number_of_missing(const std::vector<Simplex>& wanted, const std::vector<Simplex>& present)
+{
+  return static_cast<std::size_t>(std::count_if(wanted.begin(), wanted.end(), [&](const Simplex& s)
+                                  { return ! std::binary_search(present.begin(), present.end(), s); }));
+}
+
+// Whether the numbers of missing edges and facets are those that a look at all the cells gives.
+template <typename Result>
+bool recount_agrees(const Result& result, const Surface& surface, const std::vector<Cell>& cells)
+{
+  std::vector<Facet> present, wanted;
+  for(const Cell& c : cells)
+    for(std::size_t i = 0; i < 4; ++i)
+      present.push_back({{ c[(i + 1) % 4], c[(i + 2) % 4], c[(i + 3) % 4] }});
+  make_unique(present);
+  std::vector<Edge> present_edges;
+  for(const Facet& f : present)
+    for(std::size_t i = 0; i < 3; ++i)
+      present_edges.push_back({{ f[i], f[(i + 1) % 3] }});
+  make_unique(present_edges);
+  for(const auto& face : surface.faces)
+    wanted.push_back({{ face[0], face[1], face[2] }});
+  make_unique(wanted);
+  return number_of_missing(edges_of(surface.faces), present_edges) == result.missing_edges.size()
+      && number_of_missing(wanted, present) == result.missing_facets.size();
+}
+
+// The base class tests orientations; what Delaunay_triangulation_3 adds to it does not hold after flips.
+template <typename GT, typename TDS, typename Lock>
+bool is_valid_as_base(const CGAL::Triangulation_3<GT, TDS, Lock>& tr) { return tr.is_valid(); }
+
+// Whether no edge of the hull is reflex. Beside valid cells, that proves that the cells tile the hull.
+template <typename Triangulation>
+bool hull_is_convex(const Triangulation& tr)
+{
+  if(tr.dimension() < 3)
+    return true;
+  const auto orientation = tr.geom_traits().orientation_3_object();
+  for(const auto c : tr.all_cell_handles())
+  {
+    if(! tr.is_infinite(c))
+      continue;
+    const int infinite = c->index(tr.infinite_vertex());
+    for(int i = 0; i < 4; ++i)
+    {
+      if(i == infinite)
+        continue;
+      // put the vertex beyond the hull edge in the place of the infinite one: it must not see the hull facet
+      std::array<const typename Triangulation::Point*, 4> p;
+      for(int j = 0; j < 4; ++j)
+        p[j] = j == infinite ? &c->neighbor(i)->vertex(tr.mirror_index(c, i))->point() : &c->vertex(j)->point();
+      if(orientation(*p[0], *p[1], *p[2], *p[3]) == CGAL::POSITIVE)
+        return false;
+    }
+  }
+  return true;
+}
+
+// The largest memory of the process so far, in MB; negative where the system does not tell.
+double peak_memory()
+{
+#if defined(__APPLE__)
+  struct rusage u;
+  return getrusage(RUSAGE_SELF, &u) == 0 ? u.ru_maxrss / (1024. * 1024.) : -1;
+#elif defined(__unix__)
+  struct rusage u;
+  return getrusage(RUSAGE_SELF, &u) == 0 ? u.ru_maxrss / 1024. : -1;
+#else
+  return -1;
+#endif
+}
+
+std::string quoted(const std::string& text)
+{
+  std::string s = "\"";
+  for(const char c : text)
+  {
+    char code[8];
+    std::snprintf(code, sizeof(code), "\\u%04x", static_cast<unsigned int>(static_cast<unsigned char>(c)));
+    s += c == '"' || c == '\\' || static_cast<unsigned char>(c) < 0x20 ? std::string(code) : std::string(1, c);
+  }
+  return s + '"';
+}
+
+std::string model_name(const std::string& file)
+{
+  const std::size_t slash = file.find_last_of("/\\");
+  const std::string name = slash == std::string::npos ? file : file.substr(slash + 1);
+  return name.substr(0, name.rfind('.'));
+}
+
+template <typename Result>
+void print_phases(std::ostream& os, const Result& result)
+{
+  os << ", \"phases\": [";
+  for(std::size_t i = 0; i < result.phases.size(); ++i)
+    os << (i == 0 ? "" : ", ") << "{\"phase\": \"" << to_string(result.phases[i].phase)
+       << "\", \"lost_edges\": " << result.phases[i].lost_edges
+       << ", \"lost_facets\": " << result.phases[i].lost_facets
+       << ", \"seconds\": " << result.phases[i].seconds << '}';
+  os << ']';
+}
+
+template <typename Result>
+void print_levels(std::ostream& os, const Result& result)
+{
+  os << ", \"levels\": [";
+  for(std::size_t i = 0; i < result.levels.size(); ++i)
+  {
+    const auto& level = result.levels[i];
+    os << (i == 0 ? "" : ", ") << "{\"phase\": \"" << to_string(level.phase) << "\", \"level\": "
+       << level.max_recursion_level << ", \"n1\": " << level.n1 << ", \"n2\": " << level.n2
+       << ", \"n3\": " << level.n3 << ", \"n4\": " << level.n4 << '}';
+  }
+  os << ']';
+}
+
+// what was lost after the insertion, and how long what took; `seconds` is the duration of the whole call
+template <typename Result>
+void print_account(std::ostream& os, const Result& result, const double seconds)
+{
+  double insertion = 0, phases = 0;
+  std::size_t lost_edges = result.missing_edges.size(), lost_facets = result.missing_facets.size();
+  for(const auto& phase : result.phases)
+  {
+    (phase.phase == Phase::insertion ? insertion : phases) += phase.seconds;
+    if(phase.phase == Phase::search)
+    {
+      lost_edges = phase.lost_edges;
+      lost_facets = phase.lost_facets;
+    }
+  }
+  os << ", \"status\": \"" << to_string(result.status) << "\", \"defects\": " << result.defects.size()
+     << ", \"lost_edges_at_start\": " << lost_edges << ", \"lost_facets_at_start\": " << lost_facets
+     << ", \"lost_edges\": " << result.missing_edges.size()
+     << ", \"lost_facets\": " << result.missing_facets.size()
+     << ", \"steiner_points\": " << result.steiner_vertices.size()
+     << ", \"shell_transformations\": " << result.number_of_shell_transformations;
+  print_phases(os, result);
+  os << ", \"insertion_seconds\": " << insertion << ", \"recovery_seconds\": " << seconds - insertion
+     << ", \"phases_seconds\": " << phases;
+}
+
+// what a look at the triangulation gives
+template <typename Triangulation, typename Result>
+void print_checks(std::ostream& os, const Triangulation& tr, const Result& result, const Surface& surface)
+{
+  os << std::boolalpha << ", \"is_valid\": " << is_valid_as_base(tr) << ", \"tds_is_valid\": "
+     << tr.tds().is_valid() << ", \"hull_is_convex\": " << hull_is_convex(tr);
+  if(result.status == Status::invalid_input || result.vertices.size() != surface.points.size())
+    return; // nobody knows which vertex is which
+  const std::vector<Cell> cells = indexed_cells(tr, result);
+  char text[24];
+  std::snprintf(text, sizeof(text), "%016llx", static_cast<unsigned long long>(checksum(cells)));
+  os << ", \"recount_agrees\": " << recount_agrees(result, surface, cells) << ", \"checksum\": \"" << text << '"';
+}
+
+template <typename Kernel>
+void measure(const Options& options, const Surface& surface)
+{
+  typedef CGAL::Delaunay_triangulation_3<Kernel> Triangulation;
+
+  std::vector<typename Kernel::Point_3> points;
+  const CGAL::Cartesian_converter<Epick, Kernel> convert;
+  for(const Epick::Point_3& p : surface.points)
+    points.push_back(convert(p));
+
+  Triangulation tr;
+  CGAL::Real_timer timer;
+  timer.start();
+  const auto result = CGAL::recover_boundary(tr, points, surface.faces,
+    CGAL::parameters::maximum_running_time(options.time_limit),
+    CGAL::parameters::recovery_mode(CGAL::Boundary_recovery_3::Recovery_mode::flips_only));
+  timer.stop();
+  const double memory = peak_memory(); // before the checks take some
+
+  std::ostream& os = std::cout;
+  os.precision(9);
+  os << "{\"model\": " << quoted(model_name(options.input))
+     << ", \"kernel\": \"" << (options.is_exact ? "epeck" : "epick")
+     << "\", \"vertices\": " << surface.points.size() << ", \"facets\": " << surface.faces.size()
+     << ", \"edges\": " << edges_of(surface.faces).size();
+  print_account(os, result, timer.time());
+  os << ", \"peak_memory_mb\": " << memory;
+  print_checks(os, tr, result, surface);
+  if(options.table)
+    print_levels(os, result);
+  os << '}' << std::endl;
+}
+
+int main(int argc, char* argv[])
+{
+  Options options;
+  if(! parse(argc, argv, options))
+  {
+    std::cerr << usage;
+    return usage_or_file_error;
+  }
+  Surface surface;
+  bool is_read = false;
+  try
+  {
+    is_read = read_surface(options.input, surface);
+  }
+  catch(const std::exception&) { } // an index or a size that the file cannot have
+  if(! is_read || (! options.surface.empty() && ! write_surface(options.surface, surface)))
+  {
+    std::cerr << "benchmark_flips_only: cannot " << (is_read ? "write " + options.surface : "read " + options.input)
+              << std::endl;
+    return usage_or_file_error;
+  }
+  try
+  {
+    if(options.is_exact)
+      measure<Epeck>(options, surface);
+    else
+      measure<Epick>(options, surface);
+  }
+  catch(const std::exception& e)
+  {
+    std::cerr << "benchmark_flips_only: " << e.what() << std::endl;
+    return exception_caught;
+  }
+  return measured;
+}
