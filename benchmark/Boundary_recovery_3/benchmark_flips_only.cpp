@@ -46,6 +46,7 @@ constexpr const char* usage =
   "  --time-limit SECONDS   stop the recovery after that time; default: never\n"
   "  --table                add the numbers n1 to n4 of each recursion level\n"
   "  --write-surface FILE   write the surface as it is recovered, in OFF, for other programs\n"
+  "benchmark_flips_only --phases prints the names of all phases, in the order in which they run.\n"
   "exit status: 0 measured, 1 usage or file error, 2 an exception left the library\n";
 
 struct Options
@@ -234,34 +235,43 @@ bool recount_agrees(const Result& result, const Surface& surface, const std::vec
       && number_of_missing(wanted, present) == result.missing_facets.size();
 }
 
-// The base class tests orientations; what Delaunay_triangulation_3 adds to it does not hold after flips.
+// What Delaunay_triangulation_3 adds to the test of its base class does not hold after flips.
 template <typename GT, typename TDS, typename Lock>
 bool is_valid_as_base(const CGAL::Triangulation_3<GT, TDS, Lock>& tr) { return tr.is_valid(); }
 
-// Whether no edge of the hull is reflex. Beside valid cells, that proves that the cells tile the hull.
+// The points of the vertices of a cell, the infinite one replaced by the vertex `v`.
+template <typename Triangulation>
+CGAL::Orientation orientation_of(const Triangulation& tr, const typename Triangulation::Cell_handle c,
+                                 const typename Triangulation::Vertex_handle v)
+{
+  std::array<const typename Triangulation::Point*, 4> p;
+  for(int i = 0; i < 4; ++i)
+    p[i] = &(tr.is_infinite(c->vertex(i)) ? v : c->vertex(i))->point();
+  return tr.geom_traits().orientation_3_object()(*p[0], *p[1], *p[2], *p[3]);
+}
+
+// Whether every finite cell is strictly positive. CGAL's is_valid() asserts that, too, but without assertions
+// (NDEBUG) it ignores what it finds.
+template <typename Triangulation>
+bool cells_are_positive(const Triangulation& tr)
+{
+  for(const auto c : tr.finite_cell_handles())
+    if(orientation_of(tr, c, c->vertex(0)) != CGAL::POSITIVE)
+      return false;
+  return true;
+}
+
+// Whether no edge of the hull is reflex. Beside positive cells, that proves that the cells tile the hull.
 template <typename Triangulation>
 bool hull_is_convex(const Triangulation& tr)
 {
   if(tr.dimension() < 3)
     return true;
-  const auto orientation = tr.geom_traits().orientation_3_object();
   for(const auto c : tr.all_cell_handles())
-  {
-    if(! tr.is_infinite(c))
-      continue;
-    const int infinite = c->index(tr.infinite_vertex());
     for(int i = 0; i < 4; ++i)
-    {
-      if(i == infinite)
-        continue;
-      // put the vertex beyond the hull edge in the place of the infinite one: it must not see the hull facet
-      std::array<const typename Triangulation::Point*, 4> p;
-      for(int j = 0; j < 4; ++j)
-        p[j] = j == infinite ? &c->neighbor(i)->vertex(tr.mirror_index(c, i))->point() : &c->vertex(j)->point();
-      if(orientation(*p[0], *p[1], *p[2], *p[3]) == CGAL::POSITIVE)
+      if(tr.is_infinite(c) && ! tr.is_infinite(c->vertex(i)) &&
+         orientation_of(tr, c, tr.mirror_vertex(c, i)) == CGAL::POSITIVE) // the next hull facet is in front of this one
         return false;
-    }
-  }
   return true;
 }
 
@@ -355,7 +365,8 @@ template <typename Triangulation, typename Result>
 void print_checks(std::ostream& os, const Triangulation& tr, const Result& result, const Surface& surface)
 {
   os << std::boolalpha << ", \"is_valid\": " << is_valid_as_base(tr) << ", \"tds_is_valid\": "
-     << tr.tds().is_valid() << ", \"hull_is_convex\": " << hull_is_convex(tr);
+     << tr.tds().is_valid() << ", \"cells_are_positive\": " << cells_are_positive(tr)
+     << ", \"hull_is_convex\": " << hull_is_convex(tr);
   if(result.status == Status::invalid_input || result.vertices.size() != surface.points.size())
     return; // nobody knows which vertex is which
   const std::vector<Cell> cells = indexed_cells(tr, result);
@@ -397,8 +408,20 @@ void measure(const Options& options, const Surface& surface)
   os << '}' << std::endl;
 }
 
+// All phases, a name per line; there is none beyond the last one that has a name.
+void print_names_of_phases(std::ostream& os)
+{
+  for(int i = 0; *to_string(static_cast<Phase>(i)) != '\0'; ++i)
+    os << to_string(static_cast<Phase>(i)) << '\n';
+}
+
 int main(int argc, char* argv[])
 {
+  if(argc == 2 && argv[1] == std::string("--phases"))
+  {
+    print_names_of_phases(std::cout);
+    return measured;
+  }
   Options options;
   if(! parse(argc, argv, options))
   {

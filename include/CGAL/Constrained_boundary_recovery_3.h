@@ -16,6 +16,7 @@
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/Shell_quality_3.h>
 #include <CGAL/Boundary_recovery_3/Shell_validity_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Cavity_recovery_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Edge_recovery_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Facet_recovery_3.h>
@@ -124,8 +125,10 @@ public:
     remove_plainly();
     recover_edges_brc1();
     recover_edges_brc3();
+    reconnect_edges();
     recover_facets_brc2();
     recover_facets_brc4();
+    reconnect_facets();
     recount();
     return m_lost.edges.empty() && m_lost.facets.empty();
   }
@@ -193,6 +196,27 @@ public:
                             },
                             [](const Recursion_level_report& r) { return r.n2; });
       m_number_of_transformations += st.number_of_transformations();
+    });
+  }
+
+  /// tries small polyhedron reconnection on the cells around each lost edge, as long as this helps.
+  void reconnect_edges()
+  {
+    if(m_lost.edges.empty())
+      return;
+    run(Phase::edge_reconnection, [&] { reconnect(Phase::edge_reconnection, m_lost.edges, m_constraints.edges()); });
+  }
+
+  /// tries small polyhedron reconnection on the cells around each lost facet that has its edges, as long as this helps.
+  void reconnect_facets()
+  {
+    find_treatable_facets();
+    if(m_treatable_facets.empty())
+      return;
+    run(Phase::facet_reconnection, [&]
+    {
+      reconnect(Phase::facet_reconnection, m_treatable_facets, m_constraints.facets());
+      look_up();
     });
   }
 
@@ -359,6 +383,27 @@ private:
       m_context.visitor().on_progress(phase, ++done, total);
     }
     m_treatable_facets.resize(kept);
+  }
+
+  // One success may clear the way for another constraint, so passes are repeated while they help.
+  template <typename Simplex>
+  void reconnect(const Phase phase, std::vector<std::size_t>& lost, const std::vector<Simplex>& simplices)
+  {
+    Boundary_recovery_3::internal::Cavity_recovery_3<Tr, Visitor>
+      recover(m_tr, m_predicates, m_constraints, m_context.visitor());
+    for(std::size_t before = 0; before != lost.size() && ! lost.empty(); )
+    {
+      before = lost.size();
+      std::size_t kept = 0, done = 0;
+      for(const std::size_t s : lost)
+      {
+        if(! m_context.go_further() || ! recover(simplices[s]))
+          lost[kept++] = s;
+        m_context.visitor().on_progress(phase, ++done, before);
+      }
+      lost.resize(kept);
+    }
+    m_number_of_transformations += recover.number_of_replacements();
   }
 
   // BRC1 and BRC2 are about the constraint that is being recovered, BRC3 and BRC4 about all of them.

@@ -47,8 +47,10 @@ enum class Recovery_phase
   plain_removal,         ///< complete removals of single shells, without recursion
   edge_recovery_brc1,    ///< first calling of [CZZ+17, Alg. 5]: lost edges, under BRC1
   edge_recovery_brc3,    ///< second calling of [CZZ+17, Alg. 5]: intersections of lost edges, under BRC3
+  edge_reconnection,     ///< small polyhedron reconnection of the cells around each lost edge
   facet_recovery_brc2,   ///< first calling for facets, under BRC2
   facet_recovery_brc4,   ///< second calling for facets, under BRC4
+  facet_reconnection,    ///< small polyhedron reconnection of the cells around each lost facet
   recount                ///< every constraint is looked up again; only this decides the status
 };
 
@@ -188,8 +190,10 @@ inline const char* to_string(const Recovery_phase phase)
     case Recovery_phase::plain_removal:       return "plain_removal";
     case Recovery_phase::edge_recovery_brc1:  return "edge_recovery_brc1";
     case Recovery_phase::edge_recovery_brc3:  return "edge_recovery_brc3";
+    case Recovery_phase::edge_reconnection:   return "edge_reconnection";
     case Recovery_phase::facet_recovery_brc2: return "facet_recovery_brc2";
     case Recovery_phase::facet_recovery_brc4: return "facet_recovery_brc4";
+    case Recovery_phase::facet_reconnection:  return "facet_reconnection";
     case Recovery_phase::recount:             return "recount";
   }
   return "";

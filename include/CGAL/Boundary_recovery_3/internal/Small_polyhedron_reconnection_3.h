@@ -1,0 +1,449 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SMALL_POLYHEDRON_RECONNECTION_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SMALL_POLYHEDRON_RECONNECTION_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/internal/Simplex_key_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * Small polyhedron reconnection: searches a tetrahedralization of a polyhedron that contains given edges and facets.
+ *
+ * The polyhedron is a set of cells of the mesh, its vertices are all that may be used. The search is exhaustive with
+ * pruning, so "none exists" is a proof; its work is bounded, so it may also give up.
+ *
+ * All geometry is read off the table of the orientations of all quadruples of vertices. Candidates are the tetrahedra
+ * that contain no other vertex and neither cross the boundary of the polyhedron nor a required simplex. The
+ * search takes the face of the front that has the fewest candidates left, tries them, and after each choice drops the
+ * candidates that cross it: a face with none left ends the branch.
+ */
+template <typename Tr>
+class Small_polyhedron_reconnection_3
+{
+public:
+  typedef typename Tr::Vertex_handle    Vertex_handle;
+  typedef typename Tr::Cell_handle      Cell_handle;
+  typedef Vertex_predicates_3<Tr>       Predicates;
+  typedef std::array<Vertex_handle, 4>  Tetrahedron;
+
+  enum Outcome
+  {
+    FOUND,   // tetrahedra() fills the polyhedron
+    NONE,    // there is no such tetrahedralization
+    GAVE_UP  // the polyhedron has too many vertices, or the search took too many steps
+  };
+
+  static constexpr std::size_t max_number_of_vertices = 28;
+  static constexpr std::size_t default_max_number_of_steps = 2000;
+  static constexpr std::size_t max_number_of_conflict_tests = 200000;
+
+  Small_polyhedron_reconnection_3(const Tr& tr, const Predicates& predicates)
+    : m_tr(tr), m_predicates(predicates)
+  { }
+
+  // Bound on the number of tetrahedra that are tried in one search.
+  void set_max_number_of_steps(const std::size_t n) { m_max_number_of_steps = n; }
+
+  // `cells` are finite cells whose union is a polyhedron; `edges` and `facets` are arrays of vertices of these cells.
+  template <typename CellRange, typename EdgeRange, typename FacetRange>
+  Outcome operator()(const CellRange& cells, const EdgeRange& edges, const FacetRange& facets)
+  {
+    m_tetrahedra.clear();
+    collect_vertices(cells);
+    if(m_vertices.size() > max_number_of_vertices)
+      return GAVE_UP;
+    fill_in_orientations();
+    collect_boundary(cells);
+    collect_required(edges, facets);
+    collect_candidates();
+    return search();
+  }
+
+  // The tetrahedra found, positively oriented.
+  const std::vector<Tetrahedron>& tetrahedra() const { return m_tetrahedra; }
+
+private:
+  typedef std::array<int, 2> Edge;
+  typedef std::array<int, 3> Face;
+
+  struct Candidate
+  {
+    std::array<int, 4> v; // positively oriented
+    int number_of_conflicts = 0; // number of chosen tetrahedra that it crosses
+  };
+
+  // --- the geometry, by positions in m_vertices ---------------------------------------------------------------------
+
+  int n() const { return static_cast<int>(m_vertices.size()); }
+
+  template <typename CellRange>
+  void collect_vertices(const CellRange& cells)
+  {
+    m_vertices.clear();
+    for(const Cell_handle c : cells)
+      for(int i = 0; i < 4; ++i)
+        if(std::find(m_vertices.begin(), m_vertices.end(), c->vertex(i)) == m_vertices.end())
+          m_vertices.push_back(c->vertex(i));
+  }
+
+  int position(const Vertex_handle v) const
+  {
+    return static_cast<int>(std::find(m_vertices.begin(), m_vertices.end(), v) - m_vertices.begin());
+  }
+
+  // Orientations of the quadruples i < j < k < l; all others follow from the parity of their order.
+  void fill_in_orientations()
+  {
+    const std::size_t size = m_vertices.size();
+    m_orientations.resize(size * size * size * size);
+    for(int i = 0; i < n(); ++i)
+      for(int j = i + 1; j < n(); ++j)
+        for(int k = j + 1; k < n(); ++k)
+          for(int l = k + 1; l < n(); ++l)
+            m_orientations[offset(i, j, k, l)] = static_cast<signed char>(
+              m_predicates.orientation(m_vertices[i], m_vertices[j], m_vertices[k], m_vertices[l]));
+  }
+
+  std::size_t offset(const int i, const int j, const int k, const int l) const
+  {
+    return ((static_cast<std::size_t>(i) * n() + j) * n() + k) * n() + l;
+  }
+
+  int orientation(int i, int j, int k, int l) const
+  {
+    if(i == j || i == k || i == l || j == k || j == l || k == l)
+      return 0;
+    int sign = 1;
+    const auto order = [&sign](int& x, int& y) { if(y < x) { std::swap(x, y); sign = -sign; } };
+    order(i, j); order(k, l); order(i, k); order(j, l); order(j, k);
+    return sign * m_orientations[offset(i, j, k, l)];
+  }
+
+  bool crosses(const Edge& e, const Edge& f) const
+  {
+    if(e[0] == f[0] || e[0] == f[1] || e[1] == f[0] || e[1] == f[1] || orientation(e[0], e[1], f[0], f[1]) != 0)
+      return false;
+    // Coplanar: seen from any vertex off their plane, each edge has the ends of the other on opposite sides.
+    for(int w = 0; w < n(); ++w)
+    {
+      const int s = orientation(e[0], e[1], f[0], w), t = orientation(e[0], e[1], f[1], w);
+      const int x = orientation(f[0], f[1], e[0], w), y = orientation(f[0], f[1], e[1], w);
+      if(s != 0 || t != 0 || x != 0 || y != 0)
+        return s * t < 0 && x * y < 0;
+    }
+    return false;
+  }
+
+  bool pierces(const Edge& e, const Face& f) const
+  {
+    const int side = orientation(e[0], e[1], f[0], f[1]);
+    return side != 0
+        && orientation(e[0], e[1], f[1], f[2]) == side
+        && orientation(e[0], e[1], f[2], f[0]) == side
+        && orientation(f[0], f[1], f[2], e[0]) * orientation(f[0], f[1], f[2], e[1]) < 0;
+  }
+
+  static std::array<Edge, 6> edges_of(const std::array<int, 4>& v)
+  {
+    return {{ {{ v[0], v[1] }}, {{ v[0], v[2] }}, {{ v[0], v[3] }}, {{ v[1], v[2] }}, {{ v[1], v[3] }}, {{ v[2], v[3] }} }};
+  }
+
+  // The faces, each with the tetrahedron on its positive side.
+  static std::array<Face, 4> faces_of(const std::array<int, 4>& v)
+  {
+    return {{ {{ v[0], v[1], v[2] }}, {{ v[0], v[3], v[1] }}, {{ v[0], v[2], v[3] }}, {{ v[1], v[3], v[2] }} }};
+  }
+
+  // --- the polyhedron ----------------------------------------------------------------------------------------------
+
+  // The outer faces, with the polyhedron on their positive side: the first front of the search.
+  template <typename CellRange>
+  void collect_boundary(const CellRange& cells)
+  {
+    m_front.clear();
+    m_obstacle_edges.clear();
+    m_obstacle_faces.clear();
+    for(const Cell_handle c : cells)
+      for(int i = 0; i < 4; ++i)
+        if(std::find(cells.begin(), cells.end(), c->neighbor(i)) == cells.end())
+        {
+          Face f;
+          for(int k = 0; k < 3; ++k)
+            f[k] = position(c->vertex(Tr::vertex_triple_index(i, k)));
+          m_front.push_back(f);
+          add_obstacle(f);
+        }
+  }
+
+  template <typename EdgeRange, typename FacetRange>
+  void collect_required(const EdgeRange& edges, const FacetRange& facets)
+  {
+    for(const auto& e : edges)
+      add_obstacle(Edge{{ position(e[0]), position(e[1]) }});
+    for(const auto& f : facets)
+      add_obstacle(Face{{ position(f[0]), position(f[1]), position(f[2]) }});
+  }
+
+  // What must be in the result, because it is on the boundary or required, must not be crossed.
+  // That suffices: an edge between two vertices that nothing crosses is in every tetrahedralization.
+  void add_obstacle(Edge e)
+  {
+    std::sort(e.begin(), e.end());
+    if(std::find(m_obstacle_edges.begin(), m_obstacle_edges.end(), e) == m_obstacle_edges.end())
+      m_obstacle_edges.push_back(e);
+  }
+
+  void add_obstacle(const Face& f)
+  {
+    m_obstacle_faces.push_back(f);
+    for(int i = 0; i < 3; ++i)
+      add_obstacle(Edge{{ f[i], f[(i + 1) % 3] }});
+  }
+
+  // --- the candidates ------------------------------------------------------------------------------------------------
+
+  void collect_candidates()
+  {
+    find_uncrossed_edges();
+    m_candidates.clear();
+    m_candidates_of_face.assign(static_cast<std::size_t>(n()) * n() * n(), std::vector<int>());
+    for(int i = 0; i < n(); ++i)
+      for(int j = i + 1; j < n(); ++j)
+      {
+        if(! is_uncrossed(i, j))
+          continue;
+        for(int k = j + 1; k < n(); ++k)
+        {
+          if(! is_uncrossed(i, k) || ! is_uncrossed(j, k) || is_pierced_by_obstacle(Face{{ i, j, k }}))
+            continue;
+          for(int l = k + 1; l < n(); ++l)
+            if(is_uncrossed(i, l) && is_uncrossed(j, l) && is_uncrossed(k, l))
+              add_candidate(i, j, k, l);
+        }
+      }
+  }
+
+  void find_uncrossed_edges()
+  {
+    m_is_uncrossed.assign(static_cast<std::size_t>(n()) * n(), false);
+    for(int i = 0; i < n(); ++i)
+      for(int j = i + 1; j < n(); ++j)
+      {
+        const Edge e = {{ i, j }};
+        m_is_uncrossed[i * n() + j] =
+             std::none_of(m_obstacle_edges.begin(), m_obstacle_edges.end(), [&](const Edge& o) { return crosses(e, o); })
+          && std::none_of(m_obstacle_faces.begin(), m_obstacle_faces.end(), [&](const Face& o) { return pierces(e, o); });
+      }
+  }
+
+  bool is_uncrossed(const int i, const int j) const { return m_is_uncrossed[i * n() + j]; }
+
+  bool is_pierced_by_obstacle(const Face& f) const
+  {
+    return std::any_of(m_obstacle_edges.begin(), m_obstacle_edges.end(), [&](const Edge& o) { return pierces(o, f); });
+  }
+
+  void add_candidate(const int i, const int j, const int k, const int l)
+  {
+    const int sign = orientation(i, j, k, l);
+    if(sign == 0)
+      return;
+    Candidate c;
+    c.v = sign > 0 ? std::array<int, 4>{{ i, j, k, l }} : std::array<int, 4>{{ i, k, j, l }};
+    const std::array<Face, 4> faces = faces_of(c.v);
+    for(int f = 1; f < 4; ++f) // ijk was tested
+      if(is_pierced_by_obstacle(faces[f]))
+        return;
+    for(int w = 0; w < n(); ++w)
+      if(contains(faces, c.v, w))
+        return;
+    for(const Face& f : faces)
+      m_candidates_of_face[key(f)].push_back(static_cast<int>(m_candidates.size()));
+    m_candidates.push_back(c);
+  }
+
+  // Whether w is in the closed tetrahedron, but not one of its vertices.
+  bool contains(const std::array<Face, 4>& faces, const std::array<int, 4>& v, const int w) const
+  {
+    if(std::find(v.begin(), v.end(), w) != v.end())
+      return false;
+    return std::all_of(faces.begin(), faces.end(),
+                       [&](const Face& f) { return orientation(f[0], f[1], f[2], w) >= 0; });
+  }
+
+  // Faces that differ by a rotation only have the same key, those of opposite orientation another one.
+  std::size_t key(const Face& f) const
+  {
+    const int first = static_cast<int>(std::min_element(f.begin(), f.end()) - f.begin());
+    return (static_cast<std::size_t>(f[first]) * n() + f[(first + 1) % 3]) * n() + f[(first + 2) % 3];
+  }
+
+  // Whether two candidates cannot be in one tetrahedralization.
+  bool is_in_conflict(const Candidate& x, const Candidate& y) const
+  {
+    const std::array<Edge, 6> x_edges = edges_of(x.v), y_edges = edges_of(y.v);
+    const std::array<Face, 4> x_faces = faces_of(x.v), y_faces = faces_of(y.v);
+    for(const Face& f : x_faces)
+      for(const Face& g : y_faces)
+        if(key(f) == key(g))
+          return true; // both on the same side of a common face
+    for(const Edge& e : x_edges)
+    {
+      for(const Edge& f : y_edges)
+        if(crosses(e, f))
+          return true;
+      for(const Face& f : y_faces)
+        if(pierces(e, f))
+          return true;
+    }
+    for(const Edge& e : y_edges)
+      for(const Face& f : x_faces)
+        if(pierces(e, f))
+          return true;
+    return false;
+  }
+
+  // --- the search ------------------------------------------------------------------------------------------------------
+
+  // Depth-first, without recursion: m_choices is the stack of chosen tetrahedra, each with what is left to try instead.
+  struct Choice
+  {
+    int candidate;
+    std::vector<int> alternatives; // tried after this one
+    std::vector<Face> front;       // before the choice
+  };
+
+  Outcome search()
+  {
+    m_choices.clear();
+    m_number_of_steps = 0;
+    m_number_of_conflict_tests = 0;
+    m_conflicts.assign(m_candidates.size(), std::vector<int>());
+    while(! m_front.empty())
+    {
+      std::vector<int> options = options_of_hardest_face();
+      while(options.empty())
+      {
+        if(m_choices.empty())
+          return NONE;
+        options = take_back();
+      }
+      if(++m_number_of_steps > m_max_number_of_steps || m_number_of_conflict_tests > max_number_of_conflict_tests)
+        return GAVE_UP;
+      choose(options);
+    }
+    for(const Choice& choice : m_choices)
+    {
+      const std::array<int, 4>& v = m_candidates[choice.candidate].v;
+      m_tetrahedra.push_back({{ m_vertices[v[0]], m_vertices[v[1]], m_vertices[v[2]], m_vertices[v[3]] }});
+    }
+    return FOUND;
+  }
+
+  // The candidates on the front face that has the fewest.
+  std::vector<int> options_of_hardest_face() const
+  {
+    std::vector<int> fewest, options;
+    bool is_first = true;
+    for(const Face& f : m_front)
+    {
+      options.clear();
+      for(const int c : m_candidates_of_face[key(f)])
+        if(m_candidates[c].number_of_conflicts == 0)
+          options.push_back(c);
+      if(is_first || options.size() < fewest.size())
+        fewest.swap(options);
+      is_first = false;
+      if(fewest.empty())
+        break;
+    }
+    return fewest;
+  }
+
+  void choose(std::vector<int>& options)
+  {
+    Choice choice;
+    choice.candidate = options.front();
+    choice.alternatives.assign(options.begin() + 1, options.end());
+    choice.front = m_front;
+    const Candidate& c = m_candidates[choice.candidate];
+    for(const Face& f : faces_of(c.v))
+    {
+      const auto it = std::find_if(m_front.begin(), m_front.end(), [&](const Face& g) { return key(g) == key(f); });
+      if(it != m_front.end())
+        m_front.erase(it);
+      else
+        m_front.push_back(Face{{ f[0], f[2], f[1] }}); // to be filled on its other side
+    }
+    for(const int d : conflicts(choice.candidate))
+      ++m_candidates[d].number_of_conflicts;
+    m_choices.push_back(std::move(choice));
+  }
+
+  // Undoes the last choice and returns its alternatives.
+  std::vector<int> take_back()
+  {
+    Choice choice = std::move(m_choices.back());
+    m_choices.pop_back();
+    for(const int d : conflicts(choice.candidate))
+      --m_candidates[d].number_of_conflicts;
+    m_front = std::move(choice.front);
+    return std::move(choice.alternatives);
+  }
+
+  // The candidates in conflict with c, itself included.
+  const std::vector<int>& conflicts(const int c)
+  {
+    std::vector<int>& list = m_conflicts[c];
+    if(list.empty())
+      m_number_of_conflict_tests += m_candidates.size();
+    if(list.empty())
+      for(std::size_t d = 0; d < m_candidates.size(); ++d)
+        if(static_cast<int>(d) == c || is_in_conflict(m_candidates[c], m_candidates[d]))
+          list.push_back(static_cast<int>(d));
+    return list;
+  }
+
+  const Tr& m_tr;
+  const Predicates& m_predicates;
+  std::size_t m_max_number_of_steps = default_max_number_of_steps;
+  std::size_t m_number_of_steps = 0;
+  std::size_t m_number_of_conflict_tests = 0;
+  std::vector<Vertex_handle> m_vertices;
+  std::vector<signed char> m_orientations;
+  std::vector<Edge> m_obstacle_edges;
+  std::vector<Face> m_obstacle_faces;
+  std::vector<char> m_is_uncrossed;
+  std::vector<Candidate> m_candidates;
+  std::vector<std::vector<int> > m_candidates_of_face;
+  std::vector<std::vector<int> > m_conflicts; // computed when first asked for
+  std::vector<Face> m_front;
+  std::vector<Choice> m_choices;
+  std::vector<Tetrahedron> m_tetrahedra;
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SMALL_POLYHEDRON_RECONNECTION_3_H
