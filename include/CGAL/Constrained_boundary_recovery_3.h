@@ -216,7 +216,7 @@ public:
     run(Phase::facet_reconnection, [&]
     {
       reconnect(Phase::facet_reconnection, m_treatable_facets, m_constraints.facets());
-      look_up();
+      look_up_lost();
     });
   }
 
@@ -229,7 +229,7 @@ public:
       return;
     run(Phase::facet_recovery_brc2, [&]
     {
-      look_up();
+      look_up_lost(); // most facets came back with their edges
       find_treatable_facets();
       if(m_treatable_facets.empty())
         return;
@@ -240,7 +240,7 @@ public:
                             [&](const int l_max) { facet_pass(Phase::facet_recovery_brc2, st, l_max); },
                             [](const Recursion_level_report& r) { return r.n1; });
       m_number_of_transformations += st.number_of_transformations();
-      look_up();
+      look_up_lost();
     });
   }
 
@@ -322,6 +322,12 @@ private:
   void look_up()
   {
     m_lost = Boundary_recovery_3::internal::Constraint_search_3<Tr>(m_tr, m_constraints)();
+  }
+
+  // What is in the mesh stays there, so only what was lost has to be looked up.
+  void look_up_lost()
+  {
+    m_lost = Boundary_recovery_3::internal::Constraint_search_3<Tr>(m_tr, m_constraints)(Lost_constraints(m_lost));
   }
 
   // recvBndEdgesByST_Wrap of [CZZ+17, Alg. 5], for edges and for facets: raises the recursion level from pass to pass until
@@ -443,13 +449,19 @@ private:
     return result;
   }
 
+  bool is_lost(const Vertex_handle u, const Vertex_handle v) const
+  {
+    return std::binary_search(m_lost.edges.begin(), m_lost.edges.end(), m_constraints.index(u, v));
+  }
+
+  // Facets can be treated once their edges are in the mesh.
   void find_treatable_facets()
   {
     m_treatable_facets.clear();
     for(const std::size_t f : m_lost.facets)
     {
       const std::array<Vertex_handle, 3>& facet = m_constraints.facets()[f];
-      if(m_facet_recovery.has_edges(facet[0], facet[1], facet[2]))
+      if(! is_lost(facet[0], facet[1]) && ! is_lost(facet[1], facet[2]) && ! is_lost(facet[2], facet[0]))
         m_treatable_facets.push_back(f);
     }
   }

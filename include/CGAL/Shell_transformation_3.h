@@ -348,13 +348,10 @@ private:
     {
       return is_ab_constrained && m_validity.is_constrained(shell.a(), shell.b(), shell.vertex(i));
     };
-    if(! m_search(shell, f, is_ab_constrained, is_kept)
+    if(! m_search(shell, f, is_ab_constrained, is_kept, only_if_done)
        || ! m_validity.is_valid_covering_mesh(shell, m_search.partial_triangulation()))
       return UNCHANGED;
     const Boundary_recovery_3::Partial_triangulation& k = m_search.partial_triangulation();
-    if(only_if_done && ! k.core.empty()
-       && (f == Shell::none || std::find(k.core.begin(), k.core.end(), f) != k.core.end()))
-      return UNCHANGED;
     replace(shell, k, e);
     return k.core.empty() ? REMOVED : REDUCED;
   }

@@ -17,7 +17,7 @@
 #include <array>
 #include <cstddef>
 #include <iterator>
-#include <limits>
+#include <numeric>
 #include <unordered_map>
 #include <vector>
 
@@ -107,7 +107,7 @@ struct Lost_constraints
 };
 
 /*
- * Looks up every constraint in the mesh.
+ * Looks up constraints in the mesh.
  *
  * The star of each vertex is visited once, for all the constraints that have this vertex first.
  */
@@ -121,27 +121,38 @@ public:
 
   Constraint_search_3(const Tr& tr, const Constraints& constraints) : m_tr(tr), m_constraints(constraints) { }
 
+  // Those of all the constraints that are lost.
   Lost_constraints operator()()
   {
-    sort_by_first_vertex();
-    Lost_constraints lost;
-    std::vector<char> is_edge_lost(m_constraints.edges().size(), true);
-    std::vector<char> is_facet_lost(m_constraints.facets().size(), true);
-    for(std::size_t i = 0; i + 1 < m_edge_ranges.size(); ++i)
+    Lost_constraints all;
+    all.edges.resize(m_constraints.edges().size());
+    all.facets.resize(m_constraints.facets().size());
+    std::iota(all.edges.begin(), all.edges.end(), std::size_t(0));
+    std::iota(all.facets.begin(), all.facets.end(), std::size_t(0));
+    return (*this)(all);
+  }
+
+  // Those of the given constraints that are lost.
+  Lost_constraints operator()(const Lost_constraints& candidates)
+  {
+    sort_by_first_vertex(candidates);
+    std::vector<char> is_edge_lost(candidates.edges.size()), is_facet_lost(candidates.facets.size());
+    for(std::size_t i = 0; i < m_vertices.size(); ++i)
     {
       m_star.clear();
       m_tr.tds().incident_cells(m_vertices[i], std::back_inserter(m_star));
       for(std::size_t k = m_edge_ranges[i]; k < m_edge_ranges[i + 1]; ++k)
-        is_edge_lost[m_edges[k]] = ! is_in_star(m_constraints.edges()[m_edges[k]]);
+        is_edge_lost[m_edges[k]] = ! is_in_star(m_constraints.edges()[candidates.edges[m_edges[k]]]);
       for(std::size_t k = m_facet_ranges[i]; k < m_facet_ranges[i + 1]; ++k)
-        is_facet_lost[m_facets[k]] = ! is_in_star(m_constraints.facets()[m_facets[k]]);
+        is_facet_lost[m_facets[k]] = ! is_in_star(m_constraints.facets()[candidates.facets[m_facets[k]]]);
     }
+    Lost_constraints lost;
     for(std::size_t e = 0; e < is_edge_lost.size(); ++e)
       if(is_edge_lost[e])
-        lost.edges.push_back(e);
+        lost.edges.push_back(candidates.edges[e]);
     for(std::size_t f = 0; f < is_facet_lost.size(); ++f)
       if(is_facet_lost[f])
-        lost.facets.push_back(f);
+        lost.facets.push_back(candidates.facets[f]);
     return lost;
   }
 
@@ -161,16 +172,16 @@ private:
   }
 
   // Buckets the constraints by their first vertex, in the order in which vertices come first.
-  void sort_by_first_vertex()
+  void sort_by_first_vertex(const Lost_constraints& candidates)
   {
     m_vertices.clear();
     std::unordered_map<const void*, std::size_t> index; // look-up only
-    index.reserve(m_constraints.edges().size() / 3);
+    index.reserve(candidates.edges.size() / 3 + 1);
     std::vector<std::size_t> edge_bucket, facet_bucket;
-    for(const auto& e : m_constraints.edges())
-      edge_bucket.push_back(bucket(e[0], index));
-    for(const auto& f : m_constraints.facets())
-      facet_bucket.push_back(bucket(f[0], index));
+    for(const std::size_t e : candidates.edges)
+      edge_bucket.push_back(bucket(m_constraints.edges()[e][0], index));
+    for(const std::size_t f : candidates.facets)
+      facet_bucket.push_back(bucket(m_constraints.facets()[f][0], index));
     count_sort(edge_bucket, m_edges, m_edge_ranges);
     count_sort(facet_bucket, m_facets, m_facet_ranges);
   }
@@ -200,7 +211,7 @@ private:
   const Tr& m_tr;
   const Constraints& m_constraints;
   std::vector<Vertex_handle> m_vertices;
-  std::vector<std::size_t> m_edges, m_facets;             // sorted by first vertex
+  std::vector<std::size_t> m_edges, m_facets;             // positions among the candidates, sorted by first vertex
   std::vector<std::size_t> m_edge_ranges, m_facet_ranges; // where each vertex begins
   std::vector<Cell_handle> m_star;
 };

@@ -100,8 +100,10 @@ public:
   // Finds the best covering mesh of `shell`, where the face a b p_f is to be avoided (f may be none).
   // If `keeps_edge`, ab stays; skirt vertices for which `is_kept(i)` holds stay in the core, i.e. the face a b p_i stays.
   // Returns false if that is the covering mesh that is there.
+  // If `only_if_done`, only those covering meshes are searched that do what is asked for: avoid that face, or lose ab.
   template <typename IsKept>
-  bool operator()(const Shell& shell, const int f, const bool keeps_edge, const IsKept& is_kept)
+  bool operator()(const Shell& shell, const int f, const bool keeps_edge, const IsKept& is_kept,
+                  const bool only_if_done = false)
   {
     m_shell = &shell;
     m = shell.degree();
@@ -111,8 +113,8 @@ public:
     for(int i = 0; i < m; ++i)
       m_kept[i] = is_kept(i);
     fill_in_matrices();
-    choose_core();
-    if(m_best.core_size == m)
+    choose_core(only_if_done);
+    if(m_best.core_size < 0 || m_best.core_size == m)
       return false;
     build_partial_triangulation();
     return true;
@@ -222,7 +224,7 @@ private:
     return x_first;
   }
 
-  void choose_core()
+  void choose_core(const bool only_if_done)
   {
     m_best = Candidate();
     if(! m_keeps_edge && has_ring(0, m - 1))
@@ -233,14 +235,17 @@ private:
       if(! Quality::is_first_in_vector)
         return; // [1, N_big, Q] cannot be beaten
     }
+    if(only_if_done && m_f == none)
+      return;
     fill_in_arcs();
-    choose_core(none);
+    if(! only_if_done)
+      choose_core_without(none);
     if(m_f != none)
-      choose_core(m_f);
+      choose_core_without(m_f);
   }
 
   // Tries all the cores, or those without the position `avoided`.
-  void choose_core(const int avoided)
+  void choose_core_without(const int avoided)
   {
     Candidate best; // of this call; ties between the two calls cannot occur, for they differ in Q'
     for(int s = 0; s + 3 <= m; ++s)

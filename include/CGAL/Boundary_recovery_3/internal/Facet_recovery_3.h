@@ -43,14 +43,6 @@ public:
     : m_tr(tr), m_walk(tr, predicates)
   { }
 
-  // Whether all the edges of uvw are mesh edges, without which the facet cannot be treated.
-  bool has_edges(const Vertex_handle u, const Vertex_handle v, const Vertex_handle w)
-  {
-    int i, j;
-    Cell_handle c;
-    return m_tr.is_edge(u, v, c, i, j) && m_tr.is_edge(v, w, c, i, j) && m_tr.is_edge(w, u, c, i, j);
-  }
-
   // Returns whether uvw is a mesh facet in the end.
   template <typename Shell_transformation, typename Context>
   bool operator()(Shell_transformation& st, const Vertex_handle u, const Vertex_handle v, const Vertex_handle w,

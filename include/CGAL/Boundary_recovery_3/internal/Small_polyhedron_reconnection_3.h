@@ -55,7 +55,7 @@ public:
 
   static constexpr std::size_t max_number_of_vertices = 28;
   static constexpr std::size_t default_max_number_of_steps = 2000;
-  static constexpr std::size_t max_number_of_conflict_tests = 200000;
+  static constexpr std::size_t max_number_of_conflict_tests = 50000;
 
   Small_polyhedron_reconnection_3(const Tr& tr, const Predicates& predicates)
     : m_tr(tr), m_predicates(predicates)
@@ -111,17 +111,29 @@ private:
     return static_cast<int>(std::find(m_vertices.begin(), m_vertices.end(), v) - m_vertices.begin());
   }
 
-  // Orientations of the quadruples i < j < k < l; all others follow from the parity of their order.
+  // The orientations of all quadruples, in every order, for look-ups without sorting.
   void fill_in_orientations()
   {
     const std::size_t size = m_vertices.size();
-    m_orientations.resize(size * size * size * size);
+    m_orientations.assign(size * size * size * size, 0);
     for(int i = 0; i < n(); ++i)
       for(int j = i + 1; j < n(); ++j)
         for(int k = j + 1; k < n(); ++k)
           for(int l = k + 1; l < n(); ++l)
-            m_orientations[offset(i, j, k, l)] = static_cast<signed char>(
-              m_predicates.orientation(m_vertices[i], m_vertices[j], m_vertices[k], m_vertices[l]));
+            store_orientations({{ i, j, k, l }}, static_cast<signed char>(
+              m_predicates.orientation(m_vertices[i], m_vertices[j], m_vertices[k], m_vertices[l])));
+  }
+
+  // For the even and the odd permutations of v; the last two are swapped to come from one to the other.
+  void store_orientations(const std::array<int, 4>& v, const signed char sign)
+  {
+    static constexpr int even[12][4] = { {0,1,2,3}, {0,2,3,1}, {0,3,1,2}, {1,0,3,2}, {1,2,0,3}, {1,3,2,0},
+                                         {2,0,1,3}, {2,1,3,0}, {2,3,0,1}, {3,0,2,1}, {3,1,0,2}, {3,2,1,0} };
+    for(const auto& p : even)
+    {
+      m_orientations[offset(v[p[0]], v[p[1]], v[p[2]], v[p[3]])] = sign;
+      m_orientations[offset(v[p[0]], v[p[1]], v[p[3]], v[p[2]])] = static_cast<signed char>(-sign);
+    }
   }
 
   std::size_t offset(const int i, const int j, const int k, const int l) const
@@ -129,15 +141,7 @@ private:
     return ((static_cast<std::size_t>(i) * n() + j) * n() + k) * n() + l;
   }
 
-  int orientation(int i, int j, int k, int l) const
-  {
-    if(i == j || i == k || i == l || j == k || j == l || k == l)
-      return 0;
-    int sign = 1;
-    const auto order = [&sign](int& x, int& y) { if(y < x) { std::swap(x, y); sign = -sign; } };
-    order(i, j); order(k, l); order(i, k); order(j, l); order(j, k);
-    return sign * m_orientations[offset(i, j, k, l)];
-  }
+  int orientation(const int i, const int j, const int k, const int l) const { return m_orientations[offset(i, j, k, l)]; }
 
   bool crosses(const Edge& e, const Edge& f) const
   {
@@ -225,8 +229,11 @@ private:
   void collect_candidates()
   {
     find_uncrossed_edges();
+    m_is_pierced.assign(static_cast<std::size_t>(n()) * n() * n(), unknown);
     m_candidates.clear();
-    m_candidates_of_face.assign(static_cast<std::size_t>(n()) * n() * n(), std::vector<int>());
+    m_candidates_of_face.resize((std::max)(m_candidates_of_face.size(), static_cast<std::size_t>(n()) * n() * n()));
+    for(std::vector<int>& candidates : m_candidates_of_face)
+      candidates.clear();
     for(int i = 0; i < n(); ++i)
       for(int j = i + 1; j < n(); ++j)
       {
@@ -234,7 +241,7 @@ private:
           continue;
         for(int k = j + 1; k < n(); ++k)
         {
-          if(! is_uncrossed(i, k) || ! is_uncrossed(j, k) || is_pierced_by_obstacle(Face{{ i, j, k }}))
+          if(! is_uncrossed(i, k) || ! is_uncrossed(j, k) || is_pierced_by_obstacle(i, j, k))
             continue;
           for(int l = k + 1; l < n(); ++l)
             if(is_uncrossed(i, l) && is_uncrossed(j, l) && is_uncrossed(k, l))
@@ -258,22 +265,24 @@ private:
 
   bool is_uncrossed(const int i, const int j) const { return m_is_uncrossed[i * n() + j]; }
 
-  bool is_pierced_by_obstacle(const Face& f) const
+  // For i < j < k, computed when first asked for.
+  bool is_pierced_by_obstacle(const int i, const int j, const int k)
   {
-    return std::any_of(m_obstacle_edges.begin(), m_obstacle_edges.end(), [&](const Edge& o) { return pierces(o, f); });
+    const Face f = {{ i, j, k }};
+    signed char& state = m_is_pierced[key(f)];
+    if(state == unknown)
+      state = std::any_of(m_obstacle_edges.begin(), m_obstacle_edges.end(), [&](const Edge& o) { return pierces(o, f); });
+    return state == 1;
   }
 
   void add_candidate(const int i, const int j, const int k, const int l)
   {
     const int sign = orientation(i, j, k, l);
-    if(sign == 0)
+    if(sign == 0 || is_pierced_by_obstacle(i, j, l) || is_pierced_by_obstacle(i, k, l) || is_pierced_by_obstacle(j, k, l))
       return;
     Candidate c;
     c.v = sign > 0 ? std::array<int, 4>{{ i, j, k, l }} : std::array<int, 4>{{ i, k, j, l }};
     const std::array<Face, 4> faces = faces_of(c.v);
-    for(int f = 1; f < 4; ++f) // ijk was tested
-      if(is_pierced_by_obstacle(faces[f]))
-        return;
     for(int w = 0; w < n(); ++w)
       if(contains(faces, c.v, w))
         return;
@@ -298,29 +307,46 @@ private:
     return (static_cast<std::size_t>(f[first]) * n() + f[(first + 1) % 3]) * n() + f[(first + 2) % 3];
   }
 
-  // Whether two candidates cannot be in one tetrahedralization.
-  bool is_in_conflict(const Candidate& x, const Candidate& y) const
+  // The candidates that cannot be in one tetrahedralization with c, c itself included: those on the same side of a
+  // common face, and those with an edge or a face that an edge or a face of c crosses.
+  std::vector<int> find_conflicts(const Candidate& c)
   {
-    const std::array<Edge, 6> x_edges = edges_of(x.v), y_edges = edges_of(y.v);
-    const std::array<Face, 4> x_faces = faces_of(x.v), y_faces = faces_of(y.v);
-    for(const Face& f : x_faces)
-      for(const Face& g : y_faces)
-        if(key(f) == key(g))
-          return true; // both on the same side of a common face
-    for(const Edge& e : x_edges)
+    const std::array<Edge, 6> edges = edges_of(c.v);
+    const std::array<Face, 4> faces = faces_of(c.v);
+    m_is_edge_crossed.assign(m_is_uncrossed.size(), unknown);
+    m_is_face_crossed.assign(m_is_pierced.size(), unknown);
+    std::vector<int> result;
+    for(std::size_t d = 0; d < m_candidates.size(); ++d)
     {
-      for(const Edge& f : y_edges)
-        if(crosses(e, f))
-          return true;
-      for(const Face& f : y_faces)
-        if(pierces(e, f))
-          return true;
+      const Candidate& other = m_candidates[d];
+      const std::array<Edge, 6> other_edges = edges_of(other.v);
+      const std::array<Face, 4> other_faces = faces_of(other.v);
+      const bool is_in_conflict =
+           std::any_of(other_edges.begin(), other_edges.end(), [&](const Edge& e) { return is_crossed(e, edges, faces); })
+        || std::any_of(other_faces.begin(), other_faces.end(), [&](const Face& f) { return is_crossed(f, edges, faces); });
+      if(is_in_conflict)
+        result.push_back(static_cast<int>(d));
     }
-    for(const Edge& e : y_edges)
-      for(const Face& f : x_faces)
-        if(pierces(e, f))
-          return true;
-    return false;
+    return result;
+  }
+
+  bool is_crossed(Edge e, const std::array<Edge, 6>& edges, const std::array<Face, 4>& faces)
+  {
+    std::sort(e.begin(), e.end());
+    signed char& state = m_is_edge_crossed[e[0] * n() + e[1]];
+    if(state == unknown)
+      state = std::any_of(edges.begin(), edges.end(), [&](const Edge& x) { return crosses(e, x); })
+           || std::any_of(faces.begin(), faces.end(), [&](const Face& x) { return pierces(e, x); });
+    return state == 1;
+  }
+
+  bool is_crossed(const Face& f, const std::array<Edge, 6>& edges, const std::array<Face, 4>& faces)
+  {
+    signed char& state = m_is_face_crossed[key(f)];
+    if(state == unknown)
+      state = std::any_of(faces.begin(), faces.end(), [&](const Face& x) { return key(x) == key(f); })
+           || std::any_of(edges.begin(), edges.end(), [&](const Edge& x) { return pierces(x, f); });
+    return state == 1;
   }
 
   // --- the search ------------------------------------------------------------------------------------------------------
@@ -415,12 +441,10 @@ private:
   const std::vector<int>& conflicts(const int c)
   {
     std::vector<int>& list = m_conflicts[c];
-    if(list.empty())
-      m_number_of_conflict_tests += m_candidates.size();
-    if(list.empty())
-      for(std::size_t d = 0; d < m_candidates.size(); ++d)
-        if(static_cast<int>(d) == c || is_in_conflict(m_candidates[c], m_candidates[d]))
-          list.push_back(static_cast<int>(d));
+    if(! list.empty())
+      return list;
+    m_number_of_conflict_tests += m_candidates.size();
+    list = find_conflicts(m_candidates[c]);
     return list;
   }
 
@@ -433,7 +457,10 @@ private:
   std::vector<signed char> m_orientations;
   std::vector<Edge> m_obstacle_edges;
   std::vector<Face> m_obstacle_faces;
+  static constexpr signed char unknown = -1;
   std::vector<char> m_is_uncrossed;
+  std::vector<signed char> m_is_pierced;
+  std::vector<signed char> m_is_edge_crossed, m_is_face_crossed; // by one candidate
   std::vector<Candidate> m_candidates;
   std::vector<std::vector<int> > m_candidates_of_face;
   std::vector<std::vector<int> > m_conflicts; // computed when first asked for
