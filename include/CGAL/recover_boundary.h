@@ -36,37 +36,41 @@ namespace CGAL {
  * The soup may be open, non-manifold, have sheets that end inside, and bound several regions. The function
  * 1. checks the input;
  * 2. finds the points among the vertices of `tr` by their exact coordinates, and inserts those that are not there;
- * 3. recovers lost edges, then lost facets, by recursive shell transformations [CZZ+17, Section 4.2], without adding points;
+ * 3. recovers lost edges, then lost facets, by recursive shell transformations [CZZ+17, Section 4.2], without adding
+ *    points;
  * 4. looks up every constraint again.
  *
- * The triangulation is changed in place and is no longer Delaunay afterwards, although its type may say so: point insertion, point
- * location by conflicts, and nearest vertex queries are undefined from then on. The base `Triangulation_3::is_valid()` holds.
- * Vertices keep their handles and their coordinates, bit for bit. Cells are replaced; data in them is lost, unless a visitor carries it over.
- * A later call on the same triangulation has to be given the earlier constraints again, or it may flip them away.
+ * The triangulation is changed in place and is no longer Delaunay afterwards, although its type may say so: point
+ * insertion, point location by conflicts, and nearest vertex queries are undefined from then on. The base
+ * `Triangulation_3::is_valid()` holds. Vertices keep their handles and their coordinates, bit for bit. Cells are
+ * replaced; data in them is lost, unless a visitor carries it over. A later call on the same triangulation has to be
+ * given the earlier constraints again, or it may flip them away.
  *
  * Nothing is printed, and nothing is thrown because of the input.
  *
- * \tparam Triangulation an instance of `Delaunay_triangulation_3`, or of `Triangulation_3`, or of a class derived from one of them,
- *         with an exact-predicates kernel as geometric traits. No points are inserted in a triangulation that is not
- *         Delaunay: it has to have them all.
- * \tparam PointRange a model of `ConstRange` whose value type is `Triangulation::Geom_traits::Point_3`, unless `point_map` is given
- * \tparam TriangleRange a model of `ConstRange` whose value type is a model of `RandomAccessContainer` of vertex indices
+ * \tparam Triangulation an instance of `Delaunay_triangulation_3`, or of `Triangulation_3`, or of a class derived from
+ *         one of them, with an exact-predicates kernel as geometric traits. No points are inserted in a triangulation
+ *         that is not Delaunay: it has to have them all.
+ * \tparam PointRange a model of `ConstRange` whose value type is `Triangulation::Geom_traits::Point_3`, unless
+ *         `point_map` is given
+ * \tparam TriangleRange a model of `ConstRange` whose value type is a model of `RandomAccessContainer` of vertex
+ *         indices
  * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
  *
  * \param tr the triangulation. It may be empty; then the function does everything.
  * \param points the points
  * \param triangles the triangles, each three indices of points
- * \param np an optional sequence of named parameters among the ones listed below. Those that only this package has, `recovery_mode`,
- *        `max_recursion_level`, `constrained_edges` and `list_defects`, start a chain; several chains are passed one
- *        after the other.
+ * \param np an optional sequence of named parameters among the ones listed below. Those that only this package has,
+ *        `recovery_mode`, `max_recursion_level`, `constrained_edges` and `list_defects`, start a chain; several chains
+ *        are passed one after the other.
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{recovery_mode}
  *     \cgalParamDescription{how far the recovery goes}
  *     \cgalParamType{`CGAL::Boundary_recovery_3::Recovery_mode`}
  *     \cgalParamDefault{`Recovery_mode::constrained`}
- *     \cgalParamExtra{Steiner points are not implemented yet: whatever the mode, what flips cannot recover is reported as
- *                     missing, with the status `incomplete`.}
+ *     \cgalParamExtra{Steiner points are not implemented yet: whatever the mode, what flips cannot recover is reported
+ *                     as missing, with the status `incomplete`.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{max_recursion_level}
  *     \cgalParamDescription{the recursion level that is never exceeded; 0: no recursion}
@@ -91,7 +95,8 @@ namespace CGAL {
  *     \cgalParamExtra{Pass `std::ref(visitor)` to have the object itself called and not a copy.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{list_defects}
- *     \cgalParamDescription{whether intersections of constraints are searched first, and the triangulation is left alone if there are any}
+ *     \cgalParamDescription{whether intersections of constraints are searched first, and the triangulation is left
+ *                           alone if there are any}
  *     \cgalParamType{`bool`}
  *     \cgalParamDefault{`false`: they are searched only when constraints are missing in the end}
  *   \cgalParamNEnd
@@ -107,11 +112,12 @@ namespace CGAL {
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \return the status, and what is missing or wrong in terms of the indices of points and triangles. It converts to `true` iff every
- *         triangle and constrained edge is in the triangulation.
- *         If the status is `invalid_input`, the triangulation was not changed, with two exceptions: the points have been inserted if they
- *         and the vertices of a triangulation of a dimension less than 3 turn out to be coplanar; and constraints that intersect are, unless
- *         `list_defects` is set, found only after points were inserted and cells flipped.
+ * \return the status, and what is missing or wrong in terms of the indices of points and triangles. It converts to
+ *         `true` iff every triangle and constrained edge is in the triangulation.
+ *         If the status is `invalid_input`, the triangulation was not changed, with two exceptions: the points have
+ *         been inserted if they and the vertices of a triangulation of a dimension less than 3 turn out to be coplanar;
+ *         and constraints that intersect are, unless `list_defects` is set, found only after points were inserted and
+ *         cells flipped.
  */
 template <typename Triangulation, typename PointRange, typename TriangleRange, typename CGAL_NP_TEMPLATE_PARAMETERS
 #ifndef DOXYGEN_RUNNING
@@ -140,15 +146,16 @@ recover_boundary(Triangulation& tr, const PointRange& points, const TriangleRang
  *
  * \brief recovers the faces of a surface mesh in a triangulation: every face becomes a facet of `tr`.
  *
- * It does what the other overload does for a soup, and has its named parameters except `point_map` and `constrained_edges`.
+ * It does what the other overload does for a soup, and has its named parameters except `point_map` and
+ * `constrained_edges`.
  *
  * \tparam Triangulation see the other overload
  * \tparam FaceListGraph a model of `FaceListGraph`
  * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
  *
  * \param tr the triangulation. It may be empty.
- * \param surface the surface mesh. It may be open and may have several components. Indices in the result are positions in `vertices(surface)`
- *        and in `faces(surface)`.
+ * \param surface the surface mesh. It may be open and may have several components. Indices in the result are positions
+ *        in `vertices(surface)` and in `faces(surface)`.
  * \param np an optional sequence of named parameters among those of the other overload and the ones listed below
  *
  * \cgalNamedParamsBegin
@@ -158,7 +165,8 @@ recover_boundary(Triangulation& tr, const PointRange& points, const TriangleRang
  *     \cgalParamDefault{`boost::get(CGAL::vertex_point, surface)`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{vertex_to_vertex_map}
- *     \cgalParamDescription{a property map that gets the vertex of `tr` for each vertex of `surface`, unless the input is invalid}
+ *     \cgalParamDescription{a property map that gets the vertex of `tr` for each vertex of `surface`, unless the input
+ *                           is invalid}
  *     \cgalParamType{a model of `WritablePropertyMap` from vertex descriptors to `Triangulation::Vertex_handle`}
  *     \cgalParamDefault{unused}
  *   \cgalParamNEnd
@@ -197,16 +205,17 @@ recover_boundary(Triangulation& tr, const FaceListGraph& surface,
  *
  * \brief recovers facets between vertices of a triangulation.
  *
- * It does what the overload for soups does, without inserting points, and has its named parameters except `point_map`; the
- * value type of `constrained_edges` is an array of two vertex handles here.
+ * It does what the overload for soups does, without inserting points, and has its named parameters except `point_map`;
+ * the value type of `constrained_edges` is an array of two vertex handles here.
  *
  * \tparam Triangulation see the other overload
  * \tparam FacetRange a model of `ConstRange` whose value type is an array of three vertex handles of `Triangulation`
  * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
  *
  * \param tr the triangulation
- * \param facets the facets. Indices of facets in the result are positions in this range; indices of vertices count the vertices of the
- *        facets, then of the edges, in the order of their first appearance, and `vertices` of the result holds them.
+ * \param facets the facets. Indices of facets in the result are positions in this range; indices of vertices count the
+ *        vertices of the facets, then of the edges, in the order of their first appearance, and `vertices` of the
+ *        result holds them.
  * \param np an optional sequence of named parameters
  *
  * \return see the other overload

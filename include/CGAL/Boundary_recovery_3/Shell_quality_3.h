@@ -54,9 +54,9 @@ struct No_shell_quality_3
  * \brief the quality `Q_1` of [CZZ+17, Eq. 5]: that of the worst tetrahedron.
  *
  * The quality of a tetrahedron of volume \f$ V \f$ and edge lengths \f$ l_i \f$ is
- * \f$ 72 \sqrt{3} \, V / (\sum l_i^2)^{3/2} \f$, which is 1 for the regular tetrahedron, tends to 0 for flat ones, and does not change with
- * scale. It is computed with doubles: it ranks valid tetrahedra, and never decides whether one is valid.
- * Infinite cells do not count.
+ * \f$ 72 \sqrt{3} \, V / (\sum l_i^2)^{3/2} \f$, which is 1 for the regular tetrahedron, tends to 0 for flat ones, and
+ * does not change with scale. It is computed with doubles: it ranks valid tetrahedra, and never decides whether one is
+ * valid. Infinite cells do not count.
  *
  * \tparam Tr an instance of `CGAL::Triangulation_3`
  *
@@ -142,8 +142,8 @@ private:
  * the count of an entity among its tetrahedra only to remain element-wise; the sums are the same.
  *
  * \tparam Tr an instance of `CGAL::Triangulation_3`
- * \tparam Counter has member functions `number_of_crossings(u, v)` and `number_of_crossings(u, v, w)`, the number of lost
- *         constraints that cross the mesh edge `uv`, and the mesh face `uvw`, in their relative interiors
+ * \tparam Counter has member functions `number_of_crossings(u, v)` and `number_of_crossings(u, v, w)`, the number of
+ *         lost constraints that cross the mesh edge `uv`, and the mesh face `uvw`, in their relative interiors
  *
  * \cgalModels{ShellQuality_3}
  */

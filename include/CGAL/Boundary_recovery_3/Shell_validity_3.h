@@ -36,14 +36,16 @@ struct No_shell_validity_3
   /// @{
   template <typename Shell> bool is_valid_triangle(const Shell&, int, int, int) const { return true; }
   template <typename Shell> bool is_valid_chord(const Shell&, int, int) const { return true; }
-  template <typename Shell> bool is_valid_covering_mesh(const Shell&, const Partial_triangulation&) const { return true; }
+  template <typename Shell>
+  bool is_valid_covering_mesh(const Shell&, const Partial_triangulation&) const { return true; }
   /// @}
 
   /// \name Constraints
   /// There are none.
   /// @{
   template <typename Vertex_handle> bool is_constrained(Vertex_handle, Vertex_handle) const { return false; }
-  template <typename Vertex_handle> bool is_constrained(Vertex_handle, Vertex_handle, Vertex_handle) const { return false; }
+  template <typename Vertex_handle>
+  bool is_constrained(Vertex_handle, Vertex_handle, Vertex_handle) const { return false; }
   /// @}
 };
 
@@ -142,7 +144,8 @@ private:
  * \brief condition BRC1 of [CZZ+17, Section 3.2]: no new mesh entity intersects a given segment.
  *
  * Intersections are transversal and in relative interiors: a new edge is crossed in a point inside both, a new face is
- * pierced in a point inside both. A face in a plane with the segment is not an intersection; those of its edges that are crossed are.
+ * pierced in a point inside both. A face in a plane with the segment is not an intersection; those of its edges that
+ * are crossed are.
  *
  * \cgalModels{ShellValidity_3}
  */
@@ -226,8 +229,8 @@ private:
  * all lost facets (BRC4) than before.
  *
  * It judges the covering mesh as a whole, after the best one was chosen. With `Fewest_intersections_quality_3` on the
- * same counter the best one always fulfills it; with another quality the transformation may be given up although a worse
- * covering mesh would fulfill it.
+ * same counter the best one always fulfills it; with another quality the transformation may be given up although a
+ * worse covering mesh would fulfill it.
  *
  * \tparam Tr an instance of `CGAL::Triangulation_3`
  * \tparam Counter as in `Fewest_intersections_quality_3`, for lost edges (BRC3) or for lost facets (BRC4)

@@ -28,8 +28,8 @@ namespace internal {
 /*
  * Exchanges a set of cells for another one that fills the same polyhedron.
  *
- * Combinatorial only: the caller knows that the new cells, given by four vertices each, are positively oriented (infinite
- * cells: consistently so), and that their outer facets are those of the old cells.
+ * Combinatorial only: the caller knows that the new cells, given by four vertices each, are positively oriented
+ * (infinite cells: consistently so), and that their outer facets are those of the old cells.
  */
 template <typename Tr>
 class Cell_replacement

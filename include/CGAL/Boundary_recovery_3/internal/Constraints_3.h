@@ -16,8 +16,9 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <iterator>
-#include <numeric>
 #include <unordered_map>
 #include <vector>
 
@@ -28,8 +29,8 @@ namespace internal {
 /*
  * The constraints: edges and facets, numbered in the order in which they were given.
  *
- * The edges of constrained facets are constrained, too. What is constrained is never destroyed once it is in the mesh, so
- * asking whether a mesh simplex is a constraint is all that the flips have to do.
+ * The edges of constrained facets are constrained, too. What is constrained is never destroyed once it is in the mesh,
+ * so asking whether a mesh simplex is a constraint is all that the flips have to do.
  */
 template <typename Tr>
 class Constraints_3
@@ -66,9 +67,7 @@ public:
     if(inserted.second)
     {
       m_facets.push_back({{ u, v, w }});
-      insert(u, v);
-      insert(v, w);
-      insert(w, u);
+      m_edges_of_facets.push_back({{ insert(u, v), insert(v, w), insert(w, u) }});
     }
     return inserted.first->second;
   }
@@ -76,10 +75,19 @@ public:
   const std::vector<Edge>& edges() const { return m_edges; }
   const std::vector<Facet>& facets() const { return m_facets; }
 
+  // The indices of the edges of a facet.
+  const std::array<std::size_t, 3>& edges_of_facet(const std::size_t f) const { return m_edges_of_facets[f]; }
+
   std::size_t index(const Vertex_handle u, const Vertex_handle v) const
   {
     const auto it = m_edge_indices.find(simplex_key(u, v));
     return it == m_edge_indices.end() ? none : it->second;
+  }
+
+  std::size_t index(const Vertex_handle u, const Vertex_handle v, const Vertex_handle w) const
+  {
+    const auto it = m_facet_indices.find(simplex_key(u, v, w));
+    return it == m_facet_indices.end() ? none : it->second;
   }
 
   bool is_constrained(const Vertex_handle u, const Vertex_handle v) const
@@ -95,6 +103,7 @@ public:
 private:
   std::vector<Edge> m_edges;
   std::vector<Facet> m_facets;
+  std::vector<std::array<std::size_t, 3> > m_edges_of_facets;
   std::unordered_map<Simplex_key_3<2>, std::size_t, Simplex_key_hash> m_edge_indices;  // look-up only
   std::unordered_map<Simplex_key_3<3>, std::size_t, Simplex_key_hash> m_facet_indices; // look-up only
 };
@@ -109,7 +118,9 @@ struct Lost_constraints
 /*
  * Looks up constraints in the mesh.
  *
- * The star of each vertex is visited once, for all the constraints that have this vertex first.
+ * All of them: by one sweep over the mesh facets, which finds the constrained facets and their edges; a small filter spares most
+ * facets the look-up in the table. What is not found so, and a given set of constraints, is looked for in the stars of vertices,
+ * each visited once for all the constraints that have this vertex first.
  */
 template <typename Tr>
 class Constraint_search_3
@@ -124,12 +135,17 @@ public:
   // Those of all the constraints that are lost.
   Lost_constraints operator()()
   {
-    Lost_constraints all;
-    all.edges.resize(m_constraints.edges().size());
-    all.facets.resize(m_constraints.facets().size());
-    std::iota(all.edges.begin(), all.edges.end(), std::size_t(0));
-    std::iota(all.facets.begin(), all.facets.end(), std::size_t(0));
-    return (*this)(all);
+    std::vector<char> is_edge_found(m_constraints.edges().size()), is_facet_found(m_constraints.facets().size());
+    find_facets(is_edge_found, is_facet_found);
+    Lost_constraints candidates;
+    for(std::size_t e = 0; e < is_edge_found.size(); ++e)
+      if(! is_edge_found[e])
+        candidates.edges.push_back(e);
+    Lost_constraints lost = (*this)(candidates);
+    for(std::size_t f = 0; f < is_facet_found.size(); ++f)
+      if(! is_facet_found[f])
+        lost.facets.push_back(f);
+    return lost;
   }
 
   // Those of the given constraints that are lost.
@@ -157,6 +173,48 @@ public:
   }
 
 private:
+  void find_facets(std::vector<char>& is_edge_found, std::vector<char>& is_facet_found)
+  {
+    fill_in_filter();
+    for(auto c = m_tr.all_cells_begin(); c != m_tr.all_cells_end(); ++c)
+      for(int i = 0; i < 4; ++i)
+      {
+        if(std::less<const void*>()(&*c->neighbor(i), &*c))
+          continue; // its other side is looked at
+        const Vertex_handle u = c->vertex((i + 1) & 3), v = c->vertex((i + 2) & 3), w = c->vertex((i + 3) & 3);
+        if(! m_filter[filter_position(u, v, w)])
+          continue;
+        const std::size_t f = m_constraints.index(u, v, w);
+        if(f == Constraints::none)
+          continue;
+        is_facet_found[f] = true;
+        for(const std::size_t e : m_constraints.edges_of_facet(f))
+          is_edge_found[e] = true;
+      }
+  }
+
+  // One bit for each constrained facet in a table with 16 to 32 times as many.
+  void fill_in_filter()
+  {
+    std::size_t size = 64;
+    while(size < 16 * m_constraints.facets().size())
+      size *= 2;
+    m_filter.assign(size, false);
+    for(const auto& f : m_constraints.facets())
+      m_filter[filter_position(f[0], f[1], f[2])] = true;
+  }
+
+  // Symmetric, so that the vertices need not be sorted.
+  std::size_t filter_position(const Vertex_handle u, const Vertex_handle v, const Vertex_handle w) const
+  {
+    const auto mix = [](const Vertex_handle x)
+    {
+      const std::uint64_t h = reinterpret_cast<std::uintptr_t>(&*x) * UINT64_C(0x9E3779B97F4A7C15);
+      return h ^ (h >> 29);
+    };
+    return static_cast<std::size_t>((mix(u) + mix(v) + mix(w)) >> 7) & (m_filter.size() - 1);
+  }
+
   template <std::size_t N>
   bool is_in_star(const std::array<Vertex_handle, N>& simplex) const
   {
@@ -214,6 +272,7 @@ private:
   std::vector<std::size_t> m_edges, m_facets;             // positions among the candidates, sorted by first vertex
   std::vector<std::size_t> m_edge_ranges, m_facet_ranges; // where each vertex begins
   std::vector<Cell_handle> m_star;
+  std::vector<bool> m_filter;
 };
 
 } // namespace internal

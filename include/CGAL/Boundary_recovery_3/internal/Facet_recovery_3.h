@@ -25,8 +25,8 @@ namespace Boundary_recovery_3 {
 namespace internal {
 
 /*
- * Recovery of one lost facet whose edges are mesh edges [CZZ+17, Section 4.2.2]: the mesh edges that pierce it are removed one
- * after the other, and collected again after each removal.
+ * Recovery of one lost facet whose edges are mesh edges [CZZ+17, Section 4.2.2]: the mesh edges that pierce it are
+ * removed one after the other, and collected again after each removal.
  */
 template <typename Tr>
 class Facet_recovery_3

@@ -29,9 +29,9 @@ namespace internal {
 /*
  * An exact walk over a triangle uvw whose edges are edges of the mesh.
  *
- * Nothing but mesh edges that pierce the triangle can keep it from being a facet of the mesh: mesh facets cannot cut its edges,
- * and a vertex inside it is reported as being in the way. The mesh facets cut the triangle along segments between such
- * piercing points and the corners; the walk goes from a cell at uv to all others across these segments.
+ * Nothing but mesh edges that pierce the triangle can keep it from being a facet of the mesh: mesh facets cannot cut
+ * its edges, and a vertex inside it is reported as being in the way. The mesh facets cut the triangle along segments
+ * between such piercing points and the corners; the walk goes from a cell at uv to all others across these segments.
  */
 template <typename Tr>
 class Facet_walk_3

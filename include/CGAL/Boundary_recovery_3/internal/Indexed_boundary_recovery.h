@@ -40,8 +40,8 @@ struct Recovery_options
 };
 
 /*
- * The work behind all the overloads of recover_boundary(), on input in index form: it checks the input, finds or inserts
- * the vertices, runs the recovery, and writes the account in the caller's indices.
+ * The work behind all the overloads of recover_boundary(), on input in index form: it checks the input, finds or
+ * inserts the vertices, runs the recovery, and writes the account in the caller's indices.
  */
 template <typename Tr, typename GT, typename Visitor>
 class Indexed_boundary_recovery

@@ -27,11 +27,13 @@ namespace Boundary_recovery_3 {
 namespace internal {
 
 /*
- * How often mesh edges and faces are crossed by the lost constraints of one dimension N - 1 (N = 2: edges, N = 3: facets).
+ * How often mesh edges and faces are crossed by the lost constraints of one dimension N - 1 (edges for N = 2, facets
+ * for N = 3).
  *
- * This is the hash table of [CZZ+17, Section 4.2.1], with one difference. There, entities that come up during a pass are not
- * counted before the next one. Here an entity is counted when it is first asked for, against the lost constraints whose
- * bounding boxes meet its own, and the count is remembered; it depends on the lost constraints only, not on the mesh.
+ * This is the hash table of [CZZ+17, Section 4.2.1], with one difference. There, entities that come up during a pass
+ * are not counted before the next one. Here an entity is counted when it is first asked for, against the lost
+ * constraints whose bounding boxes meet its own, and the count is remembered; it depends on the lost constraints only,
+ * not on the mesh.
  */
 template <typename Tr, std::size_t N>
 class Intersection_table_3

@@ -31,8 +31,8 @@ namespace internal {
  * An exact walk through the mesh along the segment between two vertices.
  *
  * The walk is always in one of three states: at the start vertex, in the interior of a mesh edge, or in the interior of
- * a mesh facet. It lists the edges and facets that it crosses, in their order along the segment. A facet in whose plane the
- * segment runs is not listed; its edges that are crossed are. It ends at the target, or at a vertex in the way.
+ * a mesh facet. It lists the edges and facets that it crosses, in their order along the segment. A facet in whose plane
+ * the segment runs is not listed; its edges that are crossed are. It ends at the target, or at a vertex in the way.
  */
 template <typename Tr>
 class Segment_walk_3

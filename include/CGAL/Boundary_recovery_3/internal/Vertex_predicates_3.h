@@ -27,9 +27,9 @@ namespace internal {
  * Every phase asks here, by vertex handles, and never touches coordinates itself: this is the one place that has
  * to change for a vertex whose position is not that of its point().
  *
- * "Crosses" and "pierces" mean transversal intersections in relative interiors: a segment crosses an edge in an interior
- * point of both, and pierces a triangle in an interior point of both that is the only common one. What merely touches,
- * and a segment inside the plane of a triangle, does neither.
+ * "Crosses" and "pierces" mean transversal intersections in relative interiors: a segment crosses an edge in an
+ * interior point of both, and pierces a triangle in an interior point of both that is the only common one. What merely
+ * touches, and a segment inside the plane of a triangle, does neither.
  */
 template <typename Tr>
 class Vertex_predicates_3

@@ -97,7 +97,8 @@ public:
   template <typename FaceListGraph, typename PointMap>
   void add_surface(const FaceListGraph& surface, const PointMap& point_map)
   {
-    std::unordered_map<typename boost::graph_traits<FaceListGraph>::vertex_descriptor, std::size_t> index; // look-up only
+    typedef typename boost::graph_traits<FaceListGraph>::vertex_descriptor vertex_descriptor;
+    std::unordered_map<vertex_descriptor, std::size_t> index; // look-up only
     for(const auto v : vertices(surface))
     {
       index.emplace(v, m_input.points.size());
@@ -115,7 +116,10 @@ public:
   template <typename NamedParameters>
   Result recover(Tr& tr, const NamedParameters& np)
   {
-    for_each_constrained_edge(np, [&](const std::size_t u, const std::size_t v) { m_input.edges.push_back({{ u, v }}); });
+    for_each_constrained_edge(np, [&](const std::size_t u, const std::size_t v)
+    {
+      m_input.edges.push_back({{ u, v }});
+    });
     if(! m_not_triangles.empty())
       return report_other_faces();
     return recover_indexed_boundary(tr, m_input, std::vector<typename Tr::Vertex_handle>(), np);
