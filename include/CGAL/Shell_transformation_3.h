@@ -283,10 +283,12 @@ private:
   // Lines 8 to 14 of [CZZ+17, Alg. 1]: returns true as soon as the shell of e shrank.
   bool reduce_by_link_edges(const Shell& shell, const Supporting_edge& e, const int l, const int l_max)
   {
+    const bool is_ab_constrained = m_validity.is_constrained(shell.a(), shell.b()); // else none of its faces is
     for(int i = 0; i < shell.degree(); ++i)
       for(const bool at_a : { true, false })
       {
-        if(! is_recursable_link_edge(shell, i, at_a, e))
+        if(! is_recursable_link_edge(shell, i, at_a, e)
+           || (is_ab_constrained && m_validity.is_constrained(shell.a(), shell.b(), shell.vertex(i))))
           continue;
         if(l >= l_max)
         {
@@ -317,7 +319,7 @@ private:
   bool is_recursable_link_edge(const Shell& s, const int i, const bool at_a, const Supporting_edge& e) const
   {
     const int h = s.infinite_index();
-    if(i == h || m_validity.is_constrained(s.a(), s.b(), s.vertex(i)))
+    if(i == h)
       return false;
     const bool is_on_hull = h == s.next(i) || h == s.previous(i);
     if(! is_on_hull && angle_at_link_edge(s, i, at_a) == NEGATIVE)

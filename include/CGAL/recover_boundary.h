@@ -36,8 +36,8 @@ namespace CGAL {
  * The soup may be open, non-manifold, have sheets that end inside, and bound several regions. The function
  * 1. checks the input;
  * 2. finds the points among the vertices of `tr` by their exact coordinates, and inserts those that are not there;
- * 3. recovers lost edges, then lost facets, by recursive shell transformations [CZZ+17, Section 4.2], without adding
- *    points;
+ * 3. recovers lost edges, then lost facets, by recursive shell transformations [CZZ+17, Section 4.2] and small
+ *    polyhedron reconnection, without adding points;
  * 4. looks up every constraint again.
  *
  * The triangulation is changed in place and is no longer Delaunay afterwards, although its type may say so: point

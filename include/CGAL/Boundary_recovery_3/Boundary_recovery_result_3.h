@@ -84,7 +84,7 @@ struct Input_simplex_3
   int dimension = -1;                ///< 0: vertex, 1: edge, 2: facet
   std::size_t index = no_index;      ///< position of the vertex, constrained edge or facet in its input range
   std::vector<std::size_t> vertices; ///< the input indices of its vertices
-  std::vector<Point_3> points;       ///< the coordinates of its vertices; empty where an index has no point
+  std::vector<Point_3> points;       ///< the coordinates of its vertices; empty where an index has no finite point
 };
 
 /// \ingroup PkgBoundaryRecovery3Classes
@@ -115,7 +115,7 @@ struct Recursion_level_report
   std::size_t n1 = 0;               ///< number of lost edges (or facets)
   std::size_t n2 = 0;               ///< number of intersections of lost edges (facets) with mesh entities
   std::size_t n3 = 0;               ///< largest number of intersections of one lost edge (facet)
-  std::size_t n4 = 0;               ///< number of mesh entities in the intersection table; 0 where there is none
+  std::size_t n4 = 0;               ///< number of mesh entities that are crossed, each counted once: the size of the paper's hash table
 };
 
 /*!

@@ -118,9 +118,9 @@ struct Lost_constraints
 /*
  * Looks up constraints in the mesh.
  *
- * All of them: by one sweep over the mesh facets, which finds the constrained facets and their edges; a small filter spares most
- * facets the look-up in the table. What is not found so, and a given set of constraints, is looked for in the stars of vertices,
- * each visited once for all the constraints that have this vertex first.
+ * All of them: by one sweep over the mesh facets, which finds the constrained facets and their edges; a small filter
+ * spares most facets the look-up in the table. What is not found so, and a given set of constraints, is looked for in
+ * the stars of vertices, each visited once for all the constraints that have this vertex first.
  */
 template <typename Tr>
 class Constraint_search_3

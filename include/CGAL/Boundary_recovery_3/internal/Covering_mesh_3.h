@@ -191,8 +191,10 @@ private:
   Value arc_value(const int i, const int j) const { return m_arc_value[at(i, j)]; }
   bool has_arc(const int i, const int j) const { return m_has_arc[at(i, j)]; }
 
-  void fill_in_arcs()
+  // Returns whether there is an arc that is not an edge of the skirt polygon.
+  bool fill_in_arcs()
   {
+    bool has_chord = false;
     m_has_arc.assign(m * m, false);
     m_arc_value.resize(m * m);
     const Shell_positivity<Tr> positivity(*m_shell, m_predicates);
@@ -203,10 +205,12 @@ private:
         if(i == j || j == m_shell->previous(i) || ! has_ring(i, j) || ! positivity.is_core_edge_positive(i, j))
           continue;
         m_has_arc[at(i, j)] = true;
+        has_chord = has_chord || j != m_shell->next(i);
         m_arc_value[at(i, j)] = m_quality.combine(m_value[at(i, j)],
                                                   m_quality.combine(m_quality.of_core_edge(*m_shell, i, j),
                                                                     m_quality.of_core_vertex(*m_shell, i)));
       }
+    return has_chord;
   }
 
   bool is_better(const Candidate& x, const Candidate& y) const
@@ -237,7 +241,9 @@ private:
     }
     if(only_if_done && m_f == none)
       return;
-    fill_in_arcs();
+    const bool has_chord = fill_in_arcs();
+    if(! has_chord && m_best.core_size < 0)
+      return; // nothing but the whole skirt polygon can be a core: the covering mesh that is there
     if(! only_if_done)
       choose_core_without(none);
     if(m_f != none)

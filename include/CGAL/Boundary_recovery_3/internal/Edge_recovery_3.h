@@ -48,14 +48,14 @@ public:
 
   // Returns whether uv is a mesh edge in the end.
   template <typename Shell_transformation, typename Context>
-  bool operator()(Shell_transformation& st, const Vertex_handle u, const Vertex_handle v, const int l_max, Context& context)
+  bool operator()(Shell_transformation& st, const std::array<Vertex_handle, 2>& uv, const int l_max, Context& context)
   {
     std::size_t fewest = std::size_t(-1);
     m_tried.clear();
     m_was_cut_off = false;
     while(context.go_further())
     {
-      const typename Walk::Outcome outcome = m_walk(u, v);
+      const typename Walk::Outcome outcome = m_walk(uv[0], uv[1]);
       if(outcome != Walk::CROSSED)
         return outcome == Walk::IS_EDGE;
       if(m_walk.crossings().size() < fewest)
@@ -80,6 +80,12 @@ public:
   bool was_cut_off() const { return m_was_cut_off; }
 
   const Walk& walk() const { return m_walk; }
+
+  // An edge counts as a facet with a vertex twice.
+  static Simplex_key_3<3> key(const Crossing& crossing)
+  {
+    return simplex_key(crossing.vertices[0], crossing.vertices[1], crossing.vertices[crossing.dimension]);
+  }
 
 private:
   // Returns whether the mesh changed, so that the crossings have to be collected again.
@@ -114,12 +120,9 @@ private:
   // An entity is tried once between two decreases of the number of crossings.
   bool is_new(const Crossing& crossing)
   {
-    const Simplex_key_3<3> key = crossing.dimension == 2
-      ? simplex_key(crossing.vertices[0], crossing.vertices[1], crossing.vertices[2])
-      : simplex_key(crossing.vertices[0], crossing.vertices[1], crossing.vertices[1]);
-    if(std::find(m_tried.begin(), m_tried.end(), key) != m_tried.end())
+    if(std::find(m_tried.begin(), m_tried.end(), key(crossing)) != m_tried.end())
       return false;
-    m_tried.push_back(key);
+    m_tried.push_back(key(crossing));
     return true;
   }
 

@@ -17,6 +17,7 @@
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -45,15 +46,14 @@ public:
 
   // Returns whether uvw is a mesh facet in the end.
   template <typename Shell_transformation, typename Context>
-  bool operator()(Shell_transformation& st, const Vertex_handle u, const Vertex_handle v, const Vertex_handle w,
-                  const int l_max, Context& context)
+  bool operator()(Shell_transformation& st, const std::array<Vertex_handle, 3>& uvw, const int l_max, Context& context)
   {
     std::size_t fewest = std::size_t(-1);
     m_tried.clear();
     m_was_cut_off = false;
     while(context.go_further())
     {
-      const typename Walk::Outcome outcome = walk(u, v, w);
+      const typename Walk::Outcome outcome = walk_over(uvw[0], uvw[1], uvw[2]);
       if(outcome != Walk::CROSSED)
         return outcome == Walk::IS_FACET;
       if(m_walk.crossings().size() < fewest)
@@ -70,15 +70,23 @@ public:
   // The number of mesh edges that pierce uvw; 0 if it is a mesh facet.
   std::size_t number_of_crossings(const Vertex_handle u, const Vertex_handle v, const Vertex_handle w)
   {
-    walk(u, v, w);
+    walk_over(u, v, w);
     return m_walk.crossings().size();
   }
 
   // Whether the recursion level or the bound on shells ended some removal in the last call.
   bool was_cut_off() const { return m_was_cut_off; }
 
+  const Walk& walk() const { return m_walk; }
+
+  // An edge counts as a facet with a vertex twice, as in Edge_recovery_3.
+  static Simplex_key_3<3> key(const Crossing& crossing)
+  {
+    return simplex_key(crossing.vertices[0], crossing.vertices[1], crossing.vertices[1]);
+  }
+
 private:
-  typename Walk::Outcome walk(const Vertex_handle u, const Vertex_handle v, const Vertex_handle w)
+  typename Walk::Outcome walk_over(const Vertex_handle u, const Vertex_handle v, const Vertex_handle w)
   {
     int i, j;
     Cell_handle c;
@@ -92,10 +100,9 @@ private:
   {
     for(const Crossing& crossing : m_walk.crossings())
     {
-      const Simplex_key_3<2> key = simplex_key(crossing.vertices[0], crossing.vertices[1]);
-      if(std::find(m_tried.begin(), m_tried.end(), key) != m_tried.end())
+      if(std::find(m_tried.begin(), m_tried.end(), key(crossing)) != m_tried.end())
         continue;
-      m_tried.push_back(key);
+      m_tried.push_back(key(crossing));
       const std::size_t before = st.number_of_transformations();
       const Cell_handle c = crossing.cell;
       st.remove_edge(Edge(c, c->index(crossing.vertices[0]), c->index(crossing.vertices[1])), l_max);
@@ -108,7 +115,7 @@ private:
 
   const Tr& m_tr;
   Walk m_walk;
-  std::vector<Simplex_key_3<2> > m_tried;
+  std::vector<Simplex_key_3<3> > m_tried;
   bool m_was_cut_off = false;
 };
 
