@@ -39,7 +39,8 @@ namespace CGAL {
 /*!
  * \ingroup PkgBoundaryRecovery3Classes
  *
- * \brief recovers constrained edges and facets in a triangulation by recursive shell transformations, without adding points.
+ * \brief recovers constrained edges and facets in a triangulation by recursive shell transformations, without adding
+ * points.
  *
  * It holds the constraints and runs the preprocessing of [CZZ+17, Section 4.2]; each phase can be called on its own.
  * Constraints that are in the triangulation are never destroyed.
@@ -70,7 +71,8 @@ public:
    * \pre `tr.dimension() == 3`
    */
   Constrained_boundary_recovery_3(Tr& tr, Visitor& visitor)
-    : m_tr(tr), m_predicates(tr), m_context(visitor), m_edge_recovery(tr, m_predicates), m_facet_recovery(tr, m_predicates)
+    : m_tr(tr), m_predicates(tr), m_context(visitor),
+      m_edge_recovery(tr, m_predicates), m_facet_recovery(tr, m_predicates)
   {
     CGAL_precondition(tr.dimension() == 3);
   }
@@ -188,8 +190,8 @@ public:
     run(Phase::edge_recovery_brc3, [&]
     {
       Table table(m_tr);
-      Transformation st(m_tr, Quality(table), Validity(Kept(m_constraints), Boundary_recovery_3::BRC3<Tr, Table>(table)),
-                        m_context.visitor());
+      const Validity validity(Kept(m_constraints), Boundary_recovery_3::BRC3<Tr, Table>(table));
+      Transformation st(m_tr, Quality(table), validity, m_context.visitor());
       raise_recursion_level(Phase::edge_recovery_brc3, m_lost.edges,
                             [&] { return edge_report(); },
                             [&](const int l_max)
@@ -260,8 +262,8 @@ public:
     run(Phase::facet_recovery_brc4, [&]
     {
       Table table(m_tr);
-      Transformation st(m_tr, Quality(table), Validity(Kept(m_constraints), Boundary_recovery_3::BRC4<Tr, Table>(table)),
-                        m_context.visitor());
+      const Validity validity(Kept(m_constraints), Boundary_recovery_3::BRC4<Tr, Table>(table));
+      Transformation st(m_tr, Quality(table), validity, m_context.visitor());
       raise_recursion_level(Phase::facet_recovery_brc4, m_treatable_facets,
                             [&] { return facet_report(); },
                             [&](const int l_max)
@@ -335,8 +337,8 @@ private:
     m_lost = Boundary_recovery_3::internal::Constraint_search_3<Tr>(m_tr, m_constraints)(Lost_constraints(m_lost));
   }
 
-  // recvBndEdgesByST_Wrap of [CZZ+17, Alg. 5], for edges and for facets: raises the recursion level from pass to pass until
-  // nothing is lost, or until three passes in a row did not improve the measure.
+  // recvBndEdgesByST_Wrap of [CZZ+17, Alg. 5], for edges and for facets: raises the recursion level from pass to pass
+  // until nothing is lost, or until three passes in a row did not improve the measure.
   template <typename Report, typename Pass, typename Measure>
   void raise_recursion_level(const Phase phase, const std::vector<std::size_t>& lost,
                              const Report& report, const Pass& pass, const Measure& measure)
@@ -388,7 +390,8 @@ private:
   // Does not repeat an attempt that changed nothing and was not cut off, until the mesh has changed; a higher
   // recursion level alone would lead it to the same end. `hopeless_since` is the state of the mesh in such a case.
   template <typename Transformation, typename Recovery, typename Simplex>
-  bool attempt(Transformation& st, std::size_t& hopeless_since, Recovery& recovery, const Simplex& simplex, const int l_max)
+  bool attempt(Transformation& st, std::size_t& hopeless_since, Recovery& recovery, const Simplex& simplex,
+               const int l_max)
   {
     const std::size_t before = st.number_of_transformations();
     if(hopeless_since == before)

@@ -36,10 +36,10 @@ namespace CGAL {
  *
  * \brief the shell transformation, and its recursive use to remove an edge or a facet from a triangulation.
  *
- * A shell transformation replaces the cells around an edge `ab`, the covering mesh of its shell, by a better covering mesh:
- * one that belongs to a partial triangulation of the skirt polygon. What is better is told by the quality, what is allowed by the
- * validity; whatever they say, all new cells are positively oriented, decided exactly, and the convex hull stays as it is.
- * Source: [CZZ+17, Sections 2 and 3].
+ * A shell transformation replaces the cells around an edge `ab`, the covering mesh of its shell, by a better covering
+ * mesh: one that belongs to a partial triangulation of the skirt polygon. What is better is told by the quality, what
+ * is allowed by the validity; whatever they say, all new cells are positively oriented, decided exactly, and the
+ * convex hull stays as it is. Source: [CZZ+17, Sections 2 and 3].
  *
  * The triangulation is changed in place and is in general no longer Delaunay. Vertices are kept, with their handles.
  * Cells that are replaced are destroyed; the visitor is told before and after, so that data attached to them can be
@@ -48,7 +48,8 @@ namespace CGAL {
  * \tparam Tr an instance of `CGAL::Triangulation_3`, or of a class derived from it. It has to be 3-dimensional.
  * \tparam Quality a model of `ShellQuality_3`
  * \tparam Validity a model of `ShellValidity_3`
- * \tparam Visitor has the members `before_cells_removal()` and `after_cells_creation()` of `Default_boundary_recovery_visitor_3`
+ * \tparam Visitor has the members `before_cells_removal()` and `after_cells_creation()` of
+ * `Default_boundary_recovery_visitor_3`
  */
 template <typename Tr,
           typename Quality_ = Boundary_recovery_3::Worst_element_quality_3<Tr>,
@@ -102,7 +103,8 @@ public:
   /*!
    * transforms the shell of an edge once [CZZ+17, Alg. 3].
    *
-   * \param e the supporting edge. An edge at the infinite vertex and a constrained one that cannot be kept are left alone.
+   * \param e the supporting edge. An edge at the infinite vertex and a constrained one that cannot be kept are left
+   * alone.
    * \param p if not the default handle, the face of `e` and this vertex is to be avoided
    *
    * \pre `tr.dimension() == 3`
@@ -133,7 +135,8 @@ public:
   }
 
   /*!
-   * removes a facet by recursive shell transformations around its edges, one after the other [CZZ+17, Alg. 4, lines 8 to 11].
+   * removes a facet by recursive shell transformations around its edges, one after the other [CZZ+17, Alg. 4, lines 8
+   * to 11].
    *
    * \param f the facet
    * \param l_max the maximal recursion level; 0: only the shells of the edges of `f` are transformed
@@ -165,7 +168,8 @@ public:
     return false;
   }
 
-  /// sets the bound on the number of shells visited in one call of `remove_edge()`, or for one edge in `remove_facet()`.
+  /// sets the bound on the number of shells visited in one call of `remove_edge()`, or for one edge in
+  /// `remove_facet()`.
   void set_max_number_of_shells(const std::size_t n) { m_max_number_of_shells = n; }
 
   /// returns the number of covering meshes that were replaced so far.
@@ -250,8 +254,8 @@ private:
     return is_removed;
   }
 
-  // recursiveST(e, f, l, l_max) of [CZZ+17, Alg. 1], where f is the face of e and p, or none if p is the default handle.
-  // Its tail recursion is a loop here; the depth of the other recursion is bounded by l_max.
+  // recursiveST(e, f, l, l_max) of [CZZ+17, Alg. 1], where f is the face of e and p, or none if p is the default
+  // handle. Its tail recursion is a loop here; the depth of the other recursion is bounded by l_max.
   bool remove(const Supporting_edge& e, const Vertex_handle p, const int l, const int l_max)
   {
     Shell shell;
@@ -385,8 +389,8 @@ private:
     update_cells(e);
   }
 
-  // Each edge of the way up to the root gets a cell that exists. If its cell is gone, one of the new cells is around it,
-  // for they fill the same polyhedron.
+  // Each edge of the way up to the root gets a cell that exists. If its cell is gone, one of the new cells is around
+  // it, for they fill the same polyhedron.
   void update_cells(const Supporting_edge& e)
   {
     for(const Supporting_edge* x = &e; x != nullptr; x = x->parent)

@@ -115,7 +115,8 @@ struct Recursion_level_report
   std::size_t n1 = 0;               ///< number of lost edges (or facets)
   std::size_t n2 = 0;               ///< number of intersections of lost edges (facets) with mesh entities
   std::size_t n3 = 0;               ///< largest number of intersections of one lost edge (facet)
-  std::size_t n4 = 0;               ///< number of mesh entities that are crossed, each counted once: the size of the paper's hash table
+  std::size_t n4 = 0;               ///< number of mesh entities that are crossed, each counted once: the size of the
+                                    ///< paper's hash table
 };
 
 /*!

@@ -30,8 +30,9 @@ namespace Boundary_recovery_3 {
 namespace internal {
 
 /*
- * Recovery of one lost constraint by small polyhedron reconnection of the cells that it crosses, then of these and one layer
- * more, and so on up to the size that can be searched. All the constraints inside that are in the mesh are kept.
+ * Recovery of one lost constraint by small polyhedron reconnection of the cells that it crosses, then of these and
+ * one layer more, and so on up to the size that can be searched. All the constraints inside that are in the mesh are
+ * kept.
  */
 template <typename Tr, typename Visitor>
 class Cavity_recovery_3

@@ -76,8 +76,8 @@ private:
 /*
  * Searches the optimal covering mesh of a shell: steps 1 to 4 of [CZZ+17, Alg. 3].
  *
- * Instead of enumerating all the cycles of the triangulation graph, a second dynamic program finds the best core of each
- * size: over the cores with the smallest position s, `m_suffix[t](i)` is the best value of t arcs that lead from i
+ * Instead of enumerating all the cycles of the triangulation graph, a second dynamic program finds the best core of
+ * each size: over the cores with the smallest position s, `m_suffix[t](i)` is the best value of t arcs that lead from i
  * back to s. The time is O(m^3) for the matrices and O(m^4) for the cores, m being the degree of the shell.
  *
  * Ties are broken so that the outcome is unique: among equal vectors the lexicographically smallest core, and in
@@ -98,8 +98,8 @@ public:
   { }
 
   // Finds the best covering mesh of `shell`, where the face a b p_f is to be avoided (f may be none).
-  // If `keeps_edge`, ab stays; skirt vertices for which `is_kept(i)` holds stay in the core, i.e. the face a b p_i stays.
-  // Returns false if that is the covering mesh that is there.
+  // If `keeps_edge`, ab stays; skirt vertices for which `is_kept(i)` holds stay in the core, i.e. the face a b p_i
+  // stays. Returns false if that is the covering mesh that is there.
   // If `only_if_done`, only those covering meshes are searched that do what is asked for: avoid that face, or lose ab.
   template <typename IsKept>
   bool operator()(const Shell& shell, const int f, const bool keeps_edge, const IsKept& is_kept,
@@ -187,7 +187,8 @@ private:
     return state == 1;
   }
 
-  // The share of one arc <i,j> of a core in the quality: what covers R_ij, the tetrahedron a b p_i p_j, the face a b p_i.
+  // The share of one arc <i,j> of a core in the quality: what covers R_ij, the tetrahedron a b p_i p_j, the face a b
+  // p_i.
   Value arc_value(const int i, const int j) const { return m_arc_value[at(i, j)]; }
   bool has_arc(const int i, const int j) const { return m_has_arc[at(i, j)]; }
 
@@ -283,7 +284,8 @@ private:
   }
 
   // m_suffix[t * m + i]: the best value of t arcs from i to s that visit increasing positions > s only.
-  // Returns the largest t for which this was computed: `largest`, or the first that closes a cycle where only that matters.
+  // Returns the largest t for which this was computed: `largest`, or the first that closes a cycle where only that
+  // matters.
   int fill_in_suffixes(const int s, const int largest, const int avoided)
   {
     m_has_suffix.assign((largest + 1) * m, false);

@@ -28,9 +28,10 @@ namespace internal {
 /*
  * Recovery of one lost edge: the body of the loop of [CZZ+17, Alg. 4].
  *
- * The mesh entities that cross the edge are removed one after the other, and collected again after each change. Only the
- * first and the last of them are tried: in a planar fan no other can be flipped away, and elsewhere attempts in the
- * middle make more mess than progress (on 24 telling surfaces, trying all left 23 % more edges lost in four times the time).
+ * The mesh entities that cross the edge are removed one after the other, and collected again after each change. Only
+ * the first and the last of them are tried: in a planar fan no other can be flipped away, and elsewhere attempts in the
+ * middle make more mess than progress (on 24 telling surfaces, trying all left 23 % more edges lost in four times the
+ * time).
  */
 template <typename Tr>
 class Edge_recovery_3

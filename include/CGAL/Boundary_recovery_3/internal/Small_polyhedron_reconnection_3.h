@@ -96,6 +96,12 @@ private:
 
   int n() const { return static_cast<int>(m_vertices.size()); }
 
+  template <typename Range, typename Predicate>
+  static bool any_of(const Range& range, const Predicate& predicate)
+  {
+    return std::any_of(range.begin(), range.end(), predicate);
+  }
+
   template <typename CellRange>
   void collect_vertices(const CellRange& cells)
   {
@@ -141,7 +147,10 @@ private:
     return ((static_cast<std::size_t>(i) * n() + j) * n() + k) * n() + l;
   }
 
-  int orientation(const int i, const int j, const int k, const int l) const { return m_orientations[offset(i, j, k, l)]; }
+  int orientation(const int i, const int j, const int k, const int l) const
+  {
+    return m_orientations[offset(i, j, k, l)];
+  }
 
   bool crosses(const Edge& e, const Edge& f) const
   {
@@ -169,7 +178,8 @@ private:
 
   static std::array<Edge, 6> edges_of(const std::array<int, 4>& v)
   {
-    return {{ {{ v[0], v[1] }}, {{ v[0], v[2] }}, {{ v[0], v[3] }}, {{ v[1], v[2] }}, {{ v[1], v[3] }}, {{ v[2], v[3] }} }};
+    return {{ {{ v[0], v[1] }}, {{ v[0], v[2] }}, {{ v[0], v[3] }},
+              {{ v[1], v[2] }}, {{ v[1], v[3] }}, {{ v[2], v[3] }} }};
   }
 
   // The faces, each with the tetrahedron on its positive side.
@@ -258,8 +268,8 @@ private:
       {
         const Edge e = {{ i, j }};
         m_is_uncrossed[i * n() + j] =
-             std::none_of(m_obstacle_edges.begin(), m_obstacle_edges.end(), [&](const Edge& o) { return crosses(e, o); })
-          && std::none_of(m_obstacle_faces.begin(), m_obstacle_faces.end(), [&](const Face& o) { return pierces(e, o); });
+             ! any_of(m_obstacle_edges, [&](const Edge& o) { return crosses(e, o); })
+          && ! any_of(m_obstacle_faces, [&](const Face& o) { return pierces(e, o); });
       }
   }
 
@@ -271,14 +281,15 @@ private:
     const Face f = {{ i, j, k }};
     signed char& state = m_is_pierced[key(f)];
     if(state == unknown)
-      state = std::any_of(m_obstacle_edges.begin(), m_obstacle_edges.end(), [&](const Edge& o) { return pierces(o, f); });
+      state = any_of(m_obstacle_edges, [&](const Edge& o) { return pierces(o, f); });
     return state == 1;
   }
 
   void add_candidate(const int i, const int j, const int k, const int l)
   {
     const int sign = orientation(i, j, k, l);
-    if(sign == 0 || is_pierced_by_obstacle(i, j, l) || is_pierced_by_obstacle(i, k, l) || is_pierced_by_obstacle(j, k, l))
+    if(sign == 0
+       || is_pierced_by_obstacle(i, j, l) || is_pierced_by_obstacle(i, k, l) || is_pierced_by_obstacle(j, k, l))
       return;
     Candidate c;
     c.v = sign > 0 ? std::array<int, 4>{{ i, j, k, l }} : std::array<int, 4>{{ i, k, j, l }};
@@ -319,12 +330,8 @@ private:
     for(std::size_t d = 0; d < m_candidates.size(); ++d)
     {
       const Candidate& other = m_candidates[d];
-      const std::array<Edge, 6> other_edges = edges_of(other.v);
-      const std::array<Face, 4> other_faces = faces_of(other.v);
-      const bool is_in_conflict =
-           std::any_of(other_edges.begin(), other_edges.end(), [&](const Edge& e) { return is_crossed(e, edges, faces); })
-        || std::any_of(other_faces.begin(), other_faces.end(), [&](const Face& f) { return is_crossed(f, edges, faces); });
-      if(is_in_conflict)
+      if(any_of(edges_of(other.v), [&](const Edge& e) { return is_crossed(e, edges, faces); })
+         || any_of(faces_of(other.v), [&](const Face& f) { return is_crossed(f, edges, faces); }))
         result.push_back(static_cast<int>(d));
     }
     return result;
@@ -335,8 +342,8 @@ private:
     std::sort(e.begin(), e.end());
     signed char& state = m_is_edge_crossed[e[0] * n() + e[1]];
     if(state == unknown)
-      state = std::any_of(edges.begin(), edges.end(), [&](const Edge& x) { return crosses(e, x); })
-           || std::any_of(faces.begin(), faces.end(), [&](const Face& x) { return pierces(e, x); });
+      state = any_of(edges, [&](const Edge& x) { return crosses(e, x); })
+           || any_of(faces, [&](const Face& x) { return pierces(e, x); });
     return state == 1;
   }
 
@@ -344,12 +351,13 @@ private:
   {
     signed char& state = m_is_face_crossed[key(f)];
     if(state == unknown)
-      state = std::any_of(faces.begin(), faces.end(), [&](const Face& x) { return key(x) == key(f); })
-           || std::any_of(edges.begin(), edges.end(), [&](const Edge& x) { return pierces(x, f); });
+      state = any_of(faces, [&](const Face& x) { return key(x) == key(f); })
+           || any_of(edges, [&](const Edge& x) { return pierces(x, f); });
     return state == 1;
   }
 
-  // --- the search ------------------------------------------------------------------------------------------------------
+  // --- the search
+  // ------------------------------------------------------------------------------------------------------
 
   // Depth-first, without recursion: m_choices is the stack of chosen tetrahedra, each with what is left to try instead.
   struct Choice
