@@ -190,7 +190,7 @@ public:
     run(Phase::edge_recovery_brc3, [&]
     {
       Table table(m_tr);
-      const Validity validity(Kept(m_constraints), Boundary_recovery_3::BRC3<Tr, Table>(table));
+      const Validity validity{ Kept(m_constraints), Boundary_recovery_3::BRC3<Tr, Table>(table) };
       Transformation st(m_tr, Quality(table), validity, m_context.visitor());
       raise_recursion_level(Phase::edge_recovery_brc3, m_lost.edges,
                             [&] { return edge_report(); },
@@ -262,7 +262,7 @@ public:
     run(Phase::facet_recovery_brc4, [&]
     {
       Table table(m_tr);
-      const Validity validity(Kept(m_constraints), Boundary_recovery_3::BRC4<Tr, Table>(table));
+      const Validity validity{ Kept(m_constraints), Boundary_recovery_3::BRC4<Tr, Table>(table) };
       Transformation st(m_tr, Quality(table), validity, m_context.visitor());
       raise_recursion_level(Phase::facet_recovery_brc4, m_treatable_facets,
                             [&] { return facet_report(); },

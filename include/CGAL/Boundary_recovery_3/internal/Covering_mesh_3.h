@@ -373,7 +373,8 @@ private:
   // Iterative, since the depth of the triangulation is not bounded by anything small.
   void triangulate_ring(const int from, const int to)
   {
-    boost::container::small_vector<std::array<int, 2>, 16> rings(1, std::array<int, 2>{{ from, to }});
+    boost::container::small_vector<std::array<int, 2>, 16> rings;
+    rings.push_back({{ from, to }});
     while(! rings.empty())
     {
       const std::array<int, 2> r = rings.back();
