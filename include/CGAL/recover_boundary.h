@@ -114,6 +114,8 @@ namespace CGAL {
  *
  * \return the status, and what is missing or wrong in terms of the indices of points and triangles. It converts to
  *         `true` iff every triangle and constrained edge is in the triangulation.
+ *         If the status is `stopped`, constraints that intersect have not been looked for; if points were still to be
+ *         inserted then, all constraints are listed as missing, and the vertices of these points are default handles.
  *         If the status is `invalid_input`, the triangulation was not changed, with two exceptions: the points have
  *         been inserted if they and the vertices of a triangulation of a dimension less than 3 turn out to be coplanar;
  *         and constraints that intersect are, unless `list_defects` is set, found only after points were inserted and

@@ -39,7 +39,8 @@ struct Default_boundary_recovery_visitor_3
   /// is asked at a steady rate; once it returned `false`, the recovery stops soon, with a valid triangulation.
   bool go_further() { return true; }
 
-  /// is called before the cells in `cells`, a range of cell handles, are removed from the triangulation.
+  /// is called before the cells in `cells`, a range of cell handles, are removed from the triangulation by a
+  /// replacement; what point insertion replaces is not announced.
   template <typename CellRange>
   void before_cells_removal(const CellRange& /* cells */) { }
 

@@ -1,0 +1,379 @@
+// The promises of recover_boundary(): every constraint is there or listed, vertices stay as they are, all cells are
+// positive, the outcome is the same each time and in each thread, and a recovery can be stopped anywhere.
+
+#undef NDEBUG
+
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Triangulation_3.h>
+#include <CGAL/Triangulation_vertex_base_with_info_3.h>
+#include <CGAL/recover_boundary.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <functional>
+#include <iostream>
+#include <limits>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace params = CGAL::parameters;
+using CGAL::Boundary_recovery_3::Phase_report;
+using CGAL::Boundary_recovery_3::Recovery_phase;
+using CGAL::Boundary_recovery_3::Recovery_status;
+
+template <typename K>
+struct Soup
+{
+  std::vector<typename K::Point_3> points;
+  std::vector<std::vector<std::size_t> > triangles;
+};
+
+template <typename K>
+Soup<K> read(const std::string& name)
+{
+  Soup<K> soup;
+  assert(CGAL::IO::read_polygon_soup(CGAL::data_file_path("meshes/" + name), soup.points, soup.triangles));
+  return soup;
+}
+
+typedef std::set<std::vector<std::size_t> > Cells;
+
+// The finite cells by the input indices of their vertices.
+template <typename Tr, typename Vertices>
+Cells cells_by_index(const Tr& tr, const Vertices& vertices)
+{
+  std::map<const void*, std::size_t> index;
+  for(std::size_t i = 0; i < vertices.size(); ++i)
+    index.emplace(&*vertices[i], i);
+  Cells cells;
+  for(const auto c : tr.finite_cell_handles())
+  {
+    std::vector<std::size_t> cell;
+    for(int i = 0; i < 4; ++i)
+      cell.push_back(index.at(&*c->vertex(i)));
+    std::sort(cell.begin(), cell.end());
+    cells.insert(cell);
+  }
+  return cells;
+}
+
+// By its own means: is_valid() of CGAL 5.5 does not see inverted cells where assertions are off.
+template <typename Tr>
+void check_validity(const Tr& tr)
+{
+  assert(tr.tds().is_valid());
+  for(const auto c : tr.finite_cell_handles())
+    assert(CGAL::orientation(c->vertex(0)->point(), c->vertex(1)->point(),
+                             c->vertex(2)->point(), c->vertex(3)->point()) == CGAL::POSITIVE);
+}
+
+// What the result says is missing is missing, and nothing else.
+template <typename Tr, typename Soup>
+void check_account(const Tr& tr, const Soup& soup, const CGAL::Boundary_recovery_result_3<Tr>& result)
+{
+  std::set<std::vector<std::size_t> > facets, edges;
+  for(const auto& c : cells_by_index(tr, result.vertices))
+    for(std::size_t i = 0; i < 4; ++i)
+      for(std::size_t j = i + 1; j < 4; ++j)
+      {
+        edges.insert({ c[i], c[j] });
+        for(std::size_t k = j + 1; k < 4; ++k)
+          facets.insert({ c[i], c[j], c[k] });
+      }
+  std::set<std::size_t> missing_facets;
+  for(const auto& f : result.missing_facets)
+  {
+    assert(f.dimension == 2 && f.vertices == soup.triangles[f.index]);
+    missing_facets.insert(f.index);
+  }
+  assert(missing_facets.size() == result.missing_facets.size());
+  std::set<std::vector<std::size_t> > missing_edges, all_edges;
+  for(const auto& e : result.missing_edges)
+  {
+    assert(e.dimension == 1 && e.points.size() == 2);
+    missing_edges.insert({ (std::min)(e.vertices[0], e.vertices[1]), (std::max)(e.vertices[0], e.vertices[1]) });
+  }
+  for(std::size_t i = 0; i < soup.triangles.size(); ++i)
+  {
+    std::vector<std::size_t> t = soup.triangles[i];
+    std::sort(t.begin(), t.end());
+    assert((facets.count(t) == 0) == (missing_facets.count(i) != 0));
+    all_edges.insert({ t[0], t[1] });
+    all_edges.insert({ t[0], t[2] });
+    all_edges.insert({ t[1], t[2] });
+  }
+  for(const auto& e : all_edges)
+    assert((edges.count(e) == 0) == (missing_edges.count(e) != 0));
+  assert(bool(result) == (result.missing_facets.empty() && result.missing_edges.empty()));
+  assert(result.number_of_facets == soup.triangles.size() && result.number_of_edges == all_edges.size());
+}
+
+template <typename Tr, typename Soup>
+CGAL::Boundary_recovery_result_3<Tr> recover_and_check(Tr& tr, const Soup& soup)
+{
+  const auto result = CGAL::recover_boundary(tr, soup.points, soup.triangles);
+  assert(result.vertices.size() == soup.points.size());
+  for(std::size_t i = 0; i < soup.points.size(); ++i)
+    assert(result.vertices[i]->point() == soup.points[i]);
+  assert(tr.number_of_vertices() == soup.points.size());
+  check_validity(tr);
+  check_account(tr, soup, result);
+  assert(result.phases.front().phase == Recovery_phase::insertion);
+  assert(result.phases.back().phase == Recovery_phase::recount);
+  return result;
+}
+
+template <typename K>
+void test_surfaces()
+{
+  typedef CGAL::Delaunay_triangulation_3<K> Tr;
+  for(const char* name : { "cube_br3.off", "nested_cubes_br3.off", "two_cubes_br3.off", "washer_br3.off",
+                          "gear_br3.off" })
+  {
+    Tr tr;
+    const auto result = recover_and_check(tr, read<K>(name));
+    assert(result.status == Recovery_status::recovered);
+    assert(result.phases[1].phase == Recovery_phase::search && result.phases[1].lost_edges > 0);
+    assert(result.number_of_shell_transformations > 0);
+  }
+  // A point would be needed: nobody can recover this, and it is no fault of the input.
+  Tr tr;
+  const auto result = recover_and_check(tr, read<K>("schoenhardt_br3.off"));
+  assert(result.status == Recovery_status::incomplete);
+  assert(result.defects.empty() && ! result.missing_edges.empty() && ! result.missing_facets.empty());
+}
+
+template <typename K>
+void test_overloads()
+{
+  typedef CGAL::Delaunay_triangulation_3<K> Tr;
+  typedef CGAL::Surface_mesh<typename K::Point_3> Mesh;
+  typedef CGAL::Polyhedron_3<K> Polyhedron;
+  namespace PMP = CGAL::Polygon_mesh_processing;
+  const Soup<K> soup = read<K>("gear_br3.off");
+  Tr tr;
+  const auto expected = recover_and_check(tr, soup);
+  const Cells cells = cells_by_index(tr, expected.vertices);
+
+  Mesh mesh;
+  PMP::polygon_soup_to_polygon_mesh(soup.points, soup.triangles, mesh);
+  Tr of_mesh;
+  std::map<typename Mesh::Vertex_index, typename Tr::Vertex_handle> handles;
+  const auto result = CGAL::recover_boundary(of_mesh, mesh,
+                                             params::vertex_to_vertex_map(boost::make_assoc_property_map(handles)));
+  assert(result && cells_by_index(of_mesh, result.vertices) == cells);
+  assert(handles.size() == num_vertices(mesh));
+  for(const auto v : vertices(mesh))
+    assert(handles[v]->point() == mesh.point(v));
+
+  Polyhedron polyhedron;
+  PMP::polygon_soup_to_polygon_mesh(soup.points, soup.triangles, polyhedron);
+  Tr of_polyhedron;
+  assert(CGAL::recover_boundary(of_polyhedron, polyhedron));
+
+  // A second call inserts nothing, and keeps what it is given again.
+  const auto again = CGAL::recover_boundary(tr, soup.points, soup.triangles);
+  assert(again && again.number_of_inserted_vertices == 0 && again.number_of_shell_transformations == 0);
+  assert(again.vertices == expected.vertices && cells_by_index(tr, again.vertices) == cells);
+
+  // Vertex handles, also in a triangulation that is not Delaunay by type.
+  CGAL::Triangulation_3<K> plain(soup.points.begin(), soup.points.end());
+  const auto of_plain = CGAL::recover_boundary(plain, soup.points, soup.triangles);
+  assert(of_plain.status == Recovery_status::recovered || of_plain.status == Recovery_status::incomplete);
+  check_account(plain, soup, of_plain);
+  std::vector<std::array<typename Tr::Vertex_handle, 3> > facets;
+  for(const auto& t : soup.triangles)
+    facets.push_back({{ expected.vertices[t[0]], expected.vertices[t[1]], expected.vertices[t[2]] }});
+  assert(CGAL::recover_boundary(tr, facets) && cells_by_index(tr, expected.vertices) == cells);
+}
+
+template <typename K>
+void test_parameters()
+{
+  typedef CGAL::Delaunay_triangulation_3<K> Tr;
+  typedef typename K::Point_3 Point_3;
+  const auto flips_only = params::recovery_mode(CGAL::Boundary_recovery_3::Recovery_mode::flips_only);
+  const Soup<K> soup = read<K>("washer_br3.off");
+  {
+    Tr tr;
+    assert(CGAL::recover_boundary(tr, soup.points, soup.triangles, params::max_recursion_level(8), flips_only,
+                                  params::geom_traits(K()).maximum_running_time(1000.)));
+  }
+  { // recursion is needed here, and 0 forbids it
+    const Soup<K> gear = read<K>("gear_br3.off");
+    Tr tr;
+    const auto result = CGAL::recover_boundary(tr, gear.points, gear.triangles, params::max_recursion_level(0));
+    for(const auto& level : result.levels)
+      assert(level.max_recursion_level <= 0);
+  }
+  { // points behind a map
+    std::vector<std::pair<int, Point_3> > pairs;
+    for(const Point_3& p : soup.points)
+      pairs.emplace_back(static_cast<int>(pairs.size()), p);
+    Tr tr;
+    assert(CGAL::recover_boundary(tr, pairs, soup.triangles,
+             params::point_map(CGAL::Second_of_pair_property_map<std::pair<int, Point_3> >())));
+  }
+  { // a sheet that ends inside, an isolated edge, and a point that was there before: the bipyramid loses its axis
+    const std::vector<Point_3> points = { Point_3(0, 0, 0), Point_3(4, 0, 0), Point_3(0, 4, 0),
+                                          Point_3(1, 1, -1), Point_3(1, 1, 1), Point_3(9, 9, 9) };
+    const std::vector<std::array<std::size_t, 3> > sheet = { {{ 0, 3, 4 }} };
+    const std::vector<std::array<std::size_t, 2> > edges = { {{ 3, 4 }}, {{ 1, 5 }} };
+    Tr tr;
+    tr.insert(Point_3(-9, -9, 9));
+    tr.insert(points[5]);
+    const auto result = CGAL::recover_boundary(tr, points, sheet, params::constrained_edges(edges));
+    assert(result && result.number_of_facets == 1 && result.number_of_edges == 4);
+    assert(result.number_of_inserted_vertices == 5);
+    typename Tr::Cell_handle c;
+    int i, j, k;
+    assert(tr.is_facet(result.vertices[0], result.vertices[3], result.vertices[4], c, i, j, k));
+    assert(tr.is_edge(result.vertices[3], result.vertices[4], c, i, j));
+    assert(tr.is_edge(result.vertices[1], result.vertices[5], c, i, j));
+    check_validity(tr);
+  }
+}
+
+// Vertices keep the data of the caller.
+void test_custom_base()
+{
+  typedef CGAL::Exact_predicates_inexact_constructions_kernel K;
+  typedef CGAL::Triangulation_vertex_base_with_info_3<int, K> Vb;
+  typedef CGAL::Triangulation_data_structure_3<Vb, CGAL::Delaunay_triangulation_cell_base_3<K> > Tds;
+  CGAL::Delaunay_triangulation_3<K, Tds> tr;
+  const Soup<K> soup = read<K>("gear_br3.off");
+  int n = 0;
+  for(const auto& p : soup.points)
+    tr.insert(p)->info() = n++;
+  const auto result = CGAL::recover_boundary(tr, soup.points, soup.triangles);
+  assert(result && result.number_of_inserted_vertices == 0);
+  for(int i = 0; i < n; ++i)
+    assert(result.vertices[i]->info() == i);
+}
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel                 K;
+typedef CGAL::Delaunay_triangulation_3<K>                                   Tr;
+
+Cells recovered_cells(const Soup<K>& soup)
+{
+  Tr tr;
+  const auto result = CGAL::recover_boundary(tr, soup.points, soup.triangles);
+  assert(result);
+  return cells_by_index(tr, result.vertices);
+}
+
+void test_determinism()
+{
+  const Soup<K> soup = read<K>("gear_br3.off");
+  const Cells expected = recovered_cells(soup);
+  std::vector<std::unique_ptr<char[]> > junk; // other addresses for the second run
+  for(std::size_t i = 1; i < 500; ++i)
+    junk.emplace_back(new char[(i * 7919) % 4000 + 1]);
+  assert(recovered_cells(soup) == expected);
+  Cells of_thread[2];
+  std::thread t0([&] { of_thread[0] = recovered_cells(soup); });
+  std::thread t1([&] { of_thread[1] = recovered_cells(soup); });
+  t0.join();
+  t1.join();
+  assert(of_thread[0] == expected && of_thread[1] == expected);
+}
+
+// Keeps the set of finite and infinite cells by their addresses, and stops at the n-th question.
+struct Watching_visitor
+  : public CGAL::Default_boundary_recovery_visitor_3
+{
+  explicit Watching_visitor(const std::size_t n) : last_question(n) { }
+
+  void on_phase_begin(const Recovery_phase phase)
+  {
+    assert(! is_in_phase);
+    is_in_phase = true;
+    current = phase;
+  }
+
+  void on_phase_end(const Phase_report& report)
+  {
+    assert(is_in_phase && report.phase == current && report.seconds >= 0);
+    is_in_phase = false;
+    ++number_of_phases;
+  }
+
+  bool go_further() { return ++questions < last_question; }
+
+  template <typename CellRange>
+  void before_cells_removal(const CellRange& cells) { number_of_cells -= static_cast<long>(cells.size()); }
+
+  template <typename CellRange>
+  void after_cells_creation(const CellRange& cells) { number_of_cells += static_cast<long>(cells.size()); }
+
+  std::size_t last_question, questions = 0, number_of_phases = 0;
+  long number_of_cells = 0;
+  bool is_in_phase = false;
+  Recovery_phase current = Recovery_phase::insertion;
+};
+
+void test_visitor()
+{
+  const Soup<K> soup = read<K>("gear_br3.off");
+  const std::size_t never = (std::numeric_limits<std::size_t>::max)();
+  std::size_t total = 0, stopped = 0;
+  {
+    Tr tr(soup.points.begin(), soup.points.end());
+    const long before = static_cast<long>(tr.number_of_cells());
+    Watching_visitor visitor(never);
+    const auto result = CGAL::recover_boundary(tr, soup.points, soup.triangles, params::visitor(std::ref(visitor)));
+    assert(result && ! visitor.is_in_phase && visitor.number_of_phases == result.phases.size());
+    assert(before + visitor.number_of_cells == static_cast<long>(tr.number_of_cells()));
+    total = visitor.questions;
+    assert(total > 50);
+  }
+  for(std::size_t n = 1; n <= total + 1; n += n < 20 ? 1 : total / 25)
+  {
+    Tr tr(soup.points.begin(), soup.points.end());
+    Watching_visitor visitor(n);
+    const auto result = CGAL::recover_boundary(tr, soup.points, soup.triangles, params::visitor(std::ref(visitor)));
+    assert(! visitor.is_in_phase);
+    assert(result.status == Recovery_status::stopped || result.status == Recovery_status::recovered);
+    stopped += result.status == Recovery_status::stopped;
+    check_validity(tr);
+    check_account(tr, soup, result);
+  }
+  assert(stopped > 20);
+  { // no time at all, before and after the points are there
+    Tr tr;
+    const auto at_once = CGAL::recover_boundary(tr, soup.points, soup.triangles, params::maximum_running_time(0.));
+    assert(at_once.status == Recovery_status::stopped && at_once.missing_facets.size() == soup.triangles.size());
+    tr.insert(soup.points.begin(), soup.points.end());
+    const auto later = CGAL::recover_boundary(tr, soup.points, soup.triangles, params::maximum_running_time(0.));
+    assert(later.status == Recovery_status::stopped);
+    check_account(tr, soup, later);
+  }
+}
+
+int main()
+{
+  typedef CGAL::Exact_predicates_exact_constructions_kernel EK;
+  test_surfaces<K>();
+  test_surfaces<EK>();
+  test_overloads<K>();
+  test_overloads<EK>();
+  test_parameters<K>();
+  test_parameters<EK>();
+  test_custom_base();
+  test_determinism();
+  test_visitor();
+  std::cout << "done" << std::endl;
+  return EXIT_SUCCESS;
+}
