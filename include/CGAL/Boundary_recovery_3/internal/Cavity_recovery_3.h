@@ -50,7 +50,7 @@ public:
 
   Cavity_recovery_3(Tr& tr, const Predicates& predicates, const Constraints& constraints, Visitor& visitor)
     : m_tr(tr), m_constraints(constraints), m_visitor(visitor),
-      m_segment_walk(tr, predicates), m_facet_walk(tr, predicates), m_reconnection(tr, predicates)
+      m_segment_walk(tr, predicates), m_facet_walk(tr, predicates), m_reconnection(predicates)
   { }
 
   // Returns whether uv is a mesh edge in the end.

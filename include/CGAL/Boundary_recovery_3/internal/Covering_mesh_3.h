@@ -123,7 +123,7 @@ public:
   // The outcome of the last search that returned true.
   const Partial_triangulation& partial_triangulation() const { return m_result; }
 
-  // The main quality index Q of the best covering mesh.
+  // The main quality index Q of the best covering mesh, unless only others than the one that is there were searched.
   const Value& quality() const { return m_best.value; }
 
 private:
@@ -244,11 +244,24 @@ private:
       return;
     const bool has_chord = fill_in_arcs();
     if(! has_chord && m_best.core_size < 0)
-      return; // nothing but the whole skirt polygon can be a core: the covering mesh that is there
+    {
+      choose_whole_skirt_polygon();
+      return;
+    }
     if(! only_if_done)
       choose_core_without(none);
     if(m_f != none)
       choose_core_without(m_f);
+  }
+
+  // The covering mesh that is there, where no other core is possible.
+  void choose_whole_skirt_polygon()
+  {
+    m_best.core_size = m;
+    m_best.avoids = m_f == none;
+    m_best.value = m_quality.of_supporting_edge(*m_shell);
+    for(int i = 0; i < m; ++i)
+      m_best.value = m_quality.combine(m_best.value, arc_value(i, m_shell->next(i)));
   }
 
   // Tries all the cores, or those without the position `avoided`.

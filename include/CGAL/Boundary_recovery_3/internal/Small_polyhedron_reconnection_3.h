@@ -57,14 +57,13 @@ public:
   static constexpr std::size_t default_max_number_of_steps = 2000;
   static constexpr std::size_t max_number_of_conflict_tests = 50000;
 
-  Small_polyhedron_reconnection_3(const Tr& tr, const Predicates& predicates)
-    : m_tr(tr), m_predicates(predicates)
-  { }
+  explicit Small_polyhedron_reconnection_3(const Predicates& predicates) : m_predicates(predicates) { }
 
   // Bound on the number of tetrahedra that are tried in one search.
   void set_max_number_of_steps(const std::size_t n) { m_max_number_of_steps = n; }
 
-  // `cells` are finite cells whose union is a polyhedron; `edges` and `facets` are arrays of vertices of these cells.
+  // `cells` are finite cells whose union is a polyhedron; `edges` and `facets` are arrays of vertices of these cells,
+  // of simplices inside the polyhedron.
   template <typename CellRange, typename EdgeRange, typename FacetRange>
   Outcome operator()(const CellRange& cells, const EdgeRange& edges, const FacetRange& facets)
   {
@@ -219,7 +218,8 @@ private:
   }
 
   // What must be in the result, because it is on the boundary or required, must not be crossed.
-  // That suffices: an edge between two vertices that nothing crosses is in every tetrahedralization.
+  // That suffices: an edge inside the polyhedron, between two of its vertices, that nothing crosses is in every
+  // tetrahedralization.
   void add_obstacle(Edge e)
   {
     std::sort(e.begin(), e.end());
@@ -456,7 +456,6 @@ private:
     return list;
   }
 
-  const Tr& m_tr;
   const Predicates& m_predicates;
   std::size_t m_max_number_of_steps = default_max_number_of_steps;
   std::size_t m_number_of_steps = 0;

@@ -1,0 +1,232 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+// Bad input through recover_boundary(): the defects are named, and the triangulation stays as it was.
+
+#undef NDEBUG
+
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Triangulation_3.h>
+#include <CGAL/recover_boundary.h>
+
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <iostream>
+#include <limits>
+#include <set>
+#include <sstream>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace params = CGAL::parameters;
+typedef CGAL::Boundary_recovery_3::Input_defect_kind Kind;
+using CGAL::Boundary_recovery_3::Recovery_status;
+typedef std::vector<std::size_t> Indices;
+typedef std::vector<Indices> Faces;
+typedef std::vector<std::array<std::size_t, 2> > Edges;
+typedef std::pair<int, std::size_t> Name; // dimension and index
+typedef std::set<std::vector<Name> > Pairs;
+
+template <typename Tr>
+std::set<std::set<const void*> > cells(const Tr& tr)
+{
+  std::set<std::set<const void*> > result;
+  for(const auto c : tr.all_cell_handles())
+  {
+    std::set<const void*> cell;
+    for(int i = 0; i <= tr.dimension(); ++i)
+      cell.insert(&*c->vertex(i));
+    result.insert(cell);
+  }
+  return result;
+}
+
+template <typename Result>
+Pairs defects(const Result& r, const Kind kind)
+{
+  assert(r.status == Recovery_status::invalid_input && ! r);
+  std::ostringstream os;
+  os << r;
+  assert(os && os.str().find(to_string(kind)) != std::string::npos);
+  Pairs pairs;
+  for(const auto& d : r.defects)
+    if(d.kind == kind)
+    {
+      std::vector<Name> names;
+      for(const auto& s : d.simplices)
+        names.emplace_back(s.dimension, s.index);
+      assert(pairs.insert(names).second);
+    }
+  return pairs;
+}
+
+// Runs f, which must refuse and change nothing.
+template <typename Tr, typename F>
+void check_refused(Tr& tr, const F& f, const Kind kind, const Pairs& expected)
+{
+  const auto n = tr.number_of_vertices();
+  const auto before = cells(tr);
+  const auto result = f(tr);
+  assert(defects(result, kind) == expected);
+  assert(tr.number_of_vertices() == n && cells(tr) == before);
+}
+
+template <typename K>
+struct Test
+{
+  typedef typename K::Point_3 P;
+  typedef std::vector<P> Points;
+  typedef CGAL::Delaunay_triangulation_3<K> Dt;
+
+  Points five = { P(-9,-9,-9), P(20,-9,-9), P(-9,20,-9), P(-9,-9,20), P(-5,-5,-5) };
+  Points tet = { P(0,0,0), P(4,0,0), P(0,4,0), P(0,0,4) };
+  Faces tet_faces = { {0,2,1}, {0,1,3}, {1,2,3}, {2,0,3} };
+
+  void refused(const Points& p, const Faces& f, const Kind k, const Pairs& e, const Edges& edges = Edges())
+  {
+    Dt tr(five.begin(), five.end());
+    check_refused(tr, [&](Dt& t) { return CGAL::recover_boundary(t, p, f, params::constrained_edges(edges)); }, k, e);
+  }
+
+  void simple()
+  {
+    refused({}, {}, Kind::empty_input, {{}});
+    refused(tet, {{0,1,7}}, Kind::index_out_of_range, {{{2,0}}});
+    refused(tet, {{0,1,2}, {0,1,1}}, Kind::degenerate_facet, {{{2,1}}});
+    refused({P(0,0,0), P(1,1,1), P(2,2,2), P(0,1,0)}, {{0,1,2}, {0,1,3}}, Kind::degenerate_facet, {{{2,0}}});
+    refused(tet, {{0,1,2}, {1,2,0}, {2,1,0}}, Kind::duplicate_facet, {{{2,0},{2,1}}, {{2,0},{2,2}}});
+    refused({P(0,0,0), P(4,0,0), P(0,4,0), P(0,0,4), P(0,0,0)}, {{0,1,2}, {4,1,3}}, Kind::coincident_vertices,
+            {{{0,0},{0,4}}});
+    refused(tet, {{0,1,2}, {0,1,2,3}}, Kind::not_a_triangle, {{{2,1}}});
+    refused(tet, tet_faces, Kind::degenerate_edge, {{{1,1}}}, {{{0,1}}, {{2,2}}});
+    Dt empty;
+    check_refused(empty, [](Dt& t) { return CGAL::recover_boundary(t, Points{P(0,0,0), P(1,0,0), P(0,1,0)},
+                                                                   Faces{{0,1,2}}); },
+                  Kind::dimension_less_than_3, {{}});
+  }
+
+  void not_finite()
+  {
+    for(const double bad : { std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity() })
+    {
+      Points p = tet;
+      p[2] = P(0, bad, 0);
+      refused(p, tet_faces, Kind::non_finite_coordinate, {{{0,2}}});
+    }
+  }
+
+  void crossing(const Points& p, const Faces& f, const Pairs& e, const Edges& edges = Edges())
+  {
+    Dt tr(five.begin(), five.end());
+    check_refused(tr, [&](Dt& t) { return CGAL::recover_boundary(t, p, f, params::constrained_edges(edges),
+                                                                 params::list_defects(true)); },
+                  Kind::intersecting_constraints, e);
+    const auto r = CGAL::recover_boundary(tr, p, f, params::constrained_edges(edges));
+    assert(defects(r, Kind::intersecting_constraints) == e);
+    assert(tr.tds().is_valid());
+    for(const auto c : tr.finite_cell_handles())
+      assert(CGAL::orientation(c->vertex(0)->point(), c->vertex(1)->point(), c->vertex(2)->point(),
+                               c->vertex(3)->point()) == CGAL::POSITIVE);
+  }
+
+  void intersections()
+  {
+    const Pairs both = {{{2,0},{2,1}}};
+    const Faces two = {{0,1,2}, {3,4,5}};
+    const auto with = [&](const P& a, const P& b, const P& c) { return Points{tet[0], tet[1], tet[2], a, b, c}; };
+    crossing(with(P(1,1,-1), P(1,1,1), P(9,9,1)), two, both);
+    crossing(with(P(1,1,0), P(1,1,1), P(1,2,3)), two, both);         // a vertex inside
+    crossing(with(P(2,-1,-1), P(2,1,1), P(2,-5,3)), two, both);      // an edge through an edge
+    crossing(with(P(1,1,0), P(5,1,0), P(1,5,0)), two, both);         // coplanar overlap
+    crossing({tet[0], tet[1], tet[2], P(1,1,-1), P(1,1,1)}, {{0,1,2}}, {{{1,0},{2,0}}}, {{{3,4}}});
+    // The spike 4 of a tetrahedron pierces the facet 0 of another one.
+    Points p = tet;
+    for(const P& q : { P(1,1,1), P(.5,.5,-3), P(2,.5,-3), P(.5,2,-3) })
+      p.push_back(q);
+    Faces f = tet_faces;
+    for(const Indices& t : { Indices{4,6,5}, {4,5,7}, {5,6,7}, {6,4,7} })
+      f.push_back(t);
+    crossing(p, f, {{{2,0},{2,4}}, {{2,0},{2,5}}, {{2,0},{2,7}}});
+    // One ulp above the facet is no intersection.
+    const double ulp = std::nextafter(0., 1.);
+    Dt tr;
+    assert(CGAL::recover_boundary(tr, with(P(1,1,ulp), P(1,1,1), P(1,2,3)), two, params::list_defects(true)).status
+           != Recovery_status::invalid_input);
+  }
+
+  void foreign_vertices()
+  {
+    for(const P& foreign : { P(1,1,0), P(2,0,0) })
+    {
+      Dt tr(five.begin(), five.end());
+      tr.insert(foreign);
+      const Pairs found = defects(CGAL::recover_boundary(tr, tet, tet_faces), Kind::intersecting_constraints);
+      assert(found.count({{0,std::size_t(-1)}, {2,0}}) == 1);
+      assert(found.count({{0,std::size_t(-1)}, {1,std::size_t(-1)}}) == (foreign == P(2,0,0) ? 1u : 0u));
+    }
+  }
+
+  void handles()
+  {
+    typedef typename Dt::Vertex_handle V;
+    typedef std::vector<std::array<V, 3> > Facets;
+    Dt tr(five.begin(), five.end());
+    std::vector<V> v;
+    for(const V w : tr.finite_vertex_handles())
+      v.push_back(w);
+    const auto check = [](Dt& t, const Facets& f, const Kind k, const Pairs& e)
+                       { check_refused(t, [&](Dt& s) { return CGAL::recover_boundary(s, f); }, k, e); };
+    check(tr, {{{v[0], v[1], V()}}}, Kind::unknown_vertex, {{{0,2}}});
+    check(tr, {{{v[0], tr.infinite_vertex(), v[1]}}}, Kind::unknown_vertex, {{{0,1}}});
+    check(tr, {{{v[0], v[1], v[2]}}, {{v[1], v[0], v[2]}}}, Kind::duplicate_facet, {{{2,0},{2,1}}});
+    Dt flat;
+    const V a = flat.insert(P(0,0,0)), b = flat.insert(P(1,0,0)), c = flat.insert(P(0,1,0));
+    check(flat, {{{a, b, c}}}, Kind::dimension_less_than_3, {{}});
+  }
+
+  void other_types()
+  {
+    CGAL::Surface_mesh<P> m;
+    const auto a = m.add_vertex(P(0,0,0)), b = m.add_vertex(P(1,0,0)), c = m.add_vertex(P(1,1,0));
+    const auto d = m.add_vertex(P(0,1,0)), e = m.add_vertex(P(0,0,1));
+    m.add_face(a, e, b);
+    m.add_face(a, b, c, d);
+    Dt tr(five.begin(), five.end());
+    check_refused(tr, [&](Dt& t) { return CGAL::recover_boundary(t, m); }, Kind::not_a_triangle, {{{2,1}}});
+    typedef CGAL::Triangulation_3<K> Plain;
+    Plain plain(tet.begin(), tet.end());
+    Points p = tet;
+    p.push_back(P(7,7,7));
+    check_refused(plain, [&](Plain& t) { return CGAL::recover_boundary(t, p, tet_faces); },
+                  Kind::unknown_vertex, {{{0,4}}});
+  }
+
+  void run(const bool with_nan)
+  {
+    simple();
+    if(with_nan)
+      not_finite();
+    intersections();
+    foreign_vertices();
+    handles();
+    other_types();
+  }
+};
+
+int main()
+{
+  Test<CGAL::Exact_predicates_inexact_constructions_kernel>().run(true);
+  Test<CGAL::Exact_predicates_exact_constructions_kernel>().run(false);
+  std::cout << "done" << std::endl;
+}

@@ -1,0 +1,379 @@
+// The search for another tetrahedralization of a few cells: what it finds is checked exactly, and what it must not find
+// is asked for, too.
+
+#undef NDEBUG // the checks are assertions, also in a Release build
+
+#include "random_triangulations_br3.h"
+
+#include <CGAL/Boundary_recovery_3/internal/Cell_replacement.h>
+#include <CGAL/Boundary_recovery_3/internal/Small_polyhedron_reconnection_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
+
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Exact_rational.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <iostream>
+#include <map>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace BR = CGAL::Boundary_recovery_3;
+using br3_test::random_int;
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel   Kernel;
+typedef Kernel::Point_3                                       Point;
+typedef CGAL::Delaunay_triangulation_3<Kernel>                Tr;
+typedef Tr::Vertex_handle                                     Vertex_handle;
+typedef Tr::Cell_handle                                       Cell_handle;
+typedef BR::internal::Vertex_predicates_3<Tr>                 Predicates;
+typedef BR::internal::Small_polyhedron_reconnection_3<Tr>     Reconnection;
+typedef Reconnection::Tetrahedron                             Tetrahedron;
+typedef std::vector<Tetrahedron>                              Tetrahedra;
+typedef std::array<Vertex_handle, 2>                          Edge;
+typedef std::array<Vertex_handle, 3>                          Facet;
+typedef std::vector<Cell_handle>                              Cells;
+typedef std::vector<Edge>                                     Edges;
+typedef std::vector<Facet>                                    Facets;
+typedef CGAL::Exact_rational                                  Number;
+
+// How often each kind of case was met; main() checks that all of them were.
+std::map<std::string, int> number_of;
+
+// --- exact references, without the predicates of CGAL ---------------------------------------------------------------
+
+// Six times the signed volume.
+Number volume(const Tetrahedron& t)
+{
+  std::array<std::array<Number, 3>, 3> m;
+  for(int i = 0; i < 3; ++i)
+    for(int k = 0; k < 3; ++k)
+      m[i][k] = Number(t[i + 1]->point()[k]) - Number(t[0]->point()[k]);
+  return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1])
+       - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0])
+       + m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+}
+
+Tetrahedra tetrahedra_of(const Cells& cells)
+{
+  Tetrahedra result;
+  for(const Cell_handle c : cells)
+    result.push_back({{ c->vertex(0), c->vertex(1), c->vertex(2), c->vertex(3) }});
+  return result;
+}
+
+// All tetrahedra must be strictly positive.
+Number total_volume(const Tetrahedra& tetrahedra)
+{
+  Number sum = 0;
+  for(const Tetrahedron& t : tetrahedra)
+  {
+    const Number v = volume(t);
+    assert(v > 0);
+    sum += v;
+  }
+  return sum;
+}
+
+template <typename Simplex>
+std::size_t number_around(const Tetrahedra& tetrahedra, const Simplex& simplex)
+{
+  return std::count_if(tetrahedra.begin(), tetrahedra.end(), [&](const Tetrahedron& t)
+  {
+    return std::all_of(simplex.begin(), simplex.end(), [&](const Vertex_handle v)
+    {
+      return std::find(t.begin(), t.end(), v) != t.end();
+    });
+  });
+}
+
+Cells finite_cells(const Tr& tr)
+{
+  Cells result;
+  for(const Cell_handle c : tr.finite_cell_handles())
+    result.push_back(c);
+  return result;
+}
+
+// Searches and replaces: the result must be a triangulation again, which has all that was required.
+Tetrahedra reconnect(Tr& tr, Reconnection& reconnection, const Cells& cells, const Edges& edges, const Facets& facets)
+{
+  assert(reconnection(cells, edges, facets) == Reconnection::FOUND);
+  const Tetrahedra result = reconnection.tetrahedra();
+  assert(total_volume(result) == total_volume(tetrahedra_of(cells)));
+  for(const Edge& e : edges)
+    assert(number_around(result, e) > 0);
+  for(const Facet& f : facets)
+    assert(number_around(result, f) > 0);
+
+  const std::size_t number_of_cells = tr.number_of_cells() + result.size() - cells.size();
+  BR::internal::Cell_replacement<Tr> replace;
+  replace(tr, cells, result);
+  assert(tr.number_of_cells() == number_of_cells && tr.tds().is_valid());
+  return result;
+}
+
+// --- cavities in random triangulations -------------------------------------------------------------------------------
+
+Point random_point(std::mt19937& rng, const bool on_grid)
+{
+  const auto coordinate = [&] { return on_grid ? random_int(rng, 5) : random_int(rng, 1 << 30) / 3.; };
+  const double x = coordinate(), y = coordinate(), z = coordinate();
+  return Point(x, y, z);
+}
+
+// A union of up to n finite cells that is connected by facets.
+Cells random_cavity(const Tr& tr, std::mt19937& rng, const std::size_t n)
+{
+  const Cells all = finite_cells(tr);
+  Cells cavity(1, all[random_int(rng, static_cast<int>(all.size()))]);
+  for(int trial = 0; trial < 1000 && cavity.size() < n; ++trial)
+  {
+    const Cell_handle c = cavity[random_int(rng, static_cast<int>(cavity.size()))]->neighbor(random_int(rng, 4));
+    if(! tr.is_infinite(c) && std::find(cavity.begin(), cavity.end(), c) == cavity.end())
+      cavity.push_back(c);
+  }
+  return cavity;
+}
+
+// Some edges and facets of the cells: the cells themselves are a solution.
+void require_what_is_there(const Cells& cells, std::mt19937& rng, Edges& edges, Facets& facets)
+{
+  for(const Cell_handle c : cells)
+  {
+    const int i = random_int(rng, 4), j = (i + 1 + random_int(rng, 3)) % 4;
+    edges.push_back({{ c->vertex(i), c->vertex(j) }});
+    facets.push_back({{ c->vertex((i + 1) % 4), c->vertex((i + 2) % 4), c->vertex((i + 3) % 4) }});
+  }
+}
+
+void test_cavities(const bool on_grid)
+{
+  std::mt19937 rng(on_grid ? 7 : 8);
+  for(int round = 0; round < 6; ++round)
+  {
+    Tr tr;
+    for(int i = 0; i < 60; ++i)
+      tr.insert(random_point(rng, on_grid));
+    // The triangulation is the Delaunay triangulation only for the first cavity.
+    for(int k = 0; k < 20; ++k)
+    {
+      const Cells cells = random_cavity(tr, rng, 4 + random_int(rng, 17));
+      assert(cells.size() >= 4 && cells.size() <= 20);
+      Edges edges;
+      Facets facets;
+      if(k % 2 == 1)
+        require_what_is_there(cells, rng, edges, facets);
+      const Tetrahedra old = tetrahedra_of(cells);
+      const Predicates predicates(tr);
+      Reconnection reconnection(predicates);
+      const Tetrahedra result = reconnect(tr, reconnection, cells, edges, facets);
+      const bool is_changed = std::any_of(old.begin(), old.end(),
+                                          [&](const Tetrahedron& t) { return number_around(result, t) == 0; });
+      ++number_of[std::string(on_grid ? "grid" : "double") + (k % 2 == 1 ? " cavity with requirements" : " cavity")];
+      if(is_changed)
+        ++number_of[std::string(on_grid ? "grid" : "double") + " cavity changed"];
+    }
+  }
+}
+
+// --- hulls of few points, with edges drawn at random: the search has to take back choices ----------------------------
+
+void test_hulls()
+{
+  std::mt19937 rng(10);
+  for(int round = 0; round < 60; ++round)
+  {
+    Tr tr;
+    std::vector<Vertex_handle> v;
+    for(int i = 0; i < 12; ++i)
+      v.push_back(tr.insert(random_point(rng, false)));
+    Edges edges;
+    for(int i = 0; i < 3 + round % 4; ++i)
+    {
+      const int a = random_int(rng, 12), b = (a + 1 + random_int(rng, 11)) % 12;
+      edges.push_back({{ v[a], v[b] }});
+    }
+    const Predicates predicates(tr);
+    Reconnection reconnection(predicates);
+    const Reconnection::Outcome outcome = reconnection(finite_cells(tr), edges, Facets());
+    ++number_of[outcome == Reconnection::FOUND ? "hull found" :
+                outcome == Reconnection::NONE ? "hull none" : "hull gave up"];
+    if(outcome == Reconnection::FOUND)
+      reconnect(tr, reconnection, finite_cells(tr), edges, Facets());
+
+    // A few of the edges that are there: none is no answer, since the cells themselves are a solution.
+    for(int k = 0; k < 20; ++k)
+    {
+      const Cells cells = finite_cells(tr);
+      Edges some;
+      for(int i = 0; i < 4; ++i)
+      {
+        const Cell_handle c = cells[random_int(rng, static_cast<int>(cells.size()))];
+        const int j = random_int(rng, 4), l = (j + 1 + random_int(rng, 3)) % 4;
+        some.push_back({{ c->vertex(j), c->vertex(l) }});
+      }
+      reconnect(tr, reconnection, cells, some, Facets());
+      ++number_of["hull with some of its edges"];
+    }
+  }
+}
+
+// --- bipyramids: two cells against three -----------------------------------------------------------------------------
+
+void test_bipyramid(const Point& p, const Point& q, const Point& a, const Point& b, const Point& c)
+{
+  Tr tr;
+  const Edge axis = {{ tr.insert(p), tr.insert(q) }};
+  const Facet equator = {{ tr.insert(a), tr.insert(b), tr.insert(c) }};
+  const Predicates predicates(tr);
+  Reconnection reconnection(predicates);
+
+  const bool is_tall = tr.number_of_finite_cells() == 2;
+  assert(is_tall || tr.number_of_finite_cells() == 3);
+  const auto add_axis = [&]
+  {
+    const Tetrahedra result = reconnect(tr, reconnection, finite_cells(tr), Edges(1, axis), Facets());
+    assert(result.size() == 3 && number_around(result, axis) == 3);
+  };
+  const auto add_equator = [&]
+  {
+    const Tetrahedra result = reconnect(tr, reconnection, finite_cells(tr), Edges(), Facets(1, equator));
+    assert(result.size() == 2 && number_around(result, equator) == 2);
+  };
+  ++number_of[is_tall ? "bipyramid of two cells" : "bipyramid of three cells"];
+  // There and back.
+  for(int i = 0; i < 2; ++i)
+    if(is_tall == (i == 0))
+      add_axis();
+    else
+      add_equator();
+
+  // The one pierces the other, so both cannot be had, from either side.
+  for(int i = 0; i < 2; ++i)
+  {
+    assert(reconnection(finite_cells(tr), Edges(1, axis), Facets(1, equator)) == Reconnection::NONE);
+    assert(reconnection.tetrahedra().empty());
+    ++number_of["bipyramid with both required"];
+    if(tr.number_of_finite_cells() == 2)
+      add_axis();
+    else
+      add_equator();
+  }
+}
+
+void test_bipyramids()
+{
+  const Point a(3, 0, 0), b(-2, 2, 0), c(-2, -3, 0);
+  test_bipyramid(Point(0, 0, 7), Point(0, 0, -7), a, b, c);
+  test_bipyramid(Point(0, 0, 1), Point(0, 0, -1), a, b, c);
+  test_bipyramid(Point(.1, .2, 6.7), Point(-.1, .1, -5.3), a, b, c);
+  test_bipyramid(Point(.1, .2, .7), Point(-.1, .1, -.3), a, b, c);
+}
+
+// --- twisted prisms --------------------------------------------------------------------------------------------------
+
+// Over a regular n-gon. The diagonals from the bottom at k to the top at k + 1 are within the convex hull.
+void test_twisted_prism(const int n, const double degrees)
+{
+  const double pi = std::acos(-1.);
+  Tr tr;
+  std::vector<Vertex_handle> v;
+  for(int k = 0; k < 2 * n; ++k)
+  {
+    const double angle = 2 * pi * (k % n) / n + (k < n ? 0 : degrees * pi / 180);
+    v.push_back(tr.insert(Point(std::cos(angle), std::sin(angle), k < n ? 0 : 1.5)));
+  }
+  const Cells cells = finite_cells(tr);
+  Edges sides, diagonals;
+  for(int k = 0; k < n; ++k)
+  {
+    const Vertex_handle a = v[k], b = v[(k + 1) % n], c = v[n + (k + 1) % n], d = v[n + k];
+    sides.push_back({{ a, b }});
+    sides.push_back({{ b, c }});
+    sides.push_back({{ c, d }});
+    diagonals.push_back({{ a, c }});
+  }
+  const Predicates predicates(tr);
+  Reconnection reconnection(predicates);
+
+  // With all of them, the rest of the hull is the polyhedron of Schoenhardt, or of Rambau: no tetrahedralization.
+  Edges all = sides;
+  all.insert(all.end(), diagonals.begin(), diagonals.end());
+  assert(reconnection(cells, all, Facets()) == Reconnection::NONE);
+  assert(reconnection.tetrahedra().empty());
+  ++number_of["twisted prism with all diagonals"];
+
+  // One diagonal alone can be had, whichever it is.
+  for(const Edge& diagonal : diagonals)
+  {
+    Edges one = sides;
+    one.push_back(diagonal);
+    const Tetrahedra result = reconnect(tr, reconnection, finite_cells(tr), one, Facets());
+    // Around it is the tetrahedron between it and the hull, and at least two more.
+    assert(number_around(result, diagonal) >= 3);
+    ++number_of["twisted prism with one diagonal"];
+  }
+}
+
+// --- limits ----------------------------------------------------------------------------------------------------------
+
+void test_limits()
+{
+  std::mt19937 rng(9);
+  Tr tr;
+  for(int i = 0; i < 60; ++i)
+    tr.insert(random_point(rng, false));
+  const Predicates predicates(tr);
+  Reconnection reconnection(predicates);
+  const Cells one(1, finite_cells(tr).front()), many = random_cavity(tr, rng, 15);
+
+  reconnection.set_max_number_of_steps(1);
+  assert(reconnection(many, Edges(), Facets()) == Reconnection::GAVE_UP);
+  assert(reconnection.tetrahedra().empty());
+  ++number_of["gave up: steps"];
+  assert(reconnection(one, Edges(), Facets()) == Reconnection::FOUND);
+  assert(reconnection.tetrahedra().size() == 1 && number_around(reconnection.tetrahedra(), tetrahedra_of(one)[0]) == 1);
+  ++number_of["single tetrahedron"];
+
+  // It was not the polyhedron, but the bound.
+  reconnection.set_max_number_of_steps(Reconnection::default_max_number_of_steps);
+  assert(reconnection(many, Edges(), Facets()) == Reconnection::FOUND);
+
+  assert(tr.number_of_vertices() > std::size_t(Reconnection::max_number_of_vertices));
+  assert(reconnection(finite_cells(tr), Edges(), Facets()) == Reconnection::GAVE_UP);
+  ++number_of["gave up: vertices"];
+}
+
+int main()
+{
+  test_cavities(true);
+  test_cavities(false);
+  test_hulls();
+  test_bipyramids();
+  test_twisted_prism(3, 30);
+  test_twisted_prism(4, 20);
+  test_twisted_prism(5, 12);
+  test_twisted_prism(6, 8);
+  test_limits();
+
+  for(const char* kind : { "grid cavity", "grid cavity with requirements", "grid cavity changed",
+                           "double cavity", "double cavity with requirements", "double cavity changed",
+                           "hull found", "hull none", "hull with some of its edges",
+                           "bipyramid of two cells", "bipyramid of three cells", "bipyramid with both required",
+                           "twisted prism with all diagonals", "twisted prism with one diagonal",
+                           "gave up: steps", "gave up: vertices", "single tetrahedron" })
+  {
+    std::cout << number_of[kind] << " x " << kind << std::endl;
+    assert(number_of[kind] > 0);
+  }
+  std::cout << "done" << std::endl;
+  return EXIT_SUCCESS;
+}
