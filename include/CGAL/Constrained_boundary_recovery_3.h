@@ -17,11 +17,16 @@
 #include <CGAL/Boundary_recovery_3/Shell_quality_3.h>
 #include <CGAL/Boundary_recovery_3/Shell_validity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Cavity_recovery_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Conforming_recovery_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Edge_recovery_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Facet_recovery_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Intersection_table_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Mesh_snapshot_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Recovery_context.h>
+#include <CGAL/Boundary_recovery_3/internal/Steiner_points_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Steiner_splitting_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Steiner_suppression_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
 #include <CGAL/Shell_transformation_3.h>
 
@@ -58,6 +63,7 @@ public:
   typedef Visitor_ Visitor;                               ///< the visitor type
   typedef typename Tr::Vertex_handle Vertex_handle;       ///< the vertex handle of the triangulation
   typedef Boundary_recovery_3::Recovery_phase Phase;      ///< the phases
+  typedef Boundary_recovery_3::Recovery_mode Mode;        ///< the modes
   typedef Boundary_recovery_3::Phase_report Phase_report; ///< the counts of a phase
   typedef Boundary_recovery_3::Recursion_level_report Recursion_level_report; ///< the counts of a pass
 
@@ -71,7 +77,7 @@ public:
    * \pre `tr.dimension() == 3`
    */
   Constrained_boundary_recovery_3(Tr& tr, Visitor& visitor)
-    : m_tr(tr), m_predicates(tr), m_context(visitor),
+    : m_tr(tr), m_steiner_points(m_constraints), m_predicates(tr, &m_steiner_points.positions()), m_context(visitor),
       m_edge_recovery(tr, m_predicates), m_facet_recovery(tr, m_predicates)
   {
     CGAL_precondition(tr.dimension() == 3);
@@ -122,8 +128,17 @@ public:
   /// Each may be called on its own, after `search()`.
   /// @{
 
-  /// runs all the phases. Returns whether every constraint is in the triangulation.
-  bool operator()()
+  /// runs all the phases of a mode. Returns whether every constraint is in the triangulation: as one simplex, or, in
+  /// the mode `conforming`, as a union of simplices.
+  ///
+  /// \pre unless `mode` is `flips_only`, the constraints do not intersect, and no other vertex is on them.
+  bool operator()(const Mode mode = Mode::constrained)
+  {
+    return recover_by_flips() || (mode != Mode::flips_only && recover_by_points(mode));
+  }
+
+  /// runs the phases that add no points. Returns whether every constraint is in the triangulation.
+  bool recover_by_flips()
   {
     search();
     remove_plainly();
@@ -276,6 +291,96 @@ public:
     });
   }
 
+  /// recovers what is lost by Steiner points, takes them off the constraints again, and removes as many of them as it
+  /// can: the main procedure and the postprocessing of [CZZ+17, Section 4]. Either all constraints are in the
+  /// triangulation then, or it is as it was before.
+  ///
+  /// \pre the constraints do not intersect, and no other vertex is on them.
+  bool recover_by_points()
+  {
+    if(m_lost.edges.empty() && m_lost.facets.empty())
+      return true;
+    const Snapshot snapshot(m_tr);
+    recover_conforming();
+    m_number_of_constraint_points = m_steiner_points.vertices().size();
+    split_steiner_points();
+    if(m_steiner_points.vertices().empty() && m_lost.edges.empty() && m_lost.facets.empty()
+       && suppress_steiner_points())
+      return true;
+    take_back(snapshot);
+    return false;
+  }
+
+  /// is the first half of the main procedure of [CZZ+17, Section 4]: lost edges become chains of mesh edges, lost facets
+  /// unions of mesh facets, by Steiner points on them.
+  void recover_conforming()
+  {
+    Boundary_recovery_3::internal::Conforming_recovery_3<Tr, Visitor>
+      conform(m_tr, m_predicates, m_constraints, m_steiner_points, m_context.visitor());
+    run(Phase::conforming_edge_recovery, [&]
+    {
+      remove_done(Phase::conforming_edge_recovery, m_lost.edges,
+                  [&](const std::size_t e) { return conform.recover_edge(e, conforming_recursion_level, m_context); });
+    });
+    if(! m_lost.edges.empty())
+      return;
+    run(Phase::conforming_facet_recovery, [&]
+    {
+      remove_done(Phase::conforming_facet_recovery, m_lost.facets,
+                  [&](const std::size_t f) { return conform.recover_facet(f, conforming_recursion_level, m_context); });
+    });
+  }
+
+  /// is the second half of the main procedure [CZZ+17, Alg. A.1 to A.5]: takes the Steiner points off the constraints.
+  void split_steiner_points()
+  {
+    Boundary_recovery_3::internal::Steiner_splitting_3<Tr, Visitor>
+      split(m_tr, m_predicates, m_constraints, m_steiner_points, m_context.visitor());
+    run(Phase::steiner_splitting, [&]
+    {
+      for(std::size_t before = 0; before != m_steiner_points.vertices().size(); )
+      {
+        before = m_steiner_points.vertices().size();
+        const std::vector<Vertex_handle> vertices = m_steiner_points.vertices();
+        std::size_t done = 0;
+        for(const Vertex_handle v : vertices)
+        {
+          if(! m_context.go_further())
+            break;
+          split(v);
+          m_context.visitor().on_progress(Phase::steiner_splitting, ++done, before);
+        }
+      }
+    });
+    m_free_steiner_vertices.insert(m_free_steiner_vertices.end(), split.points().begin(), split.points().end());
+    m_number_of_steiner_points += split.points().size();
+  }
+
+  /// is the postprocessing of [CZZ+17, Section 4.3]: removes Steiner points that are on no constraint, as long as it
+  /// can. Returns whether the others have positions that the triangulation can store.
+  bool suppress_steiner_points()
+  {
+    Boundary_recovery_3::internal::Steiner_suppression_3<Tr, Visitor>
+      suppress(m_tr, m_predicates, m_constraints, m_steiner_points.positions(), m_context.visitor());
+    bool is_storable = true;
+    run(Phase::steiner_suppression, [&]
+    {
+      for(int l_max = 0; l_max <= max_suppression_level; ++l_max)
+        for(std::size_t before = 0; before != m_free_steiner_vertices.size(); )
+        {
+          before = m_free_steiner_vertices.size();
+          remove_done(Phase::steiner_suppression, m_free_steiner_vertices,
+                      [&](const Vertex_handle v) { return suppress(v, l_max, m_context); });
+          for(const Vertex_handle v : m_free_steiner_vertices)
+            suppress.relocate(v);
+        }
+      for(const Vertex_handle v : m_free_steiner_vertices)
+        is_storable = suppress.round(v) && is_storable;
+    });
+    m_number_of_transformations += suppress.number_of_transformations();
+    return is_storable;
+  }
+
   /// looks up every constraint again: only this tells what was recovered.
   void recount() { run(Phase::recount, [&] { look_up(); }); }
   /// @}
@@ -292,6 +397,15 @@ public:
   /// returns the counts of each pass, the rows of the tables of [CZZ+17, Section 5.1.2].
   const std::vector<Recursion_level_report>& levels() const { return m_levels; }
 
+  /// returns the Steiner points that are in the triangulation, in the order in which they were created.
+  const std::vector<Vertex_handle>& steiner_vertices() const { return m_free_steiner_vertices; }
+
+  /// returns the number of Steiner points that were put on constraints.
+  std::size_t number_of_constraint_points() const { return m_number_of_constraint_points; }
+
+  /// returns the number of Steiner points that came off the constraints, before any of them was removed.
+  std::size_t number_of_steiner_points() const { return m_number_of_steiner_points; }
+
   /// returns the number of covering meshes that were replaced.
   std::size_t number_of_transformations() const { return m_number_of_transformations; }
   /// @}
@@ -304,6 +418,38 @@ private:
   typedef Boundary_recovery_3::Worst_element_quality_3<Tr>    Worst_element_quality;
   typedef Boundary_recovery_3::Shell_validity_conjunction_3<Kept, Boundary_recovery_3::BRC1<Tr> > Edge_validity;
   typedef Boundary_recovery_3::Shell_validity_conjunction_3<Kept, Boundary_recovery_3::BRC2<Tr> > Facet_validity;
+
+  typedef Boundary_recovery_3::internal::Mesh_snapshot_3<Tr>  Snapshot;
+
+  static constexpr int max_suppression_level = 4;
+  static constexpr int conforming_recursion_level = 3;
+
+  // Does something with each item of a list, and keeps those for which it failed.
+  template <typename Item, typename Work>
+  void remove_done(const Phase phase, std::vector<Item>& items, const Work& work)
+  {
+    const std::size_t total = items.size();
+    std::size_t kept = 0, done = 0;
+    for(const Item item : items)
+    {
+      if(! m_context.go_further() || ! work(item))
+        items[kept++] = item;
+      m_context.visitor().on_progress(phase, ++done, total);
+    }
+    items.resize(kept);
+  }
+
+  void take_back(const Snapshot& snapshot)
+  {
+    std::vector<Vertex_handle> vertices = m_steiner_points.vertices();
+    for(const Vertex_handle v : vertices)
+      m_steiner_points.erase(v);
+    for(const Vertex_handle v : m_free_steiner_vertices)
+      m_steiner_points.positions().erase(v);
+    vertices.insert(vertices.end(), m_free_steiner_vertices.begin(), m_free_steiner_vertices.end());
+    m_free_steiner_vertices.clear();
+    snapshot.restore(m_tr, vertices, m_context.visitor());
+  }
 
   // Number of passes in a row without progress after which a calling of Alg. 5 ends.
   static constexpr int max_number_of_failures = 3;
@@ -552,11 +698,15 @@ private:
                              Boundary_recovery_3::internal::Simplex_key_hash> Crossed_entities; // counted only
 
   Tr& m_tr;
+  Constraints m_constraints;
+  Boundary_recovery_3::internal::Steiner_points_3<Tr> m_steiner_points; // those on constraints
+  std::vector<Vertex_handle> m_free_steiner_vertices;                   // those that came off them
+  std::size_t m_number_of_steiner_points = 0;
+  std::size_t m_number_of_constraint_points = 0;
   Boundary_recovery_3::internal::Vertex_predicates_3<Tr> m_predicates;
   Boundary_recovery_3::internal::Recovery_context<Visitor> m_context;
   Boundary_recovery_3::internal::Edge_recovery_3<Tr> m_edge_recovery;
   Boundary_recovery_3::internal::Facet_recovery_3<Tr> m_facet_recovery;
-  Constraints m_constraints;
   Lost_constraints m_lost;
   std::vector<std::size_t> m_treatable_facets; // lost facets whose edges are in the mesh
   std::vector<std::size_t> m_hopeless_edges, m_hopeless_facets; // numbers of transformations, or never; see attempt()

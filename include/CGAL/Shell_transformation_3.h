@@ -97,6 +97,14 @@ public:
     : m_tr(tr), m_predicates(tr), m_quality(quality), m_validity(validity), m_visitor(&m_no_visitor)
   { }
 
+#ifndef DOXYGEN_RUNNING
+  // As above, with predicates that know the exact positions of some vertices.
+  Shell_transformation_3(Tr& tr, const Quality& quality, const Validity& validity, Visitor& visitor,
+                         const Boundary_recovery_3::internal::Vertex_predicates_3<Tr>& predicates)
+    : m_tr(tr), m_predicates(predicates), m_quality(quality), m_validity(validity), m_visitor(&visitor)
+  { }
+#endif
+
   Shell_transformation_3(const Shell_transformation_3&) = delete;
   Shell_transformation_3& operator=(const Shell_transformation_3&) = delete;
 

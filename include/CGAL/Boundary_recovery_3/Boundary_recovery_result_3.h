@@ -51,6 +51,10 @@ enum class Recovery_phase
   facet_recovery_brc2,   ///< first calling for facets, under BRC2
   facet_recovery_brc4,   ///< second calling for facets, under BRC4
   facet_reconnection,    ///< small polyhedron reconnection of the cells around each lost facet
+  conforming_edge_recovery,  ///< Steiner points on lost edges
+  conforming_facet_recovery, ///< Steiner points on lost facets
+  steiner_splitting,     ///< Steiner points come off the constraints [CZZ+17, Alg. A.1 to A.5]
+  steiner_suppression,   ///< Steiner points are removed [CZZ+17, Section 4.3]
   recount                ///< every constraint is looked up again; only this decides the status
 };
 
@@ -156,6 +160,8 @@ struct Boundary_recovery_result_3
 
   std::size_t number_of_edges = 0;             ///< number of constrained edges, those of the facets included
   std::size_t number_of_facets = 0;            ///< number of constrained facets
+  std::size_t number_of_constraint_points = 0; ///< number of Steiner points that were put on constraints
+  std::size_t number_of_steiner_points = 0;    ///< number of Steiner points before any of them was removed
   std::size_t number_of_inserted_vertices = 0; ///< number of input points that were not in the triangulation before
   std::size_t number_of_shell_transformations = 0; ///< number of covering meshes that were replaced
 
@@ -195,6 +201,10 @@ inline const char* to_string(const Recovery_phase phase)
     case Recovery_phase::facet_recovery_brc2: return "facet_recovery_brc2";
     case Recovery_phase::facet_recovery_brc4: return "facet_recovery_brc4";
     case Recovery_phase::facet_reconnection:  return "facet_reconnection";
+    case Recovery_phase::conforming_edge_recovery:  return "conforming_edge_recovery";
+    case Recovery_phase::conforming_facet_recovery: return "conforming_facet_recovery";
+    case Recovery_phase::steiner_splitting:   return "steiner_splitting";
+    case Recovery_phase::steiner_suppression: return "steiner_suppression";
     case Recovery_phase::recount:             return "recount";
   }
   return "";

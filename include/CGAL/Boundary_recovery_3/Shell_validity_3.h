@@ -160,6 +160,13 @@ public:
   /// a condition for the triangulation `tr` and the segment from `u` to `v`
   BRC1(const Tr& tr, const Vertex_handle u, const Vertex_handle v) : m_predicates(tr), m_u(u), m_v(v) { }
 
+#ifndef DOXYGEN_RUNNING
+  // As above, with predicates that know the exact positions of some vertices.
+  BRC1(const internal::Vertex_predicates_3<Tr>& predicates, const Vertex_handle u, const Vertex_handle v)
+    : m_predicates(predicates), m_u(u), m_v(v)
+  { }
+#endif
+
   /// \name Conditions
   /// @{
   bool is_valid_triangle(const Shell& s, const int i, const int k, const int j) const
@@ -208,6 +215,14 @@ public:
   BRC2(const Tr& tr, const Vertex_handle u, const Vertex_handle v, const Vertex_handle w)
     : m_predicates(tr), m_u(u), m_v(v), m_w(w)
   { }
+
+#ifndef DOXYGEN_RUNNING
+  // As above, with predicates that know the exact positions of some vertices.
+  BRC2(const internal::Vertex_predicates_3<Tr>& predicates,
+       const Vertex_handle u, const Vertex_handle v, const Vertex_handle w)
+    : m_predicates(predicates), m_u(u), m_v(v), m_w(w)
+  { }
+#endif
 
   /// \name Conditions
   /// @{

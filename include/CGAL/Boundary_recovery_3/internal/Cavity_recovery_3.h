@@ -151,7 +151,7 @@ private:
         return false;
       std::vector<Edge> required_edges(edges);
       std::vector<Facet> required_facets(facets);
-      collect_constraints(required_edges, required_facets);
+      m_constraints.collect(m_cells, required_edges, required_facets);
       if(m_reconnection(m_cells, required_edges, required_facets) == Reconnection::FOUND)
       {
         replace();
@@ -159,21 +159,6 @@ private:
       }
     }
     return false;
-  }
-
-  // The constraints that are edges or facets of the cells.
-  void collect_constraints(std::vector<Edge>& edges, std::vector<Facet>& facets) const
-  {
-    for(const Cell_handle c : m_cells)
-      for(int i = 0; i < 4; ++i)
-      {
-        const Facet f = {{ c->vertex((i + 1) & 3), c->vertex((i + 2) & 3), c->vertex((i + 3) & 3) }};
-        if(m_constraints.is_constrained(f[0], f[1], f[2]))
-          facets.push_back(f);
-        for(int j = i + 1; j < 4; ++j)
-          if(m_constraints.is_constrained(c->vertex(i), c->vertex(j)))
-            edges.push_back({{ c->vertex(i), c->vertex(j) }});
-      }
   }
 
   void replace()

@@ -100,6 +100,22 @@ public:
     return m_facet_indices.count(simplex_key(u, v, w)) != 0;
   }
 
+  // Appends the constraints that are edges or facets of the given cells. Some come more than once.
+  template <typename CellRange>
+  void collect(const CellRange& cells, std::vector<Edge>& edges, std::vector<Facet>& facets) const
+  {
+    for(const Cell_handle c : cells)
+      for(int i = 0; i < 4; ++i)
+      {
+        const Facet f = {{ c->vertex((i + 1) & 3), c->vertex((i + 2) & 3), c->vertex((i + 3) & 3) }};
+        if(is_constrained(f[0], f[1], f[2]))
+          facets.push_back(f);
+        for(int j = i + 1; j < 4; ++j)
+          if(is_constrained(c->vertex(i), c->vertex(j)))
+            edges.push_back({{ c->vertex(i), c->vertex(j) }});
+      }
+  }
+
 private:
   std::vector<Edge> m_edges;
   std::vector<Facet> m_facets;

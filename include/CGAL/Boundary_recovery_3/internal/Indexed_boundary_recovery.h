@@ -147,14 +147,23 @@ private:
     if(m_options.max_recursion_level >= 0)
       recovery.set_max_recursion_level(m_options.max_recursion_level);
     insert_constraints(recovery);
-    const bool is_recovered = recovery();
-    take_account(recovery);
-    if(is_recovered)
-      m_result.status = Recovery_status::recovered;
-    else if(! recovery.is_stopped())
+    bool is_recovered = recovery.recover_by_flips();
+    if(! is_recovered && ! recovery.is_stopped())
+    {
+      // only now, for in most cases flips are enough, and prove the input valid
+      describe_missing(recovery);
       judge_missing_constraints();
-    else
-      m_result.status = Recovery_status::stopped;
+      if(m_result.defects.empty() && m_options.mode == Recovery_mode::constrained)
+      {
+        recovery.recover_by_points();
+        recovery.recount();
+        is_recovered = recovery.lost_edges().empty() && recovery.lost_facets().empty();
+      }
+    }
+    take_account(recovery);
+    m_result.status = is_recovered               ? Recovery_status::recovered
+                    : recovery.is_stopped()      ? Recovery_status::stopped
+                    : ! m_result.defects.empty() ? Recovery_status::invalid_input : Recovery_status::incomplete;
   }
 
   void insert_constraints(Recovery& recovery)
@@ -177,6 +186,16 @@ private:
     m_result.number_of_shell_transformations = recovery.number_of_transformations();
     m_result.phases.insert(m_result.phases.end(), recovery.phases().begin(), recovery.phases().end());
     m_result.levels = recovery.levels();
+    m_result.steiner_vertices = recovery.steiner_vertices();
+    m_result.number_of_constraint_points = recovery.number_of_constraint_points();
+    m_result.number_of_steiner_points = recovery.number_of_steiner_points();
+    describe_missing(recovery);
+  }
+
+  void describe_missing(const Recovery& recovery)
+  {
+    m_result.missing_facets.clear();
+    m_result.missing_edges.clear();
     for(const std::size_t f : recovery.lost_facets()) // facets are all distinct, so they keep their indices
       m_result.missing_facets.push_back(describe_facet(m_input, f));
     describe_lost_edges(recovery);
@@ -214,7 +233,6 @@ private:
     m_result.defects = diagnosis.intersecting_pairs(missing);
     if(m_result.defects.empty())
       m_result.defects = diagnosis.vertices_on_constraints(missing, m_tr, m_result.vertices);
-    m_result.status = m_result.defects.empty() ? Recovery_status::incomplete : Recovery_status::invalid_input;
   }
 
   Tr& m_tr;

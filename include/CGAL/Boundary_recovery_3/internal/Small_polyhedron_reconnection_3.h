@@ -63,12 +63,13 @@ public:
   void set_max_number_of_steps(const std::size_t n) { m_max_number_of_steps = n; }
 
   // `cells` are finite cells whose union is a polyhedron; `edges` and `facets` are arrays of vertices of these cells,
-  // of simplices inside the polyhedron.
+  // of simplices inside the polyhedron. `superfluous`, if given, is a vertex inside that is not to be used.
   template <typename CellRange, typename EdgeRange, typename FacetRange>
-  Outcome operator()(const CellRange& cells, const EdgeRange& edges, const FacetRange& facets)
+  Outcome operator()(const CellRange& cells, const EdgeRange& edges, const FacetRange& facets,
+                     const Vertex_handle superfluous = Vertex_handle())
   {
     m_tetrahedra.clear();
-    collect_vertices(cells);
+    collect_vertices(cells, superfluous);
     if(m_vertices.size() > max_number_of_vertices)
       return GAVE_UP;
     fill_in_orientations();
@@ -102,12 +103,13 @@ private:
   }
 
   template <typename CellRange>
-  void collect_vertices(const CellRange& cells)
+  void collect_vertices(const CellRange& cells, const Vertex_handle superfluous)
   {
     m_vertices.clear();
     for(const Cell_handle c : cells)
       for(int i = 0; i < 4; ++i)
-        if(std::find(m_vertices.begin(), m_vertices.end(), c->vertex(i)) == m_vertices.end())
+        if(c->vertex(i) != superfluous
+           && std::find(m_vertices.begin(), m_vertices.end(), c->vertex(i)) == m_vertices.end())
           m_vertices.push_back(c->vertex(i));
   }
 

@@ -12,6 +12,8 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <CGAL/Boundary_recovery_3/internal/Exact_positions_3.h>
+
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
 
@@ -24,8 +26,8 @@ namespace internal {
 /*
  * Exact decisions about finite vertices of a triangulation.
  *
- * Every phase asks here, by vertex handles, and never touches coordinates itself: this is the one place that has
- * to change for a vertex whose position is not that of its point().
+ * Every phase asks here, by vertex handles, and never touches coordinates itself: this is the one place that knows
+ * that a vertex may have an exact position beside the triangulation. As long as none has, this costs one comparison.
  *
  * "Crosses" and "pierces" mean transversal intersections in relative interiors: a segment crosses an edge in an
  * interior point of both, and pierces a triangle in an interior point of both that is the only common one. What merely
@@ -38,9 +40,13 @@ public:
   typedef typename Tr::Vertex_handle       Vertex_handle;
   typedef typename Tr::Geom_traits         Geom_traits;
   typedef typename Geom_traits::Point_3    Point_3;
+  typedef Exact_positions_3<Tr>            Positions;
+  typedef typename Positions::Exact_kernel Exact_kernel;
 
-  explicit Vertex_predicates_3(const Tr& tr)
+  // `positions`, if given, has to outlive this object.
+  explicit Vertex_predicates_3(const Tr& tr, const Positions* positions = nullptr)
     : m_tr(&tr),
+      m_positions(positions),
       m_orientation(tr.geom_traits().orientation_3_object()),
       m_coplanar_orientation(tr.geom_traits().coplanar_orientation_3_object())
   { }
@@ -59,11 +65,16 @@ public:
   Orientation orientation(const Vertex_handle p, const Vertex_handle q,
                           const Vertex_handle r, const Vertex_handle s) const
   {
+    if(has_exact_position(p, q, r, s))
+      return typename Exact_kernel::Orientation_3()((*m_positions)(p), (*m_positions)(q),
+                                                    (*m_positions)(r), (*m_positions)(s));
     return m_orientation(p->point(), q->point(), r->point(), s->point());
   }
 
   bool are_collinear(const Vertex_handle p, const Vertex_handle q, const Vertex_handle r) const
   {
+    if(has_exact_position(p, q, r))
+      return typename Exact_kernel::Collinear_3()((*m_positions)(p), (*m_positions)(q), (*m_positions)(r));
     return m_coplanar_orientation(p->point(), q->point(), r->point()) == COLLINEAR;
   }
 
@@ -72,8 +83,12 @@ public:
   Orientation side_of_line(const Vertex_handle p, const Vertex_handle q,
                            const Vertex_handle r, const Vertex_handle s) const
   {
-    return are_collinear(p, q, r) ? COLLINEAR
-                                  : m_coplanar_orientation(p->point(), q->point(), r->point(), s->point());
+    if(are_collinear(p, q, r))
+      return COLLINEAR;
+    if(has_exact_position(p, q, r, s))
+      return typename Exact_kernel::Coplanar_orientation_3()((*m_positions)(p), (*m_positions)(q),
+                                                             (*m_positions)(r), (*m_positions)(s));
+    return m_coplanar_orientation(p->point(), q->point(), r->point(), s->point());
   }
 
   // Whether the segments uv and pq cross, known to be coplanar.
@@ -104,7 +119,14 @@ public:
   }
 
 private:
+  template <typename ... Vertex_handles>
+  bool has_exact_position(const Vertex_handles ... v) const
+  {
+    return m_positions != nullptr && ! m_positions->empty() && (m_positions->contains(v) || ...);
+  }
+
   const Tr* m_tr;
+  const Positions* m_positions;
   typename Geom_traits::Orientation_3 m_orientation;
   typename Geom_traits::Coplanar_orientation_3 m_coplanar_orientation;
 };

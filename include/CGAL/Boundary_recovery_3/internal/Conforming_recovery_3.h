@@ -1,0 +1,346 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_CONFORMING_RECOVERY_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_CONFORMING_RECOVERY_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/Shell_3.h>
+#include <CGAL/Boundary_recovery_3/Shell_quality_3.h>
+#include <CGAL/Boundary_recovery_3/Shell_validity_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Cell_replacement.h>
+#include <CGAL/Boundary_recovery_3/internal/Constraints_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Edge_recovery_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Segment_walk_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Steiner_points_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
+#include <CGAL/Shell_transformation_3.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * The main procedure of [CZZ+17, Section 4], first half: conforming recovery. Where a lost edge meets a mesh edge or
+ * facet, and where a mesh edge meets a lost facet, that mesh entity is split by a Steiner point.
+ *
+ * It ends. An edge: each split adds the part up to the first crossing to the chain, and parts of a chain are never
+ * crossed by another constraint, hence never split. The rest crosses what it crossed before, less one entity: splits at
+ * a point of a line add nothing that crosses the line. A facet whose edges are chains: each split takes away one mesh
+ * edge that pierces it and adds none, since all new edges end in its plane. Once no edge pierces it, and no foreign
+ * vertex is in it, mesh facets tile it.
+ *
+ * Exact positions would grow from point to point if points on lines through points were crossed by lines again. So
+ * each point is moved on its constraint, right after it was inserted, to where few bits describe it.
+ */
+template <typename Tr, typename Visitor>
+class Conforming_recovery_3
+{
+public:
+  typedef typename Tr::Vertex_handle           Vertex_handle;
+  typedef typename Tr::Cell_handle             Cell_handle;
+  typedef Vertex_predicates_3<Tr>              Predicates;
+  typedef Constraints_3<Tr>                    Constraints;
+  typedef Steiner_points_3<Tr>                 Steiner_points;
+
+  // `predicates` know of the positions in `steiner_points`.
+  Conforming_recovery_3(Tr& tr, const Predicates& predicates, const Constraints& constraints,
+                        Steiner_points& steiner_points, Visitor& visitor)
+    : m_tr(tr), m_predicates(predicates), m_constraints(constraints), m_steiner_points(steiner_points),
+      m_visitor(visitor), m_walk(tr, predicates), m_edge_recovery(tr, predicates),
+      m_edge_transformation(tr, Quality(tr), Edge_validity(Kept(steiner_points), BRC1<Tr>(tr, Vertex_handle(), Vertex_handle())),
+                            visitor, predicates),
+      m_facet_transformation(tr, Quality(tr),
+                             Facet_validity(Kept(steiner_points),
+                                            BRC2<Tr>(tr, Vertex_handle(), Vertex_handle(), Vertex_handle())),
+                             visitor, predicates)
+  { }
+
+  // Makes the edge e a chain of mesh edges: what flips cannot recover is split at a crossing, and both parts are tried
+  // again. Returns false if a foreign vertex is on it, or if the context wants to stop.
+  template <typename Context>
+  bool recover_edge(const std::size_t e, const int l_max, Context& context)
+  {
+    const std::array<Vertex_handle, 2>& edge = m_constraints.edges()[e];
+    std::vector<std::array<Vertex_handle, 2> > parts(1, edge);
+    while(! parts.empty())
+    {
+      const std::array<Vertex_handle, 2> part = parts.back();
+      if(! context.go_further())
+        return false;
+      m_edge_transformation.validity() = Edge_validity(Kept(m_steiner_points), BRC1<Tr>(m_predicates, part[0], part[1]));
+      parts.pop_back();
+      if(m_edge_recovery(m_edge_transformation, part, l_max, context))
+        continue;
+      if(m_walk(part[0], part[1]) != Walk::CROSSED)
+        return false;
+      const Crossing crossing = m_walk.crossings()[m_walk.crossings().size() / 2];
+      const FT t = parameter_on_edge(edge, crossing);
+      const Vertex_handle v = crossing.dimension == 1 ? split_edge(crossing.cell, crossing.vertices)
+                                                      : split_facet(crossing.cell, crossing.vertices);
+      move_along_edge(v, edge, t);
+      m_steiner_points.insert_on_edge(e, part[0], v);
+      parts.push_back({{ v, part[1] }});
+      parts.push_back({{ part[0], v }});
+    }
+    return true;
+  }
+
+  // Makes the facet f, whose edges are chains of mesh edges, a union of mesh facets.
+  // Returns false if the context wants to stop.
+  template <typename Context>
+  bool recover_facet(const std::size_t f, const int l_max, Context& context)
+  {
+    Cell_handle c;
+    std::array<Vertex_handle, 2> piercing;
+    const std::array<Vertex_handle, 3>& facet = m_constraints.facets()[f];
+    m_facet_transformation.validity() = Facet_validity(Kept(m_steiner_points),
+                                                       BRC2<Tr>(m_predicates, facet[0], facet[1], facet[2]));
+    while(find_piercing_edge(f, c, piercing))
+    {
+      if(! context.go_further())
+        return false;
+      const std::size_t before = m_facet_transformation.number_of_transformations();
+      if(m_facet_transformation.remove_edge(Edge(c, c->index(piercing[0]), c->index(piercing[1])), l_max))
+        continue;
+      if(m_facet_transformation.number_of_transformations() != before)
+        find_piercing_edge(f, c, piercing);
+      const std::array<FT, 2> weights = weights_in_facet(facet, piercing);
+      const Vertex_handle v = split_edge(c, piercing);
+      move_in_facet(v, facet, weights);
+      m_steiner_points.insert_in_facet(f, v);
+    }
+    return true;
+  }
+
+  std::size_t number_of_transformations() const
+  {
+    return m_edge_transformation.number_of_transformations() + m_facet_transformation.number_of_transformations();
+  }
+
+private:
+  typedef typename Tr::Edge                             Edge;
+  typedef Kept_constraints_3<Steiner_points>            Kept;
+  typedef Worst_element_quality_3<Tr>                   Quality;
+  typedef Shell_validity_conjunction_3<Kept, BRC1<Tr> > Edge_validity;
+  typedef Shell_validity_conjunction_3<Kept, BRC2<Tr> > Facet_validity;
+  typedef Segment_walk_3<Tr>                            Walk;
+  typedef typename Walk::Crossing                       Crossing;
+  typedef typename Steiner_points::Positions            Positions;
+  typedef typename Positions::Exact_kernel              Exact_kernel;
+  typedef typename Positions::Exact_point_3             Exact_point;
+  typedef typename Positions::Exact_FT                  FT;
+  typedef typename Cell_replacement<Tr>::Tetrahedron    Tetrahedron;
+
+  Exact_point position(const Vertex_handle v) const { return m_steiner_points.positions()(v); }
+
+  // --- where constraints and mesh entities meet ---------------------------------------------------------------------
+
+  // The t for which u + t (v - u) is in the plane through p, q, r.
+  static FT parameter_in_plane(const Exact_point& u, const Exact_point& v,
+                               const Exact_point& p, const Exact_point& q, const Exact_point& r)
+  {
+    const FT at_u = CGAL::volume(p, q, r, u), at_v = CGAL::volume(p, q, r, v);
+    return at_u / (at_u - at_v);
+  }
+
+  FT parameter_on_edge(const std::array<Vertex_handle, 2>& edge, const Crossing& crossing) const
+  {
+    const Vertex_handle p = crossing.vertices[0], q = crossing.vertices[1];
+    Vertex_handle r = crossing.vertices[2];
+    if(crossing.dimension == 1) // any plane through pq, but not the one that contains the edge
+    {
+      const Shell_3<Tr> shell(m_tr, crossing.cell, crossing.cell->index(p), crossing.cell->index(q));
+      for(int i = 0; i < shell.degree(); ++i)
+        if(i != shell.infinite_index() && m_predicates.orientation(p, q, edge[0], shell.vertex(i)) != COPLANAR)
+          r = shell.vertex(i);
+    }
+    return parameter_in_plane(position(edge[0]), position(edge[1]), position(p), position(q), position(r));
+  }
+
+  // The (s, t) for which u + s (v - u) + t (w - u) is on the line of the edge.
+  std::array<FT, 2> weights_in_facet(const std::array<Vertex_handle, 3>& facet,
+                                     const std::array<Vertex_handle, 2>& edge) const
+  {
+    const Exact_point u = position(facet[0]), v = position(facet[1]), w = position(facet[2]);
+    const Exact_point a = position(edge[0]), b = position(edge[1]);
+    const FT t = parameter_in_plane(a, b, u, v, w);
+    const Exact_point p = a + t * (b - a);
+    // seen from a point off the plane, volumes are areas
+    const FT all = CGAL::volume(u, v, w, a);
+    return {{ CGAL::volume(u, p, w, a) / all, CGAL::volume(u, v, p, a) / all }};
+  }
+
+  // A mesh edge that pierces the facet. All of them are at cells around vertices on the facet if there are any: else
+  // mesh facets tile it around these vertices, and therefore everywhere.
+  bool find_piercing_edge(const std::size_t f, Cell_handle& cell, std::array<Vertex_handle, 2>& edge)
+  {
+    const std::array<Vertex_handle, 3>& facet = m_constraints.facets()[f];
+    for(const Vertex_handle v : m_steiner_points.vertices_on_facet(f))
+    {
+      m_star.clear();
+      m_tr.incident_cells(v, std::back_inserter(m_star));
+      for(const Cell_handle c : m_star)
+        if(! m_tr.is_infinite(c) && has_piercing_edge(c, facet, edge))
+        {
+          cell = c;
+          return true;
+        }
+    }
+    return false;
+  }
+
+  bool has_piercing_edge(const Cell_handle c, const std::array<Vertex_handle, 3>& facet,
+                         std::array<Vertex_handle, 2>& edge) const
+  {
+    std::array<Orientation, 4> side;
+    for(int i = 0; i < 4; ++i)
+      side[i] = m_predicates.orientation(facet[0], facet[1], facet[2], c->vertex(i));
+    for(int i = 0; i < 4; ++i)
+      for(int j = i + 1; j < 4; ++j)
+        if(side[i] * side[j] == NEGATIVE
+           && m_predicates.segment_pierces_triangle(c->vertex(i), c->vertex(j), facet[0], facet[1], facet[2]))
+        {
+          edge = {{ c->vertex(i), c->vertex(j) }};
+          return true;
+        }
+    return false;
+  }
+
+  // --- splits -------------------------------------------------------------------------------------------------------
+
+  Vertex_handle split_edge(const Cell_handle c, const std::array<Vertex_handle, 2>& edge)
+  {
+    return split_edge(c, edge[0], edge[1]);
+  }
+
+  Vertex_handle split_edge(const Cell_handle c, const std::array<Vertex_handle, 3>& edge)
+  {
+    return split_edge(c, edge[0], edge[1]);
+  }
+
+  Vertex_handle split_edge(const Cell_handle c, const Vertex_handle a, const Vertex_handle b)
+  {
+    const Shell_3<Tr> shell(m_tr, c, c->index(a), c->index(b));
+    const Vertex_handle v = m_tr.tds().create_vertex();
+    m_tetrahedra.clear();
+    for(const Cell_handle cell : shell.cells())
+    {
+      add_with(cell, a, v);
+      add_with(cell, b, v);
+    }
+    replace(shell.cells());
+    return v;
+  }
+
+  Vertex_handle split_facet(const Cell_handle c, const std::array<Vertex_handle, 3>& facet)
+  {
+    int i = 0;
+    while(std::find(facet.begin(), facet.end(), c->vertex(i)) != facet.end())
+      ++i;
+    const std::array<Cell_handle, 2> cells = {{ c, c->neighbor(i) }};
+    const Vertex_handle v = m_tr.tds().create_vertex();
+    m_tetrahedra.clear();
+    for(const Cell_handle cell : cells)
+      for(const Vertex_handle replaced : facet)
+        add_with(cell, replaced, v);
+    replace(cells);
+    return v;
+  }
+
+  // The cell, with one vertex exchanged.
+  void add_with(const Cell_handle c, const Vertex_handle replaced, const Vertex_handle v)
+  {
+    Tetrahedron t;
+    for(int i = 0; i < 4; ++i)
+      t[i] = c->vertex(i) == replaced ? v : c->vertex(i);
+    m_tetrahedra.push_back(t);
+  }
+
+  template <typename CellRange>
+  void replace(const CellRange& cells)
+  {
+    m_visitor.before_cells_removal(cells);
+    m_replacement(m_tr, cells, m_tetrahedra);
+    m_visitor.after_cells_creation(m_replacement.new_cells());
+  }
+
+  // --- simple positions ---------------------------------------------------------------------------------------------
+
+  // Numbers of bits behind the binary point that are tried for the weights of a position, the fewest first.
+  static constexpr std::array<int, 7> numbers_of_bits = {{ 3, 6, 10, 16, 24, 36, 52 }};
+
+  static FT rounded(const FT& t, const int bits)
+  {
+    return FT(std::ldexp(std::round(std::ldexp(CGAL::to_double(t), bits)), -bits));
+  }
+
+  void move_along_edge(const Vertex_handle s, const std::array<Vertex_handle, 2>& edge, const FT& t)
+  {
+    const Exact_point u = position(edge[0]), v = position(edge[1]);
+    for(const int bits : numbers_of_bits)
+    {
+      const FT r = rounded(t, bits);
+      if(move(s, u + r * (v - u)))
+        return;
+    }
+    m_steiner_points.positions().set(s, u + t * (v - u));
+  }
+
+  void move_in_facet(const Vertex_handle s, const std::array<Vertex_handle, 3>& facet, const std::array<FT, 2>& weights)
+  {
+    const Exact_point u = position(facet[0]), v = position(facet[1]), w = position(facet[2]);
+    for(const int bits : numbers_of_bits)
+      if(move(s, u + rounded(weights[0], bits) * (v - u) + rounded(weights[1], bits) * (w - u)))
+        return;
+    m_steiner_points.positions().set(s, u + weights[0] * (v - u) + weights[1] * (w - u));
+  }
+
+  // Gives s a position, and returns whether all the cells around it are positively oriented so.
+  // They fill the same polyhedron whatever the position is, so it is inside then.
+  bool move(const Vertex_handle s, const Exact_point& p)
+  {
+    m_steiner_points.positions().set(s, p);
+    m_star.clear();
+    m_tr.incident_cells(s, std::back_inserter(m_star));
+    return std::all_of(m_star.begin(), m_star.end(), [this](const Cell_handle c)
+    {
+      return m_tr.is_infinite(c)
+          || m_predicates.orientation(c->vertex(0), c->vertex(1), c->vertex(2), c->vertex(3)) == POSITIVE;
+    });
+  }
+
+  Tr& m_tr;
+  const Predicates& m_predicates;
+  const Constraints& m_constraints;
+  Steiner_points& m_steiner_points;
+  Visitor& m_visitor;
+  Walk m_walk;
+  Edge_recovery_3<Tr> m_edge_recovery;
+  Shell_transformation_3<Tr, Quality, Edge_validity, Visitor> m_edge_transformation;
+  Shell_transformation_3<Tr, Quality, Facet_validity, Visitor> m_facet_transformation;
+  Cell_replacement<Tr> m_replacement;
+  std::vector<Tetrahedron> m_tetrahedra;
+  std::vector<Cell_handle> m_star;
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_CONFORMING_RECOVERY_3_H

@@ -1,0 +1,89 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_EXACT_POSITIONS_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_EXACT_POSITIONS_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Algebraic_structure_traits.h>
+#include <CGAL/Cartesian_converter.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/number_utils.h>
+
+#include <cstddef>
+#include <type_traits>
+#include <unordered_map>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * The exact positions of vertices.
+ *
+ * A point on a constraint has no position in floating point numbers, in general. While a Steiner point is there, its
+ * vertex has the rounded position in the triangulation and the exact one here, beside it. All other vertices are
+ * exactly where the triangulation says. If the numbers of the kernel are exact, nothing is kept here.
+ */
+template <typename Tr>
+class Exact_positions_3
+{
+public:
+  typedef typename Tr::Vertex_handle         Vertex_handle;
+  typedef typename Tr::Geom_traits::Point_3  Point_3;
+  typedef typename Kernel_traits<Point_3>::Kernel Kernel;
+  typedef typename Kernel::FT                FT;
+
+  static constexpr bool is_kernel_exact = Algebraic_structure_traits<FT>::Is_exact::value;
+
+  typedef std::conditional_t<is_kernel_exact, Kernel, Exact_predicates_exact_constructions_kernel> Exact_kernel;
+  typedef typename Exact_kernel::FT          Exact_FT;
+  typedef typename Exact_kernel::Point_3     Exact_point_3;
+
+  // Whether every vertex is where the triangulation says.
+  bool empty() const { return m_positions.empty(); }
+
+  bool contains(const Vertex_handle v) const { return m_positions.count(&*v) != 0; }
+
+  Exact_point_3 operator()(const Vertex_handle v) const
+  {
+    if constexpr(is_kernel_exact)
+      return v->point();
+    else
+    {
+      const auto it = m_positions.find(&*v);
+      return it == m_positions.end() ? Cartesian_converter<Kernel, Exact_kernel>()(v->point()) : it->second;
+    }
+  }
+
+  void set(const Vertex_handle v, const Exact_point_3& p)
+  {
+    if constexpr(is_kernel_exact)
+      v->set_point(p);
+    else
+    {
+      v->set_point(Point_3(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())));
+      m_positions[&*v] = p;
+    }
+  }
+
+  // From now on, v is where the triangulation says.
+  void erase(const Vertex_handle v) { m_positions.erase(&*v); }
+
+private:
+  std::unordered_map<const void*, Exact_point_3> m_positions; // look-up only
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_EXACT_POSITIONS_3_H

@@ -1,0 +1,204 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_KERNEL_POINT_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_KERNEL_POINT_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/internal/Exact_positions_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
+
+#include <CGAL/MP_Float.h>
+#include <CGAL/QP_functions.h>
+#include <CGAL/QP_models.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * Finds a point in the open kernel of a polyhedron: one that sees all of its faces from inside.
+ *
+ * Candidates are computed with floating point numbers and rounded to those of the triangulation's kernel first; then
+ * the exact predicates judge what will be in the triangulation. They are points on a ray into the polyhedron, found by
+ * bisection [CZZ+17, Alg. A.1], and the deepest point of the kernel, the solution of a linear program.
+ *
+ * A polyhedron may be too flat to have a floating point number inside (a wall of a CAD model that is planar up to
+ * rounding). Then the vertex gets an exact position on the ray, for the time being.
+ */
+template <typename Tr>
+class Kernel_point_3
+{
+public:
+  typedef typename Tr::Vertex_handle           Vertex_handle;
+  typedef Vertex_predicates_3<Tr>              Predicates;
+  typedef Exact_positions_3<Tr>                Positions;
+  typedef typename Positions::Point_3          Point_3;
+  typedef std::array<Vertex_handle, 3>         Triangle;
+  typedef std::array<double, 3>                Vector;
+
+  Kernel_point_3(const Predicates& predicates, Positions& positions)
+    : m_predicates(predicates), m_positions(positions)
+  { }
+
+  // Moves v to a point on the ray from `origin`, a point of the closed kernel, in a direction, or to the deepest point.
+  // Each of the faces has the polyhedron on its positive side. v must have no exact position, but it may get one.
+  bool operator()(const Vertex_handle v, const std::vector<Triangle>& faces,
+                  const Vertex_handle origin, const Vector& direction)
+  {
+    set_up(faces, m_predicates.approximate_point(origin));
+    return find_on_ray(v, faces, direction)
+        || move_to_deepest_point(v, faces)
+        || find_exactly_on_ray(v, faces, origin, direction);
+  }
+
+  // Moves v to the deepest point of the kernel, in numbers of the triangulation's kernel. v must have no exact position.
+  bool operator()(const Vertex_handle v, const std::vector<Triangle>& faces)
+  {
+    set_up(faces, m_predicates.approximate_point(v));
+    return move_to_deepest_point(v, faces);
+  }
+
+  // Whether v sees all the faces.
+  bool is_kernel_point(const Vertex_handle v, const std::vector<Triangle>& faces) const
+  {
+    return std::all_of(faces.begin(), faces.end(), [&](const Triangle& f)
+    {
+      return m_predicates.orientation(f[0], f[1], f[2], v) == POSITIVE;
+    });
+  }
+
+private:
+  // The half space of the points x for which normal * x > offset; the origin of coordinates is the given origin.
+  struct Half_space
+  {
+    Vector normal; // of length one
+    double offset;
+  };
+
+  static double dot(const Vector& v, const Vector& w) { return v[0] * w[0] + v[1] * w[1] + v[2] * w[2]; }
+
+  static Vector difference(const Vector& v, const Vector& w)
+  {
+    return {{ v[0] - w[0], v[1] - w[1], v[2] - w[2] }};
+  }
+
+  static Vector cross(const Vector& v, const Vector& w)
+  {
+    return {{ v[1] * w[2] - v[2] * w[1], v[2] * w[0] - v[0] * w[2], v[0] * w[1] - v[1] * w[0] }};
+  }
+
+  void set_up(const std::vector<Triangle>& faces, const Vector& origin)
+  {
+    m_origin = origin;
+    m_half_spaces.clear();
+    m_diameter = 0;
+    for(const Triangle& f : faces)
+    {
+      const Vector p = difference(m_predicates.approximate_point(f[0]), origin);
+      const Vector q = difference(m_predicates.approximate_point(f[1]), origin);
+      const Vector r = difference(m_predicates.approximate_point(f[2]), origin);
+      Vector normal = cross(difference(q, p), difference(r, p));
+      const double length = std::sqrt(dot(normal, normal));
+      m_diameter = (std::max)(m_diameter, 2 * std::sqrt(dot(p, p)));
+      if(! (length > 0))
+        continue; // too thin for floating point numbers; the exact test knows it
+      for(double& x : normal)
+        x /= length;
+      m_half_spaces.push_back({ normal, dot(normal, p) });
+    }
+  }
+
+  bool find_on_ray(const Vertex_handle v, const std::vector<Triangle>& faces, const Vector& direction)
+  {
+    const double length = std::sqrt(dot(direction, direction));
+    if(! (length > 0))
+      return false;
+    const Vector d = {{ direction[0] / length, direction[1] / length, direction[2] / length }};
+    double s = m_diameter; // where the ray leaves the kernel
+    for(const Half_space& h : m_half_spaces)
+      if(dot(h.normal, d) < 0)
+        s = (std::min)(s, (std::max)(h.offset / dot(h.normal, d), m_diameter * std::numeric_limits<double>::epsilon()));
+    for(int i = 0; i < max_number_of_bisections; ++i)
+    {
+      s /= 2;
+      v->set_point(Point_3(m_origin[0] + s * d[0], m_origin[1] + s * d[1], m_origin[2] + s * d[2]));
+      if(is_kernel_point(v, faces))
+        return true;
+    }
+    return false;
+  }
+
+  bool find_exactly_on_ray(const Vertex_handle v, const std::vector<Triangle>& faces,
+                           const Vertex_handle origin, const Vector& direction)
+  {
+    typedef typename Positions::Exact_kernel Exact_kernel;
+    const typename Exact_kernel::Point_3 p = m_positions(origin);
+    const typename Exact_kernel::Vector_3 d(direction[0], direction[1], direction[2]);
+    for(double s = m_diameter; s > (std::numeric_limits<double>::min)(); s /= 4)
+    {
+      m_positions.set(v, p + typename Exact_kernel::FT(s) * d);
+      if(is_kernel_point(v, faces))
+        return true;
+    }
+    m_positions.erase(v);
+    return false;
+  }
+
+  // The center of the largest ball in the kernel: of the points x with normal * x - offset >= r for all half spaces,
+  // that with the largest r.
+  bool move_to_deepest_point(const Vertex_handle v, const std::vector<Triangle>& faces)
+  {
+    typedef CGAL::Quadratic_program<double> Program;
+    Program lp(CGAL::LARGER, false, 0, false, 0);
+    int row = 0;
+    for(const Half_space& h : m_half_spaces)
+    {
+      for(int i = 0; i < 3; ++i)
+        lp.set_a(i, row, h.normal[i]);
+      lp.set_a(3, row, -1);
+      lp.set_b(row, h.offset / m_diameter);
+      ++row;
+    }
+    lp.set_u(3, true, 1);
+    lp.set_c(3, -1);
+    const CGAL::Quadratic_program_solution<MP_Float> solution = CGAL::solve_linear_program(lp, MP_Float());
+    if(! solution.is_optimal())
+      return false;
+    Vector x;
+    auto it = solution.variable_values_begin();
+    for(int i = 0; i < 3; ++i, ++it)
+      x[i] = m_origin[i] + m_diameter * CGAL::to_double(*it);
+    v->set_point(Point_3(x[0], x[1], x[2]));
+    return is_kernel_point(v, faces);
+  }
+
+  static constexpr int max_number_of_bisections = 50;
+
+  const Predicates& m_predicates;
+  Positions& m_positions;
+  Vector m_origin;
+  double m_diameter;
+  std::vector<Half_space> m_half_spaces;
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_KERNEL_POINT_3_H

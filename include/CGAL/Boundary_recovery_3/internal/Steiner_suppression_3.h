@@ -1,0 +1,285 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_SUPPRESSION_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_SUPPRESSION_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/Shell_quality_3.h>
+#include <CGAL/Boundary_recovery_3/Shell_validity_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Cell_replacement.h>
+#include <CGAL/Boundary_recovery_3/internal/Constraints_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Exact_positions_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Kernel_point_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Small_polyhedron_reconnection_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
+#include <CGAL/Shell_transformation_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * The condition that no new edge ends at a given vertex.
+ */
+template <typename Tr>
+class No_new_edge_at_vertex_3
+  : public No_shell_validity_3
+{
+public:
+  typedef typename Tr::Vertex_handle Vertex_handle;
+
+  explicit No_new_edge_at_vertex_3(const Vertex_handle v) : m_v(v) { }
+
+  bool is_valid_chord(const Shell_3<Tr>& s, const int i, const int j) const
+  {
+    return s.vertex(i) != m_v && s.vertex(j) != m_v;
+  }
+
+private:
+  Vertex_handle m_v;
+};
+
+/*
+ * The postprocessing of [CZZ+17, Section 4.3]: removes Steiner points that are on no constraint.
+ *
+ * A vertex is dropped when its ball can be covered without it: by starring the ball from one of its neighbors (this is
+ * collapsing an edge; it contains the 4-1 flip), or by small polyhedron reconnection of the ball. Until that works, the
+ * edges at the vertex are removed one after the other by recursive shell transformations. At last the ball and one
+ * layer more is tried.
+ */
+template <typename Tr, typename Visitor>
+class Steiner_suppression_3
+{
+public:
+  typedef typename Tr::Vertex_handle           Vertex_handle;
+  typedef typename Tr::Cell_handle             Cell_handle;
+  typedef typename Tr::Edge                    Edge;
+  typedef Vertex_predicates_3<Tr>              Predicates;
+  typedef Constraints_3<Tr>                    Constraints;
+
+  typedef Exact_positions_3<Tr>                Positions;
+
+  // `predicates` know of `positions`.
+  Steiner_suppression_3(Tr& tr, const Predicates& predicates, const Constraints& constraints, Positions& positions,
+                        Visitor& visitor)
+    : m_tr(tr), m_predicates(predicates), m_constraints(constraints), m_positions(positions), m_visitor(visitor),
+      m_reconnection(predicates), m_kernel_point(predicates, positions),
+      m_transformation(tr, Quality(tr), Validity(Kept(constraints), No_new_edge_at_vertex_3<Tr>(Vertex_handle())),
+                       visitor, predicates)
+  { }
+
+  // Returns whether v, which is on no constraint, is gone.
+  template <typename Context>
+  bool operator()(const Vertex_handle v, const int l_max, Context& context)
+  {
+    if(! collect_ball(v))
+      return false;
+    return collapse(v) || reconnect_ball(v) || reduce_ball(v, l_max, context) || reconnect_with_layer(v);
+  }
+
+  // Moves v to the deepest point of the kernel of its ball, from where more may be possible, if it can be stored.
+  void relocate(const Vertex_handle v)
+  {
+    if(! collect_ball(v))
+      return;
+    const std::vector<Triangle> faces = boundary_of_ball(v);
+    const typename Positions::Exact_point_3 exact = m_positions(v);
+    const typename Positions::Point_3 before = v->point();
+    const bool is_exact = m_positions.contains(v);
+    m_positions.erase(v);
+    if(m_kernel_point(v, faces))
+      return;
+    v->set_point(before);
+    if(is_exact)
+      m_positions.set(v, exact);
+  }
+
+  // Makes the position of v one that the triangulation can store. Returns whether there is one that sees its ball.
+  bool round(const Vertex_handle v)
+  {
+    if(! m_positions.contains(v))
+      return true;
+    collect_ball(v);
+    const std::vector<Triangle> faces = boundary_of_ball(v);
+    const typename Positions::Exact_point_3 exact = m_positions(v);
+    m_positions.erase(v);
+    if(m_kernel_point.is_kernel_point(v, faces) || m_kernel_point(v, faces))
+      return true;
+    m_positions.set(v, exact);
+    return false;
+  }
+
+  std::size_t number_of_transformations() const { return m_transformation.number_of_transformations(); }
+
+private:
+  typedef Kept_constraints_3<Constraints>                                        Kept;
+  typedef Shell_validity_conjunction_3<Kept, No_new_edge_at_vertex_3<Tr> >       Validity;
+  typedef Worst_element_quality_3<Tr>                                            Quality;
+  typedef Small_polyhedron_reconnection_3<Tr>                                    Reconnection;
+  typedef typename Cell_replacement<Tr>::Tetrahedron                             Tetrahedron;
+  typedef typename Kernel_point_3<Tr>::Triangle                                  Triangle;
+
+  // Returns false if v is on the hull.
+  bool collect_ball(const Vertex_handle v)
+  {
+    m_ball.clear();
+    m_tr.incident_cells(v, std::back_inserter(m_ball));
+    return std::none_of(m_ball.begin(), m_ball.end(), [this](const Cell_handle c) { return m_tr.is_infinite(c); });
+  }
+
+  std::vector<Triangle> boundary_of_ball(const Vertex_handle v) const
+  {
+    std::vector<Triangle> faces;
+    for(const Cell_handle c : m_ball)
+    {
+      const int i = c->index(v);
+      faces.push_back({{ c->vertex(Tr::vertex_triple_index(i, 0)), c->vertex(Tr::vertex_triple_index(i, 1)),
+                         c->vertex(Tr::vertex_triple_index(i, 2)) }});
+    }
+    return faces;
+  }
+
+  void collect_neighbors(const Vertex_handle v)
+  {
+    m_neighbors.clear();
+    for(const Cell_handle c : m_ball)
+      for(int i = 0; i < 4; ++i)
+        if(c->vertex(i) != v && std::find(m_neighbors.begin(), m_neighbors.end(), c->vertex(i)) == m_neighbors.end())
+          m_neighbors.push_back(c->vertex(i));
+  }
+
+  // Stars the ball from a neighbor of v that sees all of its boundary.
+  bool collapse(const Vertex_handle v)
+  {
+    collect_neighbors(v);
+    for(const Vertex_handle x : m_neighbors)
+      if(sees_boundary_of_ball(x, v))
+      {
+        m_tetrahedra.clear();
+        for(const Cell_handle c : m_ball)
+          if(! c->has_vertex(x))
+            m_tetrahedra.push_back(with(c, v, x));
+        replace(m_ball, m_tetrahedra, v);
+        return true;
+      }
+    return false;
+  }
+
+  bool sees_boundary_of_ball(const Vertex_handle x, const Vertex_handle v) const
+  {
+    return std::all_of(m_ball.begin(), m_ball.end(), [&](const Cell_handle c)
+    {
+      if(c->has_vertex(x))
+        return true;
+      const Tetrahedron t = with(c, v, x);
+      return m_predicates.orientation(t[0], t[1], t[2], t[3]) == POSITIVE;
+    });
+  }
+
+  // The cell, with x in the place of v.
+  static Tetrahedron with(const Cell_handle c, const Vertex_handle v, const Vertex_handle x)
+  {
+    Tetrahedron t;
+    for(int i = 0; i < 4; ++i)
+      t[i] = c->vertex(i) == v ? x : c->vertex(i);
+    return t;
+  }
+
+  bool reconnect_ball(const Vertex_handle v)
+  {
+    return reconnect(m_ball, v);
+  }
+
+  bool reconnect_with_layer(const Vertex_handle v)
+  {
+    std::vector<Cell_handle> cells = m_ball;
+    for(const Cell_handle c : m_ball)
+    {
+      const Cell_handle n = c->neighbor(c->index(v));
+      if(! m_tr.is_infinite(n) && std::find(cells.begin(), cells.end(), n) == cells.end())
+        cells.push_back(n);
+    }
+    return reconnect(cells, v);
+  }
+
+  bool reconnect(const std::vector<Cell_handle>& cells, const Vertex_handle v)
+  {
+    std::vector<std::array<Vertex_handle, 2> > edges;
+    std::vector<std::array<Vertex_handle, 3> > facets;
+    m_constraints.collect(cells, edges, facets);
+    if(m_reconnection(cells, edges, facets, v) != Reconnection::FOUND)
+      return false;
+    replace(cells, m_reconnection.tetrahedra(), v);
+    return true;
+  }
+
+  // Removes edges at v, as long as this succeeds and v cannot be dropped. Returns whether it could.
+  template <typename Context>
+  bool reduce_ball(const Vertex_handle v, const int l_max, Context& context)
+  {
+    m_transformation.validity() = Validity(Kept(m_constraints), No_new_edge_at_vertex_3<Tr>(v));
+    for(bool is_changed = true; is_changed; )
+    {
+      is_changed = false;
+      collect_neighbors(v);
+      const std::vector<Vertex_handle> neighbors = m_neighbors;
+      for(const Vertex_handle x : neighbors)
+      {
+        if(! context.go_further())
+          return false;
+        Cell_handle c;
+        int i, j;
+        if(! m_tr.is_edge(v, x, c, i, j) || ! m_transformation.remove_edge(Edge(c, i, j), l_max))
+          continue;
+        is_changed = true;
+        collect_ball(v);
+        if(collapse(v) || reconnect_ball(v))
+          return true;
+      }
+      collect_ball(v);
+    }
+    return false;
+  }
+
+  template <typename CellRange, typename TetrahedronRange>
+  void replace(const CellRange& cells, const TetrahedronRange& tetrahedra, const Vertex_handle v)
+  {
+    m_visitor.before_cells_removal(cells);
+    m_replacement(m_tr, cells, tetrahedra);
+    m_positions.erase(v);
+    m_tr.tds().delete_vertex(v);
+    m_visitor.after_cells_creation(m_replacement.new_cells());
+  }
+
+  Tr& m_tr;
+  const Predicates& m_predicates;
+  const Constraints& m_constraints;
+  Positions& m_positions;
+  Visitor& m_visitor;
+  Reconnection m_reconnection;
+  Kernel_point_3<Tr> m_kernel_point;
+  Shell_transformation_3<Tr, Quality, Validity, Visitor> m_transformation;
+  Cell_replacement<Tr> m_replacement;
+  std::vector<Cell_handle> m_ball;
+  std::vector<Vertex_handle> m_neighbors;
+  std::vector<Tetrahedron> m_tetrahedra;
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_SUPPRESSION_3_H
