@@ -215,6 +215,8 @@ private:
     if(m_result.defects.empty())
       m_result.defects = diagnosis.vertices_on_constraints(missing, m_tr, m_result.vertices);
     m_result.status = m_result.defects.empty() ? Recovery_status::incomplete : Recovery_status::invalid_input;
+    if(! m_result.defects.empty())
+      m_result.vertices.clear(); // as for input that is refused at once
   }
 
   Tr& m_tr;
