@@ -339,8 +339,8 @@ void test_dimension()
   expect("one ulp off the plane", simple<K>(soup), {});
 
   expect("collinear", simple<K>({ {{{0, 0, 0}}, {{1, 1, 1}}, {{2, 2, 2}}}, {}, {{{0, 1}}, {{1, 2}}} }), flat);
-  expect("a point", simple<K>({ tetrahedron, {}, {{{0, 0}}} }), { "degenerate_edge e0", "dimension_less_than_3" });
-  expect("one facet", simple<K>({ tetrahedron, {{{1, 2, 3}}}, {} }), flat);
+  expect("a point", simple<K>({ tetrahedron, {}, {{{0, 0}}} }), { "degenerate_edge e0" });
+  expect("one facet and a point", simple<K>({ tetrahedron, {{{1, 2, 3}}}, {} }), {});
   expect("a facet and an edge", simple<K>({ tetrahedron, {{{0, 1, 2}}}, {{{3, 0}}} }), {});
 
   // An unknown vertex may be off the plane.

@@ -63,7 +63,7 @@ public:
   // `vertices` are those of the input points where the caller knows them, else empty.
   Result operator()(std::vector<Vertex_handle> vertices)
   {
-    m_result.defects = simple_defects(m_input, m_gt, m_tr.dimension() < 3);
+    m_result.defects = simple_defects(m_input, m_gt, m_tr.number_of_vertices() == 0);
     if(m_result.defects.empty() && m_options.list_defects)
       m_result.defects = intersecting_constraints(m_input, m_gt);
     if(m_result.defects.empty() && vertices.empty())
