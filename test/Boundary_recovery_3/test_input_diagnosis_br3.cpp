@@ -333,6 +333,8 @@ void test_dimension()
 {
   const Strings flat = { "dimension_less_than_3" };
   Soup soup = { {{{0, 0, 0}}, {{1, 2, 3}}, {{3, 2, 1}}, {{4, 4, 4}}, {{1, 1, 2}}}, {{{0, 1, 2}}, {{1, 2, 3}}}, {} };
+  expect("planar, but not a point that no constraint uses", simple<K>(soup), {});
+  soup.points.pop_back();
   expect("planar", simple<K>(soup), flat);
   expect("planar, but not the triangulation", simple<K>(soup, false), {});
   soup.points[3][2] = std::nextafter(4., 5.);
