@@ -75,7 +75,10 @@ Rational_point to_rational(const Point_3& p)
   return { { Rational(CGAL::exact(p.x())), Rational(CGAL::exact(p.y())), Rational(CGAL::exact(p.z())) } };
 }
 
-inline Rational_point to_rational(const Coordinates& c) { return { { Rational(c[0]), Rational(c[1]), Rational(c[2]) } }; }
+inline Rational_point to_rational(const Coordinates& c)
+{
+  return { { Rational(c[0]), Rational(c[1]), Rational(c[2]) } };
+}
 
 // What is known of an input before any recovery: the defects, and the volume of the convex hull of all the points.
 struct Expectation
@@ -146,7 +149,10 @@ private:
     typename Tr::Geom_traits::FT>::Is_exact, CGAL::Tag_true>::value;
 
   // Points on constraints have positions that doubles need not be able to represent.
-  bool may_be_rounded() const { return ! is_exact && m_mode == Mode::conforming && ! m_result.steiner_vertices.empty(); }
+  bool may_be_rounded() const
+  {
+    return ! is_exact && m_mode == Mode::conforming && ! m_result.steiner_vertices.empty();
+  }
 
   std::size_t index(const Vertex_handle v) const
   {

@@ -1,5 +1,5 @@
-// Turns any bytes into a small input of recover_boundary(): soups, sets of constraints that do not intersect, and closed
-// surfaces, on small grids, so that every degeneracy occurs, or next to one.
+// Turns any bytes into a small input of recover_boundary(): soups, sets of constraints that do not intersect, and
+// closed surfaces, on small grids, so that every degeneracy occurs, or next to one.
 
 #ifndef BR3_TEST_FUZZ_INPUT_H
 #define BR3_TEST_FUZZ_INPUT_H

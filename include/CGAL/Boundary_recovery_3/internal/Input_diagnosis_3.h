@@ -190,8 +190,8 @@ private:
 /// index. It runs before anything else looks at the input, hence trusts nothing: constraints with an unknown vertex are
 /// named once and left out of the checks they would disturb.
 ///
-/// \param check_dimension whether flat input is a defect; it is none if the triangulation has points that may be off the
-///        plane
+/// \param check_dimension whether flat input is a defect; it is none if the triangulation has points that may be
+///        off the plane
 template <typename GT>
 std::vector<Input_defect_3<typename GT::Point_3> >
 simple_defects(const Indexed_input_3<typename GT::Point_3>& input, const GT& gt, const bool check_dimension = true)
