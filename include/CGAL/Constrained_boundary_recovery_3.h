@@ -18,6 +18,7 @@
 #include <CGAL/Boundary_recovery_3/Shell_validity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Cavity_recovery_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Conforming_recovery_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Constraint_parts_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Edge_recovery_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Facet_recovery_3.h>
@@ -77,7 +78,8 @@ public:
    * \pre `tr.dimension() == 3`
    */
   Constrained_boundary_recovery_3(Tr& tr, Visitor& visitor)
-    : m_tr(tr), m_steiner_points(m_constraints), m_predicates(tr, &m_steiner_points.positions()), m_context(visitor),
+    : m_tr(tr), m_steiner_points(m_constraints), m_parts(tr, m_steiner_points),
+      m_predicates(tr, &m_steiner_points.positions()), m_context(visitor),
       m_edge_recovery(tr, m_predicates), m_facet_recovery(tr, m_predicates)
   {
     CGAL_precondition(tr.dimension() == 3);
@@ -112,6 +114,19 @@ public:
 
   /// returns the indices of the facets that were lost when last looked for, in increasing order.
   const std::vector<std::size_t>& lost_facets() const { return m_lost.facets; }
+
+  /// returns the indices of the edges with Steiner points on them, in increasing order.
+  std::vector<std::size_t> split_edges() const { return m_steiner_points.split_edges(); }
+
+  /// returns the indices of the facets with Steiner points on them or on their edges, in increasing order.
+  std::vector<std::size_t> split_facets() const { return m_steiner_points.split_facets(); }
+
+  /// returns the mesh edges that the edge `e` consists of, from its first vertex to its second; none if it is not a union
+  /// of mesh edges.
+  std::vector<std::array<Vertex_handle, 2> > parts_of_edge(const std::size_t e) const { return m_parts.of_edge(e); }
+
+  /// returns the mesh facets that the facet `f` consists of; none if it is not a union of mesh facets.
+  std::vector<std::array<Vertex_handle, 3> > parts_of_facet(const std::size_t f) const { return m_parts.of_facet(f); }
   /// @}
 
   /// \name Settings
@@ -291,24 +306,25 @@ public:
     });
   }
 
-  /// recovers what is lost by Steiner points, takes them off the constraints again, and removes as many of them as it
-  /// can: the main procedure and the postprocessing of [CZZ+17, Section 4]. Either all constraints are in the
-  /// triangulation then, or it is as it was before.
+  /// recovers what is lost by Steiner points: the main procedure and the postprocessing of [CZZ+17, Section 4]. In the
+  /// mode `constrained`, they are taken off the constraints again, and as many of them as possible are removed; in the
+  /// mode `conforming`, they stay there and get the nearest positions that the triangulation can store. Returns whether
+  /// this worked for all constraints; if not, the triangulation is as it was before.
   ///
   /// \pre the constraints do not intersect, and no other vertex is on them.
-  bool recover_by_points()
+  bool recover_by_points(const Mode mode)
   {
-    if(m_lost.edges.empty() && m_lost.facets.empty())
-      return true;
     const Snapshot snapshot(m_tr);
     recover_conforming();
-    m_number_of_constraint_points = m_steiner_points.vertices().size();
-    split_steiner_points();
-    if(m_steiner_points.vertices().empty() && m_lost.edges.empty() && m_lost.facets.empty()
-       && suppress_steiner_points())
-      return true;
-    take_back(snapshot);
-    return false;
+    bool is_done = m_lost.edges.empty() && m_lost.facets.empty();
+    if(is_done && mode == Mode::conforming)
+      is_done = round_steiner_points();
+    else if(is_done)
+      is_done = split_steiner_points() && suppress_steiner_points();
+    if(! is_done)
+      take_back(snapshot);
+    recount();
+    return m_lost.edges.empty() && m_lost.facets.empty();
   }
 
   /// is the first half of the main procedure of [CZZ+17, Section 4]: lost edges become chains of mesh edges, lost facets
@@ -329,10 +345,23 @@ public:
       remove_done(Phase::conforming_facet_recovery, m_lost.facets,
                   [&](const std::size_t f) { return conform.recover_facet(f, conforming_recursion_level, m_context); });
     });
+    m_number_of_constraint_points = m_steiner_points.vertices().size();
+    m_number_of_transformations += conform.number_of_transformations();
+  }
+
+  /// gives each Steiner point on a constraint the nearest position that the triangulation can store, where all the cells
+  /// around it remain positively oriented. Returns whether this is so for all of them.
+  bool round_steiner_points()
+  {
+    bool is_done = true;
+    for(const Vertex_handle v : m_steiner_points.vertices())
+      is_done = m_steiner_points.round(m_tr, m_predicates, v) && is_done;
+    return is_done;
   }
 
   /// is the second half of the main procedure [CZZ+17, Alg. A.1 to A.5]: takes the Steiner points off the constraints.
-  void split_steiner_points()
+  /// Returns whether none is left there.
+  bool split_steiner_points()
   {
     Boundary_recovery_3::internal::Steiner_splitting_3<Tr, Visitor>
       split(m_tr, m_predicates, m_constraints, m_steiner_points, m_context.visitor());
@@ -354,6 +383,7 @@ public:
     });
     m_free_steiner_vertices.insert(m_free_steiner_vertices.end(), split.points().begin(), split.points().end());
     m_number_of_steiner_points += split.points().size();
+    return m_steiner_points.vertices().empty();
   }
 
   /// is the postprocessing of [CZZ+17, Section 4.3]: removes Steiner points that are on no constraint, as long as it
@@ -398,7 +428,12 @@ public:
   const std::vector<Recursion_level_report>& levels() const { return m_levels; }
 
   /// returns the Steiner points that are in the triangulation, in the order in which they were created.
-  const std::vector<Vertex_handle>& steiner_vertices() const { return m_free_steiner_vertices; }
+  std::vector<Vertex_handle> steiner_vertices() const
+  {
+    std::vector<Vertex_handle> result = m_steiner_points.vertices();
+    result.insert(result.end(), m_free_steiner_vertices.begin(), m_free_steiner_vertices.end());
+    return result;
+  }
 
   /// returns the number of Steiner points that were put on constraints.
   std::size_t number_of_constraint_points() const { return m_number_of_constraint_points; }
@@ -472,9 +507,17 @@ private:
     m_context.visitor().on_phase_end(report);
   }
 
+  // In the mode `conforming`, constraints may be unions of simplices.
   void look_up()
   {
     m_lost = Boundary_recovery_3::internal::Constraint_search_3<Tr>(m_tr, m_constraints)();
+    if(m_steiner_points.vertices().empty())
+      return;
+    const auto is_edge_covered = [this](const std::size_t e) { return ! parts_of_edge(e).empty(); };
+    const auto is_facet_covered = [this](const std::size_t f) { return ! parts_of_facet(f).empty(); };
+    m_lost.edges.erase(std::remove_if(m_lost.edges.begin(), m_lost.edges.end(), is_edge_covered), m_lost.edges.end());
+    m_lost.facets.erase(std::remove_if(m_lost.facets.begin(), m_lost.facets.end(), is_facet_covered),
+                        m_lost.facets.end());
   }
 
   // What is in the mesh stays there, so only what was lost has to be looked up.
@@ -700,6 +743,7 @@ private:
   Tr& m_tr;
   Constraints m_constraints;
   Boundary_recovery_3::internal::Steiner_points_3<Tr> m_steiner_points; // those on constraints
+  Boundary_recovery_3::internal::Constraint_parts_3<Tr> m_parts;
   std::vector<Vertex_handle> m_free_steiner_vertices;                   // those that came off them
   std::size_t m_number_of_steiner_points = 0;
   std::size_t m_number_of_constraint_points = 0;

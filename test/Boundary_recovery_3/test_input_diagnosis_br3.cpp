@@ -333,14 +333,16 @@ void test_dimension()
 {
   const Strings flat = { "dimension_less_than_3" };
   Soup soup = { {{{0, 0, 0}}, {{1, 2, 3}}, {{3, 2, 1}}, {{4, 4, 4}}, {{1, 1, 2}}}, {{{0, 1, 2}}, {{1, 2, 3}}}, {} };
+  expect("planar, but not a point that no constraint uses", simple<K>(soup), {});
+  soup.points.pop_back();
   expect("planar", simple<K>(soup), flat);
   expect("planar, but not the triangulation", simple<K>(soup, false), {});
   soup.points[3][2] = std::nextafter(4., 5.);
   expect("one ulp off the plane", simple<K>(soup), {});
 
   expect("collinear", simple<K>({ {{{0, 0, 0}}, {{1, 1, 1}}, {{2, 2, 2}}}, {}, {{{0, 1}}, {{1, 2}}} }), flat);
-  expect("a point", simple<K>({ tetrahedron, {}, {{{0, 0}}} }), { "degenerate_edge e0", "dimension_less_than_3" });
-  expect("one facet", simple<K>({ tetrahedron, {{{1, 2, 3}}}, {} }), flat);
+  expect("a point", simple<K>({ tetrahedron, {}, {{{0, 0}}} }), { "degenerate_edge e0" });
+  expect("one facet and a point", simple<K>({ tetrahedron, {{{1, 2, 3}}}, {} }), {});
   expect("a facet and an edge", simple<K>({ tetrahedron, {{{0, 1, 2}}}, {{{3, 0}}} }), {});
 
   // An unknown vertex may be off the plane.

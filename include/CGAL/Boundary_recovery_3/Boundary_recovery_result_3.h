@@ -32,7 +32,7 @@ enum class Recovery_mode
 /// how a boundary recovery ended.
 enum class Recovery_status
 {
-  recovered,     ///< every constraint is in the triangulation
+  recovered,     ///< every constraint is in the triangulation (mode `conforming`: as a union of simplices)
   incomplete,    ///< some constraints are missing; they are listed
   invalid_input, ///< the input cannot be recovered by anybody; its defects are listed
   stopped        ///< the visitor or the time limit ended the recovery early; what is missing then is listed
@@ -123,6 +123,15 @@ struct Recursion_level_report
                                     ///< paper's hash table
 };
 
+/// \ingroup PkgBoundaryRecovery3Classes
+/// a mesh edge or facet that is a part of a constraint.
+template <typename Vertex_handle_, typename Point_3_>
+struct Constraint_part_3
+{
+  std::vector<Vertex_handle_> vertices;    ///< its vertices: two or three
+  Input_simplex_3<Point_3_> constraint;    ///< the constraint that it is a part of
+};
+
 /*!
  * \ingroup PkgBoundaryRecovery3Classes
  *
@@ -138,6 +147,7 @@ struct Boundary_recovery_result_3
   typedef typename Triangulation::Geom_traits::Point_3 Point_3;       ///< its point type
   typedef Input_simplex_3<Point_3>                    Input_simplex;  ///< a simplex of the input
   typedef Input_defect_3<Point_3>                     Input_defect;   ///< a defect of the input
+  typedef Constraint_part_3<Vertex_handle, Point_3>   Constraint_part; ///< a part of a constraint
 
   /// how the recovery ended
   Recovery_status status = Recovery_status::incomplete;
@@ -154,6 +164,14 @@ struct Boundary_recovery_result_3
 
   /// what is wrong with the input, if `status` is `invalid_input`
   std::vector<Input_defect> defects;
+
+  /// the mesh edges that constrained edges with Steiner points on them consist of (mode `conforming` only); constrained
+  /// edges that are not named here are single mesh edges, unless they are missing
+  std::vector<Constraint_part> parts_of_edges;
+
+  /// the mesh facets that constrained facets with Steiner points on them consist of (mode `conforming` only);
+  /// constrained facets that are not named here are single mesh facets, unless they are missing
+  std::vector<Constraint_part> parts_of_facets;
 
   /// the Steiner points that are left in the triangulation
   std::vector<Vertex_handle> steiner_vertices;

@@ -63,7 +63,7 @@ public:
   // `vertices` are those of the input points where the caller knows them, else empty.
   Result operator()(std::vector<Vertex_handle> vertices)
   {
-    m_result.defects = simple_defects(m_input, m_gt, m_tr.dimension() < 3);
+    m_result.defects = simple_defects(m_input, m_gt, m_tr.number_of_vertices() == 0);
     if(m_result.defects.empty() && m_options.list_defects)
       m_result.defects = intersecting_constraints(m_input, m_gt);
     if(m_result.defects.empty() && vertices.empty())
@@ -153,17 +153,15 @@ private:
       // only now, for in most cases flips are enough, and prove the input valid
       describe_missing(recovery);
       judge_missing_constraints();
-      if(m_result.defects.empty() && m_options.mode == Recovery_mode::constrained)
-      {
-        recovery.recover_by_points();
-        recovery.recount();
-        is_recovered = recovery.lost_edges().empty() && recovery.lost_facets().empty();
-      }
+      if(m_result.defects.empty() && m_options.mode != Recovery_mode::flips_only)
+        is_recovered = recovery.recover_by_points(m_options.mode);
     }
     take_account(recovery);
     m_result.status = is_recovered               ? Recovery_status::recovered
                     : recovery.is_stopped()      ? Recovery_status::stopped
                     : ! m_result.defects.empty() ? Recovery_status::invalid_input : Recovery_status::incomplete;
+    if(m_result.status == Recovery_status::invalid_input)
+      m_result.vertices.clear(); // as for input that is refused at once
   }
 
   void insert_constraints(Recovery& recovery)
@@ -190,38 +188,51 @@ private:
     m_result.number_of_constraint_points = recovery.number_of_constraint_points();
     m_result.number_of_steiner_points = recovery.number_of_steiner_points();
     describe_missing(recovery);
+    describe_parts(recovery);
+  }
+
+  // The parts of constraints with Steiner points on them.
+  void describe_parts(const Recovery& recovery)
+  {
+    const std::vector<std::size_t>& edges = recovery.split_edges();
+    const std::vector<Simplex> described = describe_edges(recovery, edges);
+    for(std::size_t k = 0; k < edges.size(); ++k)
+      for(const auto& part : recovery.parts_of_edge(edges[k]))
+        m_result.parts_of_edges.push_back({ { part[0], part[1] }, described[k] });
+    for(const std::size_t f : recovery.split_facets())
+      for(const auto& part : recovery.parts_of_facet(f))
+        m_result.parts_of_facets.push_back({ { part[0], part[1], part[2] }, describe_facet(m_input, f) });
   }
 
   void describe_missing(const Recovery& recovery)
   {
+    m_result.missing_edges = describe_edges(recovery, recovery.lost_edges());
     m_result.missing_facets.clear();
-    m_result.missing_edges.clear();
     for(const std::size_t f : recovery.lost_facets()) // facets are all distinct, so they keep their indices
       m_result.missing_facets.push_back(describe_facet(m_input, f));
-    describe_lost_edges(recovery);
   }
 
   // Edges of facets have no index of their own in the input, only vertices.
-  void describe_lost_edges(const Recovery& recovery)
+  std::vector<Simplex> describe_edges(const Recovery& recovery, const std::vector<std::size_t>& edges) const
   {
-    if(recovery.lost_edges().empty())
-      return;
-    std::vector<Simplex> lost(recovery.lost_edges().size());
+    std::vector<Simplex> described(edges.size());
+    if(edges.empty())
+      return described;
     std::vector<std::size_t> position(recovery.constrained_edges().size(), std::size_t(-1));
-    for(std::size_t k = 0; k < lost.size(); ++k)
-      position[recovery.lost_edges()[k]] = k;
+    for(std::size_t k = 0; k < edges.size(); ++k)
+      position[edges[k]] = k;
     for(const auto& f : m_input.facets)
       for(int i = 0; i < 3; ++i)
       {
         const std::array<std::size_t, 2> e = {{ f[i], f[(i + 1) % 3] }};
         const std::size_t k = position[recovery.index(m_result.vertices[e[0]], m_result.vertices[e[1]])];
-        if(k != std::size_t(-1) && lost[k].dimension < 0)
-          lost[k] = describe_simplex(m_input, Simplex::no_index, e);
+        if(k != std::size_t(-1) && described[k].dimension < 0)
+          described[k] = describe_simplex(m_input, Simplex::no_index, e);
       }
-    for(std::size_t k = 0; k < lost.size(); ++k)
-      if(recovery.lost_edges()[k] < m_edges.size())
-        lost[k] = m_edges[recovery.lost_edges()[k]];
-    m_result.missing_edges = std::move(lost);
+    for(std::size_t k = 0; k < edges.size(); ++k)
+      if(edges[k] < m_edges.size())
+        described[k] = m_edges[edges[k]];
+    return described;
   }
 
   // Constraints that intersect cannot be in one triangulation; nor can one with a foreign vertex inside.

@@ -159,12 +159,12 @@ private:
            std::all_of(m_input.edges.begin(), m_input.edges.end(), is_known);
   }
 
-  // Collects used points until they span the space.
+  // Collects points until they span the space. Points that no constraint uses are vertices, too.
   bool is_flat() const
   {
     std::vector<const Point_3*> basis;
     for(std::size_t v = 0; v < m_used.size() && basis.size() < 4; ++v)
-      if(m_used[v] && is_independent(basis, m_input.points[v]))
+      if(has_finite_coordinates(m_input.points[v]) && is_independent(basis, m_input.points[v]))
         basis.push_back(&m_input.points[v]);
     return basis.size() < 4;
   }
@@ -190,7 +190,8 @@ private:
 /// index. It runs before anything else looks at the input, hence trusts nothing: constraints with an unknown vertex are
 /// named once and left out of the checks they would disturb.
 ///
-/// \param check_dimension whether flat input is a defect; it is none if the triangulation has points off the plane
+/// \param check_dimension whether flat input is a defect; it is none if the triangulation has points that may be
+///        off the plane
 template <typename GT>
 std::vector<Input_defect_3<typename GT::Point_3> >
 simple_defects(const Indexed_input_3<typename GT::Point_3>& input, const GT& gt, const bool check_dimension = true)

@@ -88,6 +88,26 @@ public:
     m_positions.erase(v);
   }
 
+  // Lets v be where the triangulation says, if all the cells around it are positively oriented then.
+  template <typename Predicates>
+  bool round(const Tr& tr, const Predicates& predicates, const Vertex_handle v)
+  {
+    if(! m_positions.contains(v))
+      return true;
+    const typename Positions::Exact_point_3 exact = m_positions(v);
+    m_positions.erase(v);
+    std::vector<typename Tr::Cell_handle> star;
+    tr.incident_cells(v, std::back_inserter(star));
+    for(const auto c : star)
+      if(! tr.is_infinite(c)
+         && predicates.orientation(c->vertex(0), c->vertex(1), c->vertex(2), c->vertex(3)) != POSITIVE)
+      {
+        m_positions.set(v, exact);
+        return false;
+      }
+    return true;
+  }
+
   // All of them, in the order in which they were inserted.
   const Vertices& vertices() const { return m_vertices; }
 
@@ -145,6 +165,30 @@ public:
     return m_carriers.find(&*v)->second;
   }
 
+  // The edges with Steiner points on them, in increasing order.
+  std::vector<std::size_t> split_edges() const
+  {
+    std::vector<std::size_t> result;
+    for(const Vertex_handle v : m_vertices)
+      if(carrier(v).dimension == 1)
+        result.push_back(carrier(v).index);
+    return sorted(result);
+  }
+
+  // The facets with Steiner points on them or on their edges, in increasing order.
+  std::vector<std::size_t> split_facets() const
+  {
+    std::vector<std::size_t> result;
+    for(const Vertex_handle v : m_vertices)
+      if(carrier(v).dimension == 2)
+        result.push_back(carrier(v).index);
+      else
+        result.insert(result.end(), facets_at_edge(carrier(v).index).begin(), facets_at_edge(carrier(v).index).end());
+    return sorted(result);
+  }
+
+  const Constraints& constraints() const { return m_constraints; }
+
   // The vertices on the edge e, both ends included.
   Vertices vertices_on_edge(const std::size_t e) const
   {
@@ -197,6 +241,13 @@ private:
       if(std::find(edges.begin(), edges.end(), e) != edges.end())
         facets.push_back(f);
     }
+  }
+
+  static std::vector<std::size_t> sorted(std::vector<std::size_t> indices)
+  {
+    std::sort(indices.begin(), indices.end());
+    indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+    return indices;
   }
 
   static void erase_from(Vertices& vertices, const Vertex_handle v)

@@ -1,0 +1,130 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_CONSTRAINT_PARTS_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_CONSTRAINT_PARTS_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/internal/Simplex_key_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Steiner_points_3.h>
+
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * The mesh simplices that constraints with Steiner points on them consist of, looked up in the mesh.
+ */
+template <typename Tr>
+class Constraint_parts_3
+{
+public:
+  typedef typename Tr::Vertex_handle     Vertex_handle;
+  typedef typename Tr::Cell_handle       Cell_handle;
+  typedef Steiner_points_3<Tr>           Steiner_points;
+  typedef std::array<Vertex_handle, 2>   Edge;
+  typedef std::array<Vertex_handle, 3>   Facet;
+
+  Constraint_parts_3(const Tr& tr, const Steiner_points& steiner_points)
+    : m_tr(tr), m_steiner_points(steiner_points)
+  { }
+
+  // From one end to the other; none if some part is not a mesh edge.
+  std::vector<Edge> of_edge(const std::size_t e) const
+  {
+    const std::vector<Edge> parts = chain(e);
+    for(const Edge& part : parts)
+    {
+      Cell_handle c;
+      int i, j;
+      if(! m_tr.is_edge(part[0], part[1], c, i, j))
+        return std::vector<Edge>();
+    }
+    return parts;
+  }
+
+  // None if they do not tile the facet. They do if, and only if, their boundary is that of the facet: mesh facets
+  // do not overlap.
+  std::vector<Facet> of_facet(const std::size_t f) const
+  {
+    const std::vector<Facet> parts = facets_on(f);
+    Edges open;
+    for(const Facet& part : parts)
+      for(int i = 0; i < 3; ++i)
+        toggle(open, part[i], part[(i + 1) % 3]);
+    for(const std::size_t e : m_steiner_points.constraints().edges_of_facet(f))
+      for(const Edge& part : chain(e))
+        toggle(open, part[0], part[1]);
+    return open.empty() ? parts : std::vector<Facet>();
+  }
+
+private:
+  typedef std::unordered_set<Simplex_key_3<2>, Simplex_key_hash> Edges; // look-up only
+
+  static void toggle(Edges& edges, const Vertex_handle u, const Vertex_handle v)
+  {
+    const auto inserted = edges.insert(simplex_key(u, v));
+    if(! inserted.second)
+      edges.erase(inserted.first);
+  }
+
+  std::vector<Edge> chain(const std::size_t e) const
+  {
+    const std::vector<Vertex_handle> vertices = m_steiner_points.vertices_on_edge(e);
+    std::vector<Edge> parts;
+    for(std::size_t i = 1; i < vertices.size(); ++i)
+      parts.push_back({{ vertices[i - 1], vertices[i] }});
+    return parts;
+  }
+
+  // The mesh facets whose vertices are all on the facet f.
+  std::vector<Facet> facets_on(const std::size_t f) const
+  {
+    std::vector<Facet> facets;
+    std::unordered_set<Simplex_key_3<3>, Simplex_key_hash> seen; // look-up only
+    std::vector<Cell_handle> star;
+    for(const Vertex_handle v : m_steiner_points.vertices_on_facet(f))
+    {
+      star.clear();
+      m_tr.incident_cells(v, std::back_inserter(star));
+      for(const Cell_handle c : star)
+        for(int i = 0; i < 4; ++i)
+        {
+          const Facet facet = {{ c->vertex(Tr::vertex_triple_index(i, 0)), c->vertex(Tr::vertex_triple_index(i, 1)),
+                                 c->vertex(Tr::vertex_triple_index(i, 2)) }};
+          if(is_on(facet, f) && seen.insert(simplex_key(facet[0], facet[1], facet[2])).second)
+            facets.push_back(facet);
+        }
+    }
+    return facets;
+  }
+
+  bool is_on(const Facet& facet, const std::size_t f) const
+  {
+    return m_steiner_points.is_on_facet(facet[0], f) && m_steiner_points.is_on_facet(facet[1], f)
+        && m_steiner_points.is_on_facet(facet[2], f);
+  }
+
+  const Tr& m_tr;
+  const Steiner_points& m_steiner_points;
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_CONSTRAINT_PARTS_3_H

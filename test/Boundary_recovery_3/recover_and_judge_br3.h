@@ -1,0 +1,139 @@
+// Runs recover_boundary() on an input in all the modes with both kernels, each twice, and has the outcome judged.
+
+#ifndef BR3_TEST_RECOVER_AND_JUDGE_H
+#define BR3_TEST_RECOVER_AND_JUDGE_H
+
+#include "brute_force_checker_br3.h"
+#include "fuzz_input_br3.h"
+
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/recover_boundary.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <exception>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace br3_test {
+
+typedef CGAL::Boundary_recovery_3::Recovery_mode   Recovery_mode;
+typedef CGAL::Boundary_recovery_3::Recovery_status Recovery_status;
+
+// A triangulation by the points of its vertices and the ranks of these in its cells: no address is in it.
+template <typename Tr>
+struct Portrait
+{
+  std::vector<typename Tr::Point> points;
+  std::vector<std::array<std::size_t, 4> > cells;
+
+  explicit Portrait(const Tr& tr)
+  {
+    std::vector<typename Tr::Vertex_handle> vertices;
+    for(const auto v : tr.finite_vertex_handles())
+      vertices.push_back(v);
+    std::sort(vertices.begin(), vertices.end(), [](const auto& v, const auto& w) { return v->point() < w->point(); });
+    std::map<const void*, std::size_t> rank;
+    for(const auto& v : vertices)
+    {
+      rank.emplace(&*v, points.size());
+      points.push_back(v->point());
+    }
+    if(tr.dimension() == 3)
+      for(const auto c : tr.finite_cell_handles())
+      {
+        cells.emplace_back();
+        for(int i = 0; i < 4; ++i)
+          cells.back()[i] = rank.at(&*c->vertex(i));
+        std::sort(cells.back().begin(), cells.back().end());
+      }
+    std::sort(cells.begin(), cells.end());
+  }
+
+  bool operator==(const Portrait& other) const { return cells == other.cells && points == other.points; }
+};
+
+template <typename K>
+class Recovery_run
+{
+public:
+  typedef CGAL::Delaunay_triangulation_3<K> Tr;
+  typedef typename K::Point_3               Point_3;
+
+  Recovery_run(const Fuzz_case& fuzz_case, const Expectation& expectation, const Recovery_mode mode)
+  {
+    const Plc& plc = fuzz_case.plc;
+    std::vector<Point_3> points;
+    for(const Coordinates& c : plc.points)
+      points.emplace_back(c[0], c[1], c[2]);
+    typename Brute_force_checker<Tr>::Earlier_vertices earlier;
+    const auto insert = [&](const Point_3& p) { earlier.emplace_back(m_tr.insert(p), p); };
+    for(const Coordinates& c : plc.earlier_points)
+      insert(Point_3(c[0], c[1], c[2]));
+    if(fuzz_case.are_points_inserted_before)
+      std::for_each(points.begin(), points.end(), insert);
+    const Portrait<Tr> before(m_tr);
+
+    namespace params = CGAL::parameters;
+    const double limit = 60; // seconds: nothing here takes so long
+    const auto result = CGAL::recover_boundary(m_tr, points, plc.triangles, params::recovery_mode(mode),
+                                               params::list_defects(fuzz_case.is_list_of_defects_wanted),
+                                               params::constrained_edges(plc.edges).maximum_running_time(limit));
+    m_status = result.status;
+    Brute_force_checker<Tr>(plc, expectation, mode, m_tr, earlier, result)();
+    if(expectation.has_simple_defect || (expectation.is_invalid() && fuzz_case.is_list_of_defects_wanted
+                                         && fuzz_case.are_points_inserted_before))
+      require(is_flat(before) || before == Portrait<Tr>(m_tr), "a refused input changed the triangulation");
+  }
+
+  const Tr& triangulation() const { return m_tr; }
+  Recovery_status status() const { return m_status; }
+
+private:
+  // Then points may have been inserted before the defect was found.
+  static bool is_flat(const Portrait<Tr>& before) { return before.cells.empty(); }
+
+  Tr m_tr;
+  Recovery_status m_status;
+};
+
+template <typename K>
+Recovery_status recover_twice(const Fuzz_case& fuzz_case, const Expectation& expectation, const Recovery_mode mode)
+{
+  const Recovery_run<K> first(fuzz_case, expectation, mode);
+  const Recovery_run<K> second(fuzz_case, expectation, mode); // all its addresses are different
+  typedef Portrait<typename Recovery_run<K>::Tr> Portrait_of_run;
+  require(first.status() == second.status(), "two runs have a different status");
+  require(Portrait_of_run(first.triangulation()) == Portrait_of_run(second.triangulation()), "two runs differ");
+  return first.status();
+}
+
+// Returns the status in the default mode, and throws a Complaint if anything is wrong.
+inline Recovery_status recover_and_judge(const Fuzz_case& fuzz_case)
+{
+  typedef CGAL::Exact_predicates_inexact_constructions_kernel Epick;
+  typedef CGAL::Exact_predicates_exact_constructions_kernel   Epeck;
+  const Expectation expectation(fuzz_case.plc);
+  Recovery_status status = Recovery_status::stopped;
+  const char* names[] = { "constrained", "conforming", "flips_only" };
+  for(const Recovery_mode mode : { Recovery_mode::flips_only, Recovery_mode::conforming, Recovery_mode::constrained })
+  {
+    const char* kernel = "Epick";
+    try {
+      status = recover_twice<Epick>(fuzz_case, expectation, mode);
+      kernel = "Epeck";
+      recover_twice<Epeck>(fuzz_case, expectation, mode);
+    } catch(const std::exception& e) {
+      throw Complaint(std::string(kernel) + ", " + names[static_cast<int>(mode)] + ": " + e.what());
+    }
+  }
+  return status;
+}
+
+} // namespace br3_test
+
+#endif // BR3_TEST_RECOVER_AND_JUDGE_H

@@ -1,0 +1,62 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+// What fuzzing found, minimised, each with a name: all the modes and kernels have to do these right for ever.
+
+#undef NDEBUG
+
+#include "recover_and_judge_br3.h"
+
+#include <cassert>
+#include <iostream>
+
+using br3_test::Fuzz_case;
+using br3_test::Recovery_status;
+
+// The result had vertices although the input was found to be invalid, if that was found after the recovery.
+void test_no_vertices_for_a_late_refusal()
+{
+  Fuzz_case c;
+  c.plc.points = { {{ 0, 0, 0 }}, {{ 4, 0, 0 }}, {{ 0, 4, 0 }}, {{ 1, 1, -1 }}, {{ 1, 1, 1 }} };
+  c.plc.triangles = { { 0, 1, 2 } };
+  c.plc.edges = { { 3, 4 } };
+  assert(br3_test::recover_and_judge(c) == Recovery_status::invalid_input);
+}
+
+// Coplanar constraints were refused, though points of the input that no constraint uses are off their plane.
+void test_flat_constraints_and_an_unused_point()
+{
+  Fuzz_case c;
+  c.plc.points = { {{ 0, 0, 0 }}, {{ 4, 0, 0 }}, {{ 0, 4, 0 }}, {{ 0, 0, 4 }} };
+  c.plc.triangles = { { 0, 1, 2 } };
+  assert(br3_test::recover_and_judge(c) == Recovery_status::recovered);
+  c.plc.points[3][2] = 0;
+  c.plc.points[3][1] = -4;
+  assert(br3_test::recover_and_judge(c) == Recovery_status::invalid_input);
+}
+
+// The same with a triangulation of a point that is off the plane.
+void test_flat_constraints_and_an_earlier_point()
+{
+  Fuzz_case c;
+  c.plc.points = { {{ 0, 0, 0 }}, {{ 4, 0, 0 }}, {{ 0, 4, 0 }} };
+  c.plc.triangles = { { 0, 1, 2 } };
+  c.plc.earlier_points = { {{ 0, 0, 4 }} };
+  assert(br3_test::recover_and_judge(c) == Recovery_status::recovered);
+  c.plc.earlier_points = { {{ 4, 4, 0 }} };
+  assert(br3_test::recover_and_judge(c) == Recovery_status::invalid_input);
+}
+
+int main()
+{
+  test_no_vertices_for_a_late_refusal();
+  test_flat_constraints_and_an_unused_point();
+  test_flat_constraints_and_an_earlier_point();
+  std::cout << "done" << std::endl;
+}
