@@ -83,6 +83,12 @@ public:
   /// \name Constraints
   /// @{
 
+  /// allocates memory for so many constrained edges, those of the facets not counted, and facets.
+  void reserve(const std::size_t number_of_edges, const std::size_t number_of_facets)
+  {
+    m_constraints.reserve(number_of_edges, number_of_facets);
+  }
+
   /// adds the constrained edge `uv`, unless it is there already, and returns its index.
   std::size_t insert_constraint(const Vertex_handle u, const Vertex_handle v) { return m_constraints.insert(u, v); }
 
