@@ -30,7 +30,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -160,6 +159,7 @@ public:
       for(std::size_t before = 0; before != m_lost.edges.size() && ! m_lost.edges.empty(); )
       {
         before = m_lost.edges.size();
+        edge_report(); // for the order
         edge_pass(Phase::plain_removal, st, 0);
       }
       m_number_of_transformations += st.number_of_transformations();
@@ -374,16 +374,17 @@ private:
   }
 
   // recvBndEdgesByST of [CZZ+17, Alg. 4]. Edges with few crossings come first: they are back after a few flips, and
-  // are then out of the way of the others. (On 112 surfaces: three more without any loss than in input order.)
+  // are then out of the way of the others. (On 112 surfaces: three more without any loss than in input order.) The
+  // order was found out by edge_report().
   template <typename Transformation>
   void edge_pass(const Phase phase, Transformation& st, const int l_max)
   {
     std::size_t done = 0;
     const std::size_t total = m_lost.edges.size();
-    const std::vector<std::size_t> edges = by_number_of_crossings(m_lost.edges);
     m_lost.edges.clear();
-    for(const std::size_t e : edges)
+    for(const auto& crossings_and_edge : m_edges_by_crossings)
     {
+      const std::size_t e = crossings_and_edge.second;
       const std::array<Vertex_handle, 2>& edge = m_constraints.edges()[e];
       set_target(st, edge);
       if(! attempt(st, m_hopeless_edges[e], m_edge_recovery, edge, l_max))
@@ -406,22 +407,6 @@ private:
     const bool is_hopeless = ! is_recovered && st.number_of_transformations() == before && ! recovery.was_cut_off();
     hopeless_since = is_hopeless ? before : never;
     return is_recovered;
-  }
-
-  std::vector<std::size_t> by_number_of_crossings(const std::vector<std::size_t>& edges)
-  {
-    std::vector<std::pair<std::size_t, std::size_t> > keyed;
-    keyed.reserve(edges.size());
-    for(const std::size_t e : edges)
-    {
-      const std::array<Vertex_handle, 2>& edge = m_constraints.edges()[e];
-      keyed.emplace_back(m_edge_recovery.number_of_crossings(edge[0], edge[1]), e);
-    }
-    std::sort(keyed.begin(), keyed.end());
-    std::vector<std::size_t> result;
-    for(const auto& k : keyed)
-      result.push_back(k.second);
-    return result;
   }
 
   template <typename Transformation>
@@ -521,13 +506,16 @@ private:
     Recursion_level_report report;
     report.n1 = m_lost.edges.size();
     Crossed_entities crossed;
+    m_edges_by_crossings.clear();
     for(const std::size_t e : m_lost.edges)
     {
       const std::array<Vertex_handle, 2>& edge = m_constraints.edges()[e];
-      add_crossings(report, m_edge_recovery.number_of_crossings(edge[0], edge[1]));
+      m_edges_by_crossings.emplace_back(m_edge_recovery.number_of_crossings(edge[0], edge[1]), e);
+      add_crossings(report, m_edges_by_crossings.back().first);
       for(const auto& crossing : m_edge_recovery.walk().crossings())
         crossed.insert(m_edge_recovery.key(crossing));
     }
+    std::sort(m_edges_by_crossings.begin(), m_edges_by_crossings.end());
     report.n4 = crossed.size();
     return report;
   }
@@ -554,8 +542,7 @@ private:
     report.n3 = (std::max)(report.n3, n);
   }
 
-  typedef std::unordered_set<Boundary_recovery_3::internal::Simplex_key_3<3>,
-                             Boundary_recovery_3::internal::Simplex_key_hash> Crossed_entities; // counted only
+  typedef Boundary_recovery_3::internal::Simplex_index_3<3> Crossed_entities;
 
   Tr& m_tr;
   Boundary_recovery_3::internal::Vertex_predicates_3<Tr> m_predicates;
@@ -564,6 +551,7 @@ private:
   Boundary_recovery_3::internal::Facet_recovery_3<Tr> m_facet_recovery;
   Constraints m_constraints;
   Lost_constraints m_lost;
+  std::vector<std::pair<std::size_t, std::size_t> > m_edges_by_crossings; // the lost edges, in the order of treatment
   std::vector<std::size_t> m_treatable_facets; // lost facets whose edges are in the mesh
   std::vector<std::size_t> m_hopeless_edges, m_hopeless_facets; // numbers of transformations, or never; see attempt()
   std::vector<Phase_report> m_phases;

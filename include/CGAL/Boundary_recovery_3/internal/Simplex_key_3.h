@@ -50,6 +50,17 @@ Simplex_key_3<3> simplex_key(const Vertex_handle u, const Vertex_handle v, const
   return key;
 }
 
+// Written out, for the comparison of std::array is a call of memcmp().
+inline bool is_equal(const Simplex_key_3<2>& x, const Simplex_key_3<2>& y)
+{
+  return x[0] == y[0] && x[1] == y[1];
+}
+
+inline bool is_equal(const Simplex_key_3<3>& x, const Simplex_key_3<3>& y)
+{
+  return x[0] == y[0] && x[1] == y[1] && x[2] == y[2];
+}
+
 struct Simplex_key_hash
 {
   template <std::size_t N>
@@ -115,7 +126,7 @@ private:
   {
     const std::size_t mask = m_slots.size() - 1;
     std::size_t i = Simplex_key_hash()(key) & mask;
-    while(m_slots[i].index != none && m_slots[i].key != key)
+    while(m_slots[i].index != none && ! is_equal(m_slots[i].key, key))
       i = (i + 1) & mask;
     return i;
   }
