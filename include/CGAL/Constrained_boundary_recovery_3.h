@@ -425,21 +425,28 @@ private:
     m_treatable_facets.resize(kept);
   }
 
-  // One success may clear the way for another constraint, so passes are repeated while they help.
+  // One success may clear the way for another constraint, so passes are repeated while they help. What failed is not
+  // tried again in the same mesh.
   template <typename Simplex>
   void reconnect(const Phase phase, std::vector<std::size_t>& lost, const std::vector<Simplex>& simplices)
   {
     Boundary_recovery_3::internal::Cavity_recovery_3<Tr, Visitor>
       recover(m_tr, m_predicates, m_constraints, m_context.visitor());
+    std::vector<std::size_t> hopeless_since(lost.size(), std::size_t(never)); // numbers of replacements
     for(std::size_t before = 0; before != lost.size() && ! lost.empty(); )
     {
       before = lost.size();
-      std::size_t kept = 0, done = 0;
-      for(const std::size_t s : lost)
+      std::size_t kept = 0;
+      for(std::size_t i = 0; i < before; ++i)
       {
-        if(! m_context.go_further() || ! recover(simplices[s]))
+        const std::size_t s = lost[i];
+        const bool is_hopeless = hopeless_since[i] == recover.number_of_replacements();
+        if(is_hopeless || ! m_context.go_further() || ! recover(simplices[s]))
+        {
+          hopeless_since[kept] = recover.number_of_replacements();
           lost[kept++] = s;
-        m_context.visitor().on_progress(phase, ++done, before);
+        }
+        m_context.visitor().on_progress(phase, i + 1, before);
       }
       lost.resize(kept);
     }
