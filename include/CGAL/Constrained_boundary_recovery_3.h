@@ -314,6 +314,10 @@ private:
   // Number of passes in a row without progress after which a calling of Alg. 5 ends.
   static constexpr int max_number_of_failures = 3;
 
+  // From this recursion level on, every second one is left out: the bound on the number of shells counts there, not the
+  // level. (On 105 surfaces: 5 % less lost in 4 % fewer shells than with all levels.)
+  static constexpr int last_level_of_single_steps = 4;
+
   static constexpr std::size_t never = std::size_t(-1);
 
   template <typename Work>
@@ -353,7 +357,8 @@ private:
     m_hopeless_facets.assign(m_constraints.facets().size(), std::size_t(never));
     std::size_t best = add_level(phase, -1, report(), measure);
     int number_of_failures = 0;
-    for(int l_max = 0; l_max <= m_max_recursion_level && ! lost.empty() && m_context.go_further(); ++l_max)
+    for(int l_max = 0; l_max <= m_max_recursion_level && ! lost.empty() && m_context.go_further();
+        l_max += l_max < last_level_of_single_steps ? 1 : 2)
     {
       pass(l_max);
       const std::size_t value = add_level(phase, l_max, report(), measure);
