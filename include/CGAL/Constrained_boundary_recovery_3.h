@@ -316,7 +316,7 @@ private:
   static constexpr int max_number_of_failures = 3;
 
   // From this recursion level on, every second one is left out: the bound on the number of shells counts there, not the
-  // level. (On 105 surfaces: 5 % less lost in 4 % fewer shells than with all levels.)
+  // level. (On 170 surfaces: 1293 edges lost instead of 1341, but two surfaces lose edges that lost none before.)
   static constexpr int last_level_of_single_steps = 4;
 
   static constexpr std::size_t never = std::size_t(-1);
