@@ -60,7 +60,7 @@ public:
     const typename Walk::Outcome outcome = m_segment_walk(e[0], e[1]);
     if(outcome != Walk::CROSSED)
       return outcome == Walk::IS_EDGE;
-    m_cells.clear();
+    clear();
     for(const typename Walk::Crossing& crossing : m_segment_walk.crossings())
       if(crossing.dimension == 1)
         add_shell(crossing.cell, crossing.vertices[0], crossing.vertices[1]);
@@ -80,7 +80,7 @@ public:
     const typename Walk::Outcome outcome = m_facet_walk(f[0], f[1], f[2], c);
     if(outcome != Walk::CROSSED)
       return outcome == Walk::IS_FACET;
-    m_cells.clear();
+    clear();
     for(const typename Walk::Crossing& crossing : m_facet_walk.crossings())
       add_shell(crossing.cell, crossing.vertices[0], crossing.vertices[1]);
     return reconnect(std::vector<Edge>(), std::vector<Facet>(1, f));
@@ -89,10 +89,25 @@ public:
   std::size_t number_of_replacements() const { return m_number_of_replacements; }
 
 private:
+  void clear()
+  {
+    m_cells.clear();
+    m_vertices.clear();
+  }
+
   void add(const Cell_handle c)
   {
-    if(std::find(m_cells.begin(), m_cells.end(), c) == m_cells.end())
-      m_cells.push_back(c);
+    if(std::find(m_cells.begin(), m_cells.end(), c) != m_cells.end())
+      return;
+    m_cells.push_back(c);
+    for(int i = 0; i < 4; ++i)
+      if(! is_vertex(c->vertex(i)))
+        m_vertices.push_back(c->vertex(i));
+  }
+
+  bool is_vertex(const Vertex_handle v) const
+  {
+    return std::find(m_vertices.begin(), m_vertices.end(), v) != m_vertices.end();
   }
 
   void add_shell(const Cell_handle c, const Vertex_handle a, const Vertex_handle b)
@@ -120,19 +135,13 @@ private:
           add(c->neighbor(i));
   }
 
-  std::size_t number_of_vertices_with(const Cell_handle extra)
+  std::size_t number_of_vertices_with(const Cell_handle extra) const
   {
-    m_vertices.clear();
-    const auto add_vertices = [this](const Cell_handle c)
-    {
-      for(int i = 0; i < 4; ++i)
-        if(std::find(m_vertices.begin(), m_vertices.end(), c->vertex(i)) == m_vertices.end())
-          m_vertices.push_back(c->vertex(i));
-    };
-    for(const Cell_handle c : m_cells)
-      add_vertices(c);
-    add_vertices(extra);
-    return m_vertices.size();
+    std::size_t n = m_vertices.size();
+    for(int i = 0; i < 4; ++i)
+      if(! is_vertex(extra->vertex(i)))
+        ++n;
+    return n;
   }
 
   bool reconnect(const std::vector<Edge>& edges, const std::vector<Facet>& facets)
@@ -140,8 +149,9 @@ private:
     for(const Cell_handle c : m_cells)
       if(m_tr.is_infinite(c))
         return false; // the hull would have to change
-    if(number_of_vertices_with(m_cells.front()) > max_number_of_vertices)
+    if(m_vertices.size() > max_number_of_vertices)
       return false;
+    m_reconnection.forget();
     for(int layer = 0; layer <= max_number_of_layers; ++layer)
     {
       const std::size_t before = m_cells.size();

@@ -78,12 +78,6 @@ private:
     return simplex_key(c->vertex((i + 1) & 3), c->vertex((i + 2) & 3), c->vertex((i + 3) & 3));
   }
 
-  // Written out, for the comparison of std::array is a call of memcmp().
-  static bool is_equal(const Simplex_key_3<3>& x, const Simplex_key_3<3>& y)
-  {
-    return x[0] == y[0] && x[1] == y[1] && x[2] == y[2];
-  }
-
   // The facets of the cells around the polyhedron, seen from outside.
   template <typename CellRange>
   void open_outer_facets(const CellRange& old_cells)

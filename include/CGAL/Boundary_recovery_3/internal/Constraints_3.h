@@ -43,33 +43,35 @@ public:
 
   static constexpr std::size_t none = std::size_t(-1);
 
-  void reserve(const std::size_t number_of_facets)
+  // `number_of_edges` does not include those of the facets.
+  void reserve(const std::size_t number_of_edges, const std::size_t number_of_facets)
   {
-    m_edges.reserve(3 * number_of_facets / 2);
-    m_edge_indices.reserve(3 * number_of_facets / 2);
+    m_edges.reserve(number_of_edges + 3 * number_of_facets / 2);
+    m_edge_indices.reserve(number_of_edges + 3 * number_of_facets / 2);
     m_facets.reserve(number_of_facets);
+    m_edges_of_facets.reserve(number_of_facets);
     m_facet_indices.reserve(number_of_facets);
   }
 
   // Adds an edge, unless it is there already, and returns its index.
   std::size_t insert(const Vertex_handle u, const Vertex_handle v)
   {
-    const auto inserted = m_edge_indices.emplace(simplex_key(u, v), m_edges.size());
+    const auto inserted = m_edge_indices.insert(simplex_key(u, v));
     if(inserted.second)
       m_edges.push_back({{ u, v }});
-    return inserted.first->second;
+    return inserted.first;
   }
 
   // Adds a facet with its edges, unless it is there already, and returns its index.
   std::size_t insert(const Vertex_handle u, const Vertex_handle v, const Vertex_handle w)
   {
-    const auto inserted = m_facet_indices.emplace(simplex_key(u, v, w), m_facets.size());
+    const auto inserted = m_facet_indices.insert(simplex_key(u, v, w));
     if(inserted.second)
     {
       m_facets.push_back({{ u, v, w }});
       m_edges_of_facets.push_back({{ insert(u, v), insert(v, w), insert(w, u) }});
     }
-    return inserted.first->second;
+    return inserted.first;
   }
 
   const std::vector<Edge>& edges() const { return m_edges; }
@@ -80,24 +82,22 @@ public:
 
   std::size_t index(const Vertex_handle u, const Vertex_handle v) const
   {
-    const auto it = m_edge_indices.find(simplex_key(u, v));
-    return it == m_edge_indices.end() ? none : it->second;
+    return m_edge_indices[simplex_key(u, v)];
   }
 
   std::size_t index(const Vertex_handle u, const Vertex_handle v, const Vertex_handle w) const
   {
-    const auto it = m_facet_indices.find(simplex_key(u, v, w));
-    return it == m_facet_indices.end() ? none : it->second;
+    return m_facet_indices[simplex_key(u, v, w)];
   }
 
   bool is_constrained(const Vertex_handle u, const Vertex_handle v) const
   {
-    return m_edge_indices.count(simplex_key(u, v)) != 0;
+    return index(u, v) != none;
   }
 
   bool is_constrained(const Vertex_handle u, const Vertex_handle v, const Vertex_handle w) const
   {
-    return m_facet_indices.count(simplex_key(u, v, w)) != 0;
+    return index(u, v, w) != none;
   }
 
   // Appends the constraints that are edges or facets of the given cells. Some come more than once.
@@ -120,8 +120,8 @@ private:
   std::vector<Edge> m_edges;
   std::vector<Facet> m_facets;
   std::vector<std::array<std::size_t, 3> > m_edges_of_facets;
-  std::unordered_map<Simplex_key_3<2>, std::size_t, Simplex_key_hash> m_edge_indices;  // look-up only
-  std::unordered_map<Simplex_key_3<3>, std::size_t, Simplex_key_hash> m_facet_indices; // look-up only
+  Simplex_index_3<2> m_edge_indices;
+  Simplex_index_3<3> m_facet_indices;
 };
 
 // The constraints that are not in the mesh, by their indices in increasing order.
@@ -193,42 +193,47 @@ private:
   {
     fill_in_filter();
     for(auto c = m_tr.all_cells_begin(); c != m_tr.all_cells_end(); ++c)
+    {
+      std::array<std::uint64_t, 4> h;
+      for(int i = 0; i < 4; ++i)
+        h[i] = mix(c->vertex(i));
+      const std::uint64_t sum = h[0] + h[1] + h[2] + h[3];
       for(int i = 0; i < 4; ++i)
       {
-        if(std::less<const void*>()(&*c->neighbor(i), &*c))
-          continue; // its other side is looked at
-        const Vertex_handle u = c->vertex((i + 1) & 3), v = c->vertex((i + 2) & 3), w = c->vertex((i + 3) & 3);
-        if(! m_filter[filter_position(u, v, w)])
-          continue;
-        const std::size_t f = m_constraints.index(u, v, w);
+        if(! m_filter[filter_position(sum - h[i])] || std::less<const void*>()(&*c->neighbor(i), &*c))
+          continue; // no constraint, or its other side is looked at
+        const std::size_t f = m_constraints.index(c->vertex((i + 1) & 3), c->vertex((i + 2) & 3),
+                                                  c->vertex((i + 3) & 3));
         if(f == Constraints::none)
           continue;
         is_facet_found[f] = true;
         for(const std::size_t e : m_constraints.edges_of_facet(f))
           is_edge_found[e] = true;
       }
+    }
   }
 
-  // One bit for each constrained facet in a table with 16 to 32 times as many.
+  // One byte for each constrained facet in a table with 8 to 16 times as many.
   void fill_in_filter()
   {
     std::size_t size = 64;
-    while(size < 16 * m_constraints.facets().size())
+    while(size < 8 * m_constraints.facets().size())
       size *= 2;
     m_filter.assign(size, false);
     for(const auto& f : m_constraints.facets())
-      m_filter[filter_position(f[0], f[1], f[2])] = true;
+      m_filter[filter_position(mix(f[0]) + mix(f[1]) + mix(f[2]))] = true;
   }
 
-  // Symmetric, so that the vertices need not be sorted.
-  std::size_t filter_position(const Vertex_handle u, const Vertex_handle v, const Vertex_handle w) const
+  static std::uint64_t mix(const Vertex_handle v)
   {
-    const auto mix = [](const Vertex_handle x)
-    {
-      const std::uint64_t h = reinterpret_cast<std::uintptr_t>(&*x) * UINT64_C(0x9E3779B97F4A7C15);
-      return h ^ (h >> 29);
-    };
-    return static_cast<std::size_t>((mix(u) + mix(v) + mix(w)) >> 7) & (m_filter.size() - 1);
+    const std::uint64_t h = reinterpret_cast<std::uintptr_t>(&*v) * UINT64_C(0x9E3779B97F4A7C15);
+    return h ^ (h >> 29);
+  }
+
+  // From the sum over the vertices, which need not be sorted so.
+  std::size_t filter_position(const std::uint64_t sum) const
+  {
+    return static_cast<std::size_t>(sum >> 7) & (m_filter.size() - 1);
   }
 
   template <std::size_t N>
@@ -288,7 +293,7 @@ private:
   std::vector<std::size_t> m_edges, m_facets;             // positions among the candidates, sorted by first vertex
   std::vector<std::size_t> m_edge_ranges, m_facet_ranges; // where each vertex begins
   std::vector<Cell_handle> m_star;
-  std::vector<bool> m_filter;
+  std::vector<char> m_filter;
 };
 
 } // namespace internal

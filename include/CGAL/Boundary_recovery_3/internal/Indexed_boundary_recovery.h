@@ -167,6 +167,7 @@ private:
   void insert_constraints(Recovery& recovery)
   {
     const std::vector<Vertex_handle>& v = m_result.vertices;
+    recovery.reserve(m_input.edges.size(), m_input.facets.size());
     for(std::size_t i = 0; i < m_input.edges.size(); ++i)
     {
       const auto& e = m_input.edges[i];

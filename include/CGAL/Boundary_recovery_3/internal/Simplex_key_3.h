@@ -17,6 +17,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Boundary_recovery_3 {
@@ -48,6 +50,17 @@ Simplex_key_3<3> simplex_key(const Vertex_handle u, const Vertex_handle v, const
   return key;
 }
 
+// Written out, for the comparison of std::array is a call of memcmp().
+inline bool is_equal(const Simplex_key_3<2>& x, const Simplex_key_3<2>& y)
+{
+  return x[0] == y[0] && x[1] == y[1];
+}
+
+inline bool is_equal(const Simplex_key_3<3>& x, const Simplex_key_3<3>& y)
+{
+  return x[0] == y[0] && x[1] == y[1] && x[2] == y[2];
+}
+
 struct Simplex_key_hash
 {
   template <std::size_t N>
@@ -62,6 +75,77 @@ struct Simplex_key_hash
     }
     return static_cast<std::size_t>(h);
   }
+};
+
+/*
+ * Numbers simplices in the order in which they come. A hash table with open addressing, for the flips ask all the time
+ * whether a simplex is in it; nothing is ever taken out.
+ */
+template <std::size_t N>
+class Simplex_index_3
+{
+public:
+  static constexpr std::size_t none = std::size_t(-1);
+
+  std::size_t size() const { return m_size; }
+
+  void reserve(const std::size_t n)
+  {
+    if(2 * n > m_slots.size())
+      rehash(n);
+  }
+
+  // Returns the number of the simplex, and whether it is new.
+  std::pair<std::size_t, bool> insert(const Simplex_key_3<N>& key)
+  {
+    if(2 * (m_size + 1) > m_slots.size())
+      rehash(2 * (m_size + 1));
+    Slot& slot = m_slots[position(key)];
+    if(slot.index != none)
+      return std::make_pair(slot.index, false);
+    slot.key = key;
+    slot.index = m_size++;
+    return std::make_pair(slot.index, true);
+  }
+
+  // Returns the number of the simplex, or none.
+  std::size_t operator[](const Simplex_key_3<N>& key) const
+  {
+    return m_slots.empty() ? none : m_slots[position(key)].index;
+  }
+
+private:
+  struct Slot
+  {
+    Simplex_key_3<N> key;
+    std::size_t index = none;
+  };
+
+  // Where the key is, or would be put.
+  std::size_t position(const Simplex_key_3<N>& key) const
+  {
+    const std::size_t mask = m_slots.size() - 1;
+    std::size_t i = Simplex_key_hash()(key) & mask;
+    while(m_slots[i].index != none && ! is_equal(m_slots[i].key, key))
+      i = (i + 1) & mask;
+    return i;
+  }
+
+  // Makes room for n simplices; the number of slots is a power of 2, at most half of them in use.
+  void rehash(const std::size_t n)
+  {
+    std::size_t size = 16;
+    while(size < 2 * n)
+      size *= 2;
+    std::vector<Slot> slots(size);
+    slots.swap(m_slots);
+    for(const Slot& slot : slots)
+      if(slot.index != none)
+        m_slots[position(slot.key)] = slot;
+  }
+
+  std::vector<Slot> m_slots;
+  std::size_t m_size = 0;
 };
 
 } // namespace internal

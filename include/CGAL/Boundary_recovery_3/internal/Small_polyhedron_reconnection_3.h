@@ -19,7 +19,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -32,7 +32,7 @@ namespace internal {
  * The polyhedron is a set of cells of the mesh, its vertices are all that may be used. The search is exhaustive with
  * pruning, so "none exists" is a proof; its work is bounded, so it may also give up.
  *
- * All geometry is read off the table of the orientations of all quadruples of vertices. Candidates are the tetrahedra
+ * All geometry is read off a table of the orientations of all quadruples of vertices. Candidates are the tetrahedra
  * that contain no other vertex and neither cross the boundary of the polyhedron nor a required simplex. The
  * search takes the face of the front that has the fewest candidates left, tries them, and after each choice drops the
  * candidates that cross it: a face with none left ends the branch.
@@ -59,6 +59,13 @@ public:
 
   explicit Small_polyhedron_reconnection_3(const Predicates& predicates) : m_predicates(predicates) { }
 
+  // Forgets the last polyhedron, of which the orientations that are still of use in the next one are kept. To be called
+  // if vertices moved.
+  void forget()
+  {
+    m_vertices.clear();
+  }
+
   // Bound on the number of tetrahedra that are tried in one search.
   void set_max_number_of_steps(const std::size_t n) { m_max_number_of_steps = n; }
 
@@ -69,11 +76,9 @@ public:
                      const Vertex_handle superfluous = Vertex_handle())
   {
     m_tetrahedra.clear();
-    collect_vertices(cells, superfluous);
-    if(m_vertices.size() > max_number_of_vertices)
+    if(! collect_vertices(cells, superfluous))
       return GAVE_UP;
-    fill_in_orientations();
-    collect_boundary(cells);
+    collect_faces(cells);
     collect_required(edges, facets);
     collect_candidates();
     return search();
@@ -88,7 +93,9 @@ private:
 
   struct Candidate
   {
-    std::array<int, 4> v; // positively oriented
+    std::array<int, 4> v;     // positively oriented
+    std::array<int, 6> edges; // positions in m_is_edge_crossed
+    std::array<int, 4> faces; // keys
     int number_of_conflicts = 0; // number of chosen tetrahedra that it crosses
   };
 
@@ -102,15 +109,29 @@ private:
     return std::any_of(range.begin(), range.end(), predicate);
   }
 
+  // Returns false if there are too many. Orientations are kept as far as the vertices are the same as in the last
+  // polyhedron.
   template <typename CellRange>
-  void collect_vertices(const CellRange& cells, const Vertex_handle superfluous)
+  bool collect_vertices(const CellRange& cells, const Vertex_handle superfluous)
   {
+    m_previous_vertices.swap(m_vertices);
     m_vertices.clear();
     for(const Cell_handle c : cells)
       for(int i = 0; i < 4; ++i)
         if(c->vertex(i) != superfluous
            && std::find(m_vertices.begin(), m_vertices.end(), c->vertex(i)) == m_vertices.end())
           m_vertices.push_back(c->vertex(i));
+    if(m_vertices.size() > max_number_of_vertices)
+    {
+      forget();
+      return false;
+    }
+    int same = 0;
+    while(same < n() && same < static_cast<int>(m_previous_vertices.size())
+          && m_vertices[same] == m_previous_vertices[same])
+      ++same;
+    fill_in_sides(same);
+    return true;
   }
 
   int position(const Vertex_handle v) const
@@ -118,39 +139,81 @@ private:
     return static_cast<int>(std::find(m_vertices.begin(), m_vertices.end(), v) - m_vertices.begin());
   }
 
-  // The orientations of all quadruples, in every order, for look-ups without sorting.
-  void fill_in_orientations()
+  // The vertices on the positive and on the negative side of a face, as bits.
+  struct Sides
   {
-    const std::size_t size = m_vertices.size();
-    m_orientations.assign(size * size * size * size, 0);
-    for(int i = 0; i < n(); ++i)
-      for(int j = i + 1; j < n(); ++j)
-        for(int k = j + 1; k < n(); ++k)
-          for(int l = k + 1; l < n(); ++l)
-            store_orientations({{ i, j, k, l }}, static_cast<signed char>(
-              m_predicates.orientation(m_vertices[i], m_vertices[j], m_vertices[k], m_vertices[l])));
+    std::uint32_t positive = 0, negative = 0;
+  };
+
+  static std::uint32_t bit(const int i) { return std::uint32_t(1) << i; }
+
+  Sides& sides(const int i, const int j, const int k) { return m_sides[offset(i, j, k)]; }
+  const Sides& sides(const int i, const int j, const int k) const { return m_sides[offset(i, j, k)]; }
+  const Sides& sides(const Face& f) const { return sides(f[0], f[1], f[2]); }
+
+  // Does not depend on the number of vertices, so that entries stay where they are.
+  static std::size_t offset(const int i, const int j, const int k)
+  {
+    return (static_cast<std::size_t>(i) * max_number_of_vertices + j) * max_number_of_vertices + k;
   }
 
-  // For the even and the odd permutations of v; the last two are swapped to come from one to the other.
-  void store_orientations(const std::array<int, 4>& v, const signed char sign)
+  // Orients all the quadruples; those of the first `known` vertices are known.
+  void fill_in_sides(const int known)
   {
-    static constexpr int even[12][4] = { {0,1,2,3}, {0,2,3,1}, {0,3,1,2}, {1,0,3,2}, {1,2,0,3}, {1,3,2,0},
-                                         {2,0,1,3}, {2,1,3,0}, {2,3,0,1}, {3,0,2,1}, {3,1,0,2}, {3,2,1,0} };
-    for(const auto& p : even)
-    {
-      m_orientations[offset(v[p[0]], v[p[1]], v[p[2]], v[p[3]])] = sign;
-      m_orientations[offset(v[p[0]], v[p[1]], v[p[3]], v[p[2]])] = static_cast<signed char>(-sign);
-    }
+    m_sides.resize(max_number_of_vertices * max_number_of_vertices * max_number_of_vertices);
+    for(int k = known; k < n(); ++k)
+      for(int j = 0; j < k; ++j)
+        for(int i = 0; i < j; ++i)
+          sides(i, j, k) = Sides();
+    const std::uint32_t known_bits = bit(known) - 1;
+    for(int k = 0; k < known; ++k)
+      for(int j = 0; j < k; ++j)
+        for(int i = 0; i < j; ++i)
+        {
+          sides(i, j, k).positive &= known_bits;
+          sides(i, j, k).negative &= known_bits;
+        }
+    for(int l = known; l < n(); ++l)
+      for(int k = 0; k < l; ++k)
+        for(int j = 0; j < k; ++j)
+          for(int i = 0; i < j; ++i)
+            store_orientation(i, j, k, l);
+    copy_sides_to_permutations();
   }
 
-  std::size_t offset(const int i, const int j, const int k, const int l) const
+  void store_orientation(const int i, const int j, const int k, const int l)
   {
-    return ((static_cast<std::size_t>(i) * n() + j) * n() + k) * n() + l;
+    const Orientation o = m_predicates.orientation(m_vertices[i], m_vertices[j], m_vertices[k], m_vertices[l]);
+    if(o == ZERO)
+      return;
+    std::uint32_t Sides::* const even = o == POSITIVE ? &Sides::positive : &Sides::negative;
+    std::uint32_t Sides::* const odd = o == POSITIVE ? &Sides::negative : &Sides::positive;
+    sides(i, j, k).*even |= bit(l);
+    sides(i, j, l).*odd |= bit(k);
+    sides(i, k, l).*even |= bit(j);
+    sides(j, k, l).*odd |= bit(i);
   }
 
+  void copy_sides_to_permutations()
+  {
+    for(int k = 0; k < n(); ++k)
+      for(int j = 0; j < k; ++j)
+        for(int i = 0; i < j; ++i)
+        {
+          const Sides s = sides(i, j, k);
+          Sides reversed;
+          reversed.positive = s.negative;
+          reversed.negative = s.positive;
+          sides(j, k, i) = sides(k, i, j) = s;
+          sides(j, i, k) = sides(i, k, j) = sides(k, j, i) = reversed;
+        }
+  }
+
+  // For distinct i, j, k; 0 if l is one of them.
   int orientation(const int i, const int j, const int k, const int l) const
   {
-    return m_orientations[offset(i, j, k, l)];
+    const Sides& s = sides(i, j, k);
+    return static_cast<int>((s.positive >> l) & 1) - static_cast<int>((s.negative >> l) & 1);
   }
 
   bool crosses(const Edge& e, const Edge& f) const
@@ -170,11 +233,13 @@ private:
 
   bool pierces(const Edge& e, const Face& f) const
   {
+    const Sides& s = sides(f);
+    if(((((s.positive >> e[0]) & (s.negative >> e[1])) | ((s.negative >> e[0]) & (s.positive >> e[1]))) & 1) == 0)
+      return false; // both ends on the same side, or one of them in the plane
     const int side = orientation(e[0], e[1], f[0], f[1]);
     return side != 0
         && orientation(e[0], e[1], f[1], f[2]) == side
-        && orientation(e[0], e[1], f[2], f[0]) == side
-        && orientation(f[0], f[1], f[2], e[0]) * orientation(f[0], f[1], f[2], e[1]) < 0;
+        && orientation(e[0], e[1], f[2], f[0]) == side;
   }
 
   static std::array<Edge, 6> edges_of(const std::array<int, 4>& v)
@@ -191,23 +256,33 @@ private:
 
   // --- the polyhedron ----------------------------------------------------------------------------------------------
 
-  // The outer faces, with the polyhedron on their positive side: the first front of the search.
+  // The outer faces, with the polyhedron on their positive side, are the first front of the search.
   template <typename CellRange>
-  void collect_boundary(const CellRange& cells)
+  void collect_faces(const CellRange& cells)
   {
     m_front.clear();
     m_obstacle_edges.clear();
     m_obstacle_faces.clear();
+    m_foreign_edges.clear();
+    m_foreign_faces.clear();
+    m_edge_state.assign(static_cast<std::size_t>(n()) * n(), 0);
+    m_face_state.assign(static_cast<std::size_t>(n()) * n() * n(), 0);
     for(const Cell_handle c : cells)
       for(int i = 0; i < 4; ++i)
+      {
+        Face f;
+        for(int k = 0; k < 3; ++k)
+          f[k] = position(c->vertex(Tr::vertex_triple_index(i, k)));
+        if(any_of(f, [this](const int p) { return p == n(); }))
+          continue; // a face at the superfluous vertex
         if(std::find(cells.begin(), cells.end(), c->neighbor(i)) == cells.end())
-        {
-          Face f;
-          for(int k = 0; k < 3; ++k)
-            f[k] = position(c->vertex(Tr::vertex_triple_index(i, k)));
           m_front.push_back(f);
-          add_obstacle(f);
-        }
+        state(f) |= in_mesh;
+        for(int k = 0; k < 3; ++k)
+          state(Edge{{ f[k], f[(k + 1) % 3] }}) |= in_mesh;
+      }
+    for(const Face& f : m_front)
+      add_obstacle(f);
   }
 
   template <typename EdgeRange, typename FacetRange>
@@ -219,21 +294,47 @@ private:
       add_obstacle(Face{{ position(f[0]), position(f[1]), position(f[2]) }});
   }
 
+  // Bits of what is known of an edge or a face, in whatever order its vertices are given.
+  signed char& state(const Edge& e)
+  {
+    return m_edge_state[static_cast<std::size_t>((std::min)(e[0], e[1])) * n() + (std::max)(e[0], e[1])];
+  }
+
+  signed char& state(Face f)
+  {
+    std::sort(f.begin(), f.end());
+    return m_face_state[key(f)];
+  }
+
   // What must be in the result, because it is on the boundary or required, must not be crossed.
   // That suffices: an edge inside the polyhedron, between two of its vertices, that nothing crosses is in every
   // tetrahedralization.
-  void add_obstacle(Edge e)
+  // Mesh simplices do not cross each other, so only those obstacles that are not in the mesh have to be tested against
+  // them.
+  void add_obstacle(const Edge& e)
   {
-    std::sort(e.begin(), e.end());
-    if(std::find(m_obstacle_edges.begin(), m_obstacle_edges.end(), e) == m_obstacle_edges.end())
-      m_obstacle_edges.push_back(e);
+    add_obstacle(e, m_obstacle_edges, m_foreign_edges);
   }
 
   void add_obstacle(const Face& f)
   {
-    m_obstacle_faces.push_back(f);
+    if(! add_obstacle(f, m_obstacle_faces, m_foreign_faces))
+      return;
     for(int i = 0; i < 3; ++i)
       add_obstacle(Edge{{ f[i], f[(i + 1) % 3] }});
+  }
+
+  template <typename Simplex>
+  bool add_obstacle(const Simplex& simplex, std::vector<Simplex>& obstacles, std::vector<Simplex>& foreign)
+  {
+    signed char& s = state(simplex);
+    if((s & obstacle) != 0)
+      return false;
+    s |= obstacle;
+    obstacles.push_back(simplex);
+    if((s & in_mesh) == 0)
+      foreign.push_back(simplex);
+    return true;
   }
 
   // --- the candidates ------------------------------------------------------------------------------------------------
@@ -243,9 +344,10 @@ private:
     find_uncrossed_edges();
     m_is_pierced.assign(static_cast<std::size_t>(n()) * n() * n(), unknown);
     m_candidates.clear();
-    m_candidates_of_face.resize((std::max)(m_candidates_of_face.size(), static_cast<std::size_t>(n()) * n() * n()));
-    for(std::vector<int>& candidates : m_candidates_of_face)
-      candidates.clear();
+    m_candidates_of_face.resize((std::max)(m_candidates_of_face.size(), m_face_state.size()));
+    for(const std::size_t face : m_used_faces)
+      m_candidates_of_face[face].clear();
+    m_used_faces.clear();
     for(int i = 0; i < n(); ++i)
       for(int j = i + 1; j < n(); ++j)
       {
@@ -269,9 +371,10 @@ private:
       for(int j = i + 1; j < n(); ++j)
       {
         const Edge e = {{ i, j }};
+        const bool is_in_mesh = (state(e) & in_mesh) != 0;
         m_is_uncrossed[i * n() + j] =
-             ! any_of(m_obstacle_edges, [&](const Edge& o) { return crosses(e, o); })
-          && ! any_of(m_obstacle_faces, [&](const Face& o) { return pierces(e, o); });
+             ! any_of(is_in_mesh ? m_foreign_edges : m_obstacle_edges, [&](const Edge& o) { return crosses(e, o); })
+          && ! any_of(is_in_mesh ? m_foreign_faces : m_obstacle_faces, [&](const Face& o) { return pierces(e, o); });
       }
   }
 
@@ -281,10 +384,11 @@ private:
   bool is_pierced_by_obstacle(const int i, const int j, const int k)
   {
     const Face f = {{ i, j, k }};
-    signed char& state = m_is_pierced[key(f)];
-    if(state == unknown)
-      state = any_of(m_obstacle_edges, [&](const Edge& o) { return pierces(o, f); });
-    return state == 1;
+    signed char& is_pierced = m_is_pierced[key(f)];
+    if(is_pierced == unknown)
+      is_pierced = any_of((state(f) & in_mesh) != 0 ? m_foreign_edges : m_obstacle_edges,
+                          [&](const Edge& o) { return pierces(o, f); });
+    return is_pierced == 1;
   }
 
   void add_candidate(const int i, const int j, const int k, const int l)
@@ -296,21 +400,30 @@ private:
     Candidate c;
     c.v = sign > 0 ? std::array<int, 4>{{ i, j, k, l }} : std::array<int, 4>{{ i, k, j, l }};
     const std::array<Face, 4> faces = faces_of(c.v);
-    for(int w = 0; w < n(); ++w)
-      if(contains(faces, c.v, w))
-        return;
+    if(contains_vertex(faces, c.v))
+      return;
+    const std::array<Edge, 6> edges = edges_of(c.v);
+    for(int e = 0; e < 6; ++e)
+      c.edges[e] = (std::min)(edges[e][0], edges[e][1]) * n() + (std::max)(edges[e][0], edges[e][1]);
+    for(int f = 0; f < 4; ++f)
+      c.faces[f] = static_cast<int>(key(faces[f]));
     for(const Face& f : faces)
-      m_candidates_of_face[key(f)].push_back(static_cast<int>(m_candidates.size()));
+    {
+      std::vector<int>& candidates = m_candidates_of_face[key(f)];
+      if(candidates.empty())
+        m_used_faces.push_back(key(f));
+      candidates.push_back(static_cast<int>(m_candidates.size()));
+    }
     m_candidates.push_back(c);
   }
 
-  // Whether w is in the closed tetrahedron, but not one of its vertices.
-  bool contains(const std::array<Face, 4>& faces, const std::array<int, 4>& v, const int w) const
+  // Whether a vertex is in the closed tetrahedron that is not one of its own.
+  bool contains_vertex(const std::array<Face, 4>& faces, const std::array<int, 4>& v) const
   {
-    if(std::find(v.begin(), v.end(), w) != v.end())
-      return false;
-    return std::all_of(faces.begin(), faces.end(),
-                       [&](const Face& f) { return orientation(f[0], f[1], f[2], w) >= 0; });
+    std::uint32_t outside = bit(v[0]) | bit(v[1]) | bit(v[2]) | bit(v[3]);
+    for(const Face& f : faces)
+      outside |= sides(f).negative;
+    return outside != bit(n()) - 1;
   }
 
   // Faces that differ by a rotation only have the same key, those of opposite orientation another one.
@@ -332,34 +445,40 @@ private:
     for(std::size_t d = 0; d < m_candidates.size(); ++d)
     {
       const Candidate& other = m_candidates[d];
-      if(any_of(edges_of(other.v), [&](const Edge& e) { return is_crossed(e, edges, faces); })
-         || any_of(faces_of(other.v), [&](const Face& f) { return is_crossed(f, edges, faces); }))
+      bool is_in_conflict = false;
+      const std::array<Edge, 6> other_edges = edges_of(other.v);
+      for(int e = 0; e < 6 && ! is_in_conflict; ++e)
+        is_in_conflict = is_crossed(other_edges[e], m_is_edge_crossed[other.edges[e]], edges, faces);
+      const std::array<Face, 4> other_faces = faces_of(other.v);
+      for(int f = 0; f < 4 && ! is_in_conflict; ++f)
+        is_in_conflict = is_crossed(other_faces[f], m_is_face_crossed[other.faces[f]], edges, c.faces, other.faces[f]);
+      if(is_in_conflict)
         result.push_back(static_cast<int>(d));
     }
     return result;
   }
 
-  bool is_crossed(Edge e, const std::array<Edge, 6>& edges, const std::array<Face, 4>& faces)
+  // `state` is what is known of it.
+  bool is_crossed(const Edge& e, signed char& state, const std::array<Edge, 6>& edges,
+                  const std::array<Face, 4>& faces) const
   {
-    std::sort(e.begin(), e.end());
-    signed char& state = m_is_edge_crossed[e[0] * n() + e[1]];
     if(state == unknown)
       state = any_of(edges, [&](const Edge& x) { return crosses(e, x); })
            || any_of(faces, [&](const Face& x) { return pierces(e, x); });
     return state == 1;
   }
 
-  bool is_crossed(const Face& f, const std::array<Edge, 6>& edges, const std::array<Face, 4>& faces)
+  // Or is the same face, seen from the same side.
+  bool is_crossed(const Face& f, signed char& state, const std::array<Edge, 6>& edges,
+                  const std::array<int, 4>& face_keys, const int key) const
   {
-    signed char& state = m_is_face_crossed[key(f)];
     if(state == unknown)
-      state = any_of(faces, [&](const Face& x) { return key(x) == key(f); })
+      state = std::find(face_keys.begin(), face_keys.end(), key) != face_keys.end()
            || any_of(edges, [&](const Edge& x) { return pierces(x, f); });
     return state == 1;
   }
 
-  // --- the search
-  // ------------------------------------------------------------------------------------------------------
+  // --- the search ---------------------------------------------------------------------------------------------------
 
   // Depth-first, without recursion: m_choices is the stack of chosen tetrahedra, each with what is left to try instead.
   struct Choice
@@ -463,15 +582,21 @@ private:
   std::size_t m_number_of_steps = 0;
   std::size_t m_number_of_conflict_tests = 0;
   std::vector<Vertex_handle> m_vertices;
-  std::vector<signed char> m_orientations;
+  std::vector<Vertex_handle> m_previous_vertices;
+  std::vector<Sides> m_sides; // by ordered triples
   std::vector<Edge> m_obstacle_edges;
   std::vector<Face> m_obstacle_faces;
+  std::vector<Edge> m_foreign_edges; // the obstacles that are not in the mesh
+  std::vector<Face> m_foreign_faces;
+  static constexpr signed char in_mesh = 1, obstacle = 2;
+  std::vector<signed char> m_edge_state, m_face_state;
   static constexpr signed char unknown = -1;
   std::vector<char> m_is_uncrossed;
   std::vector<signed char> m_is_pierced;
   std::vector<signed char> m_is_edge_crossed, m_is_face_crossed; // by one candidate
   std::vector<Candidate> m_candidates;
   std::vector<std::vector<int> > m_candidates_of_face;
+  std::vector<std::size_t> m_used_faces; // with a candidate
   std::vector<std::vector<int> > m_conflicts; // computed when first asked for
   std::vector<Face> m_front;
   std::vector<Choice> m_choices;

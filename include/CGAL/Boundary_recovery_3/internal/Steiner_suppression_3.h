@@ -220,6 +220,7 @@ private:
     std::vector<std::array<Vertex_handle, 2> > edges;
     std::vector<std::array<Vertex_handle, 3> > facets;
     m_constraints.collect(cells, edges, facets);
+    m_reconnection.forget(); // vertices may have moved
     if(m_reconnection(cells, edges, facets, v) != Reconnection::FOUND)
       return false;
     replace(cells, m_reconnection.tetrahedra(), v);

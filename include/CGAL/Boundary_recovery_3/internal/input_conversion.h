@@ -19,6 +19,8 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/iterator.h>
 
+#include <boost/container/small_vector.hpp>
+
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -88,7 +90,7 @@ public:
   template <typename Face>
   void add_facet(const Face& face)
   {
-    std::vector<std::size_t> v;
+    Vertices v;
     for(const auto i : face)
       v.push_back(static_cast<std::size_t>(i));
     add_vertices(v);
@@ -106,7 +108,7 @@ public:
     }
     for(const auto f : faces(surface))
     {
-      std::vector<std::size_t> v;
+      Vertices v;
       for(const auto w : CGAL::vertices_around_face(halfedge(f, surface), surface))
         v.push_back(index[w]);
       add_vertices(v);
@@ -126,7 +128,9 @@ public:
   }
 
 private:
-  void add_vertices(const std::vector<std::size_t>& v)
+  typedef boost::container::small_vector<std::size_t, 4> Vertices;
+
+  void add_vertices(const Vertices& v)
   {
     if(v.size() == 3)
       m_input.facets.push_back({{ v[0], v[1], v[2] }});
