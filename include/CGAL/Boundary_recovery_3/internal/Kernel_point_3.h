@@ -51,20 +51,21 @@ public:
   typedef typename Positions::Point_3          Point_3;
   typedef std::array<Vertex_handle, 3>         Triangle;
   typedef std::array<double, 3>                Vector;
+  typedef typename Positions::Exact_kernel::Vector_3 Exact_vector;
 
   Kernel_point_3(const Predicates& predicates, Positions& positions)
     : m_predicates(predicates), m_positions(positions)
   { }
 
-  // Moves v to a point on the ray from `origin`, a point of the closed kernel, in a direction, or to the deepest point.
-  // Each of the faces has the polyhedron on its positive side. v must have no exact position, but it may get one.
+  // Moves v to a point on a ray from `origin`, a point of the closed kernel, in one of the directions, or to the deepest
+  // point. Each of the faces has the polyhedron on its positive side. v must have no exact position, but it may get one.
   bool operator()(const Vertex_handle v, const std::vector<Triangle>& faces,
-                  const Vertex_handle origin, const Vector& direction)
+                  const Vertex_handle origin, const std::vector<Exact_vector>& directions)
   {
     set_up(faces, m_predicates.approximate_point(origin));
-    return find_on_ray(v, faces, direction)
+    return any_of(directions, [&](const Exact_vector& d) { return find_on_ray(v, faces, approximate(d)); })
         || move_to_deepest_point(v, faces)
-        || find_exactly_on_ray(v, faces, origin, direction);
+        || any_of(directions, [&](const Exact_vector& d) { return find_exactly_on_ray(v, faces, origin, d); });
   }
 
   // Moves v to the deepest point of the kernel, in numbers of the triangulation's kernel. v must have no exact position.
@@ -90,6 +91,17 @@ private:
     Vector normal; // of length one
     double offset;
   };
+
+  template <typename Predicate>
+  static bool any_of(const std::vector<Exact_vector>& directions, const Predicate& predicate)
+  {
+    return std::any_of(directions.begin(), directions.end(), predicate);
+  }
+
+  static Vector approximate(const Exact_vector& d)
+  {
+    return {{ CGAL::to_double(d.x()), CGAL::to_double(d.y()), CGAL::to_double(d.z()) }};
+  }
 
   static double dot(const Vector& v, const Vector& w) { return v[0] * w[0] + v[1] * w[1] + v[2] * w[2]; }
 
@@ -145,14 +157,17 @@ private:
   }
 
   bool find_exactly_on_ray(const Vertex_handle v, const std::vector<Triangle>& faces,
-                           const Vertex_handle origin, const Vector& direction)
+                           const Vertex_handle origin, const Exact_vector& direction)
   {
     typedef typename Positions::Exact_kernel Exact_kernel;
     const typename Exact_kernel::Point_3 p = m_positions(origin);
-    const typename Exact_kernel::Vector_3 d(direction[0], direction[1], direction[2]);
-    for(double s = m_diameter; s > (std::numeric_limits<double>::min)(); s /= 4)
+    const Vector d = approximate(direction);
+    const double length = std::sqrt(dot(d, d));
+    if(! (length > 0))
+      return false;
+    for(double s = m_diameter / length; s > (std::numeric_limits<double>::min)(); s /= 4)
     {
-      m_positions.set(v, p + typename Exact_kernel::FT(s) * d);
+      m_positions.set(v, p + typename Exact_kernel::FT(s) * direction);
       if(is_kernel_point(v, faces))
         return true;
     }

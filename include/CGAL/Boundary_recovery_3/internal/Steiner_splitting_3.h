@@ -93,6 +93,7 @@ private:
   typedef typename Steiner_points::Positions            Positions;
   typedef typename Positions::Exact_point_3             Exact_point;
   typedef typename Positions::Exact_FT                  FT;
+  typedef typename Kernel_point_3<Tr>::Exact_vector     Exact_vector;
   typedef typename Cell_replacement<Tr>::Tetrahedron    Tetrahedron;
   typedef typename Kernel_point_3<Tr>::Triangle         Triangle;
   typedef typename Kernel_point_3<Tr>::Vector           Vector;
@@ -502,7 +503,8 @@ private:
   bool place_points()
   {
     m_faces.assign(m_is_infinite.size(), std::vector<Triangle>());
-    m_directions.assign(m_is_infinite.size(), Vector{{ 0, 0, 0 }});
+    m_directions.assign(m_is_infinite.size(), std::vector<Exact_vector>(1, CGAL::NULL_VECTOR));
+    m_mean_directions.assign(m_is_infinite.size(), CGAL::NULL_VECTOR);
     m_sector_points.assign(m_is_infinite.size(), Vertex_handle());
     for(const Cell_handle c : m_star)
     {
@@ -518,6 +520,8 @@ private:
     for(std::size_t i = 0; i < m_faces.size(); ++i)
       if(! m_is_infinite[i])
       {
+        m_directions[i].push_back(m_mean_directions[i]);
+        m_directions[i].push_back(- m_mean_directions[i]);
         m_sector_points[i] = m_tr.tds().create_vertex();
         if(! m_kernel_point(m_sector_points[i], m_faces[i], m_s, m_directions[i]))
           return false;
@@ -525,7 +529,8 @@ private:
     return true;
   }
 
-  // The new triangles, with the sector on their positive side, and the direction from the fan into it.
+  // The new triangles, with the sector on their positive side, and directions into the sector that help: the sum of the
+  // unit normals; where these cancel, the mean direction of both fans, or its opposite; and the exact normals.
   void add_faces(const Fan& fan)
   {
     Vector n = {{ 0, 0, 0 }};
@@ -538,12 +543,19 @@ private:
         n[i] += nt[i];
     }
     const double length = std::sqrt(dot(n, n));
-    if(length > 0)
-      for(int i = 0; i < 3; ++i)
-      {
-        m_directions[fan.sectors[0]][i] += n[i] / length;
-        m_directions[fan.sectors[1]][i] -= n[i] / length;
-      }
+    const Exact_vector unit_normal = length > 0 ? Exact_vector(n[0] / length, n[1] / length, n[2] / length)
+                                                : Exact_vector(CGAL::NULL_VECTOR);
+    const Triangle& t = fan.triangles.front();
+    const Exact_point p = position(t[0]), q = position(t[1]), r = position(t[2]);
+    const Exact_vector exact_normal = CGAL::cross_product(q - p, r - p);
+    const Exact_vector mean = CGAL::centroid(p, q, r) - position(m_s);
+    for(int side = 0; side < 2; ++side)
+    {
+      std::vector<Exact_vector>& directions = m_directions[fan.sectors[side]];
+      directions.front() = side == 0 ? directions.front() + unit_normal : directions.front() - unit_normal;
+      directions.push_back(side == 0 ? exact_normal : - exact_normal);
+      m_mean_directions[fan.sectors[side]] = m_mean_directions[fan.sectors[side]] + mean;
+    }
   }
 
   void replace_ball()
@@ -606,7 +618,8 @@ private:
   std::unordered_map<const void*, std::size_t> m_sector_of_cell; // look-up only
   std::vector<bool> m_is_infinite;                               // by sector; so the next three
   std::vector<std::vector<Triangle> > m_faces;
-  std::vector<Vector> m_directions;
+  std::vector<std::vector<Exact_vector> > m_directions;
+  std::vector<Exact_vector> m_mean_directions;
   Vertices m_sector_points;
   Vertices m_free_points; // of artificial fans
   Vertices m_points;
