@@ -30,10 +30,11 @@ struct Options
 
 constexpr const char* usage =
   "usage: recover_boundary [INPUT] [options]\n"
-  "Meshes the inside of a triangulated surface with tetrahedra that have all its triangles as faces.\n"
+  "Meshes the inside of a triangulated surface with tetrahedra that have all its triangles as faces. Points are added\n"
+  "only if there is no other way found, and not on the surface.\n"
   "INPUT is an .off, .ply, .stl or .obj file; without it, the program takes a surface of its own.\n"
   "  -o OUTPUT                  write the tetrahedra of the domain: .mesh, .vtu or .vtk; may be repeated\n"
-  "  --conforming               points may stay on the surface\n"
+  "  --conforming               points may stay on the surface: each triangle is a union of faces\n"
   "  --flips-only               never add a point\n"
   "  --keep-exterior            write the tetrahedra outside the domain, too, as region 0\n"
   "  --max-recursion-level N    never recurse deeper than N when flipping\n"

@@ -44,14 +44,20 @@ public:
   }
 };
 
-// the seconds of the phases, from the first one on or from the first one after the insertion on
-inline double sum_of_seconds(const std::vector<CGAL::Boundary_recovery_3::Phase_report>& phases,
-                             const bool with_insertion)
+// how long the call took, and how long without the Delaunay insertion
+struct Seconds
 {
-  double seconds = 0;
+  double total;
+  double recovery;
+};
+
+// The phases are not all: before points are added, the input is proved to be valid.
+inline Seconds make_seconds(const double total, const std::vector<CGAL::Boundary_recovery_3::Phase_report>& phases)
+{
+  Seconds seconds = { total, total };
   for(const auto& phase : phases)
-    if(with_insertion || phase.phase != CGAL::Boundary_recovery_3::Recovery_phase::insertion)
-      seconds += phase.seconds;
+    if(phase.phase == CGAL::Boundary_recovery_3::Recovery_phase::insertion)
+      seconds.recovery -= phase.seconds;
   return seconds;
 }
 
@@ -63,7 +69,7 @@ inline void print_phases(std::ostream& os, const std::vector<CGAL::Boundary_reco
   const auto difference = [](const std::size_t before, const std::size_t after)
   { return static_cast<long long>(before) - static_cast<long long>(after); };
 
-  os << std::left << std::setw(22) << "phase" << std::right << std::setw(12) << "lost edges" << std::setw(11)
+  os << std::left << std::setw(26) << "phase" << std::right << std::setw(12) << "lost edges" << std::setw(11)
      << "recovered" << std::setw(13) << "lost facets" << std::setw(11) << "recovered" << std::setw(11)
      << "seconds" << '\n';
   const CGAL::Boundary_recovery_3::Phase_report* before = nullptr;
@@ -71,11 +77,11 @@ inline void print_phases(std::ostream& os, const std::vector<CGAL::Boundary_reco
   {
     if(phase.phase == Recovery_phase::insertion) // nothing has been searched yet
     {
-      os << std::left << std::setw(22) << to_string(phase.phase) << std::right << std::setw(58) << phase.seconds
+      os << std::left << std::setw(26) << to_string(phase.phase) << std::right << std::setw(58) << phase.seconds
          << '\n';
       continue;
     }
-    os << std::left << std::setw(22) << to_string(phase.phase) << std::right
+    os << std::left << std::setw(26) << to_string(phase.phase) << std::right
        << std::setw(12) << phase.lost_edges
        << std::setw(11) << (before ? difference(before->lost_edges, phase.lost_edges) : 0)
        << std::setw(13) << phase.lost_facets
@@ -89,11 +95,11 @@ inline void print_phases(std::ostream& os, const std::vector<CGAL::Boundary_reco
 inline void print_levels(std::ostream& os,
                          const std::vector<CGAL::Boundary_recovery_3::Recursion_level_report>& levels)
 {
-  os << std::left << std::setw(22) << "phase" << std::right << std::setw(6) << "l_max" << std::setw(9) << "n1"
+  os << std::left << std::setw(26) << "phase" << std::right << std::setw(6) << "l_max" << std::setw(9) << "n1"
      << std::setw(9) << "n2" << std::setw(9) << "n3" << std::setw(9) << "n4" << '\n';
   for(const auto& level : levels)
   {
-    os << std::left << std::setw(22) << to_string(level.phase) << std::right << std::setw(6);
+    os << std::left << std::setw(26) << to_string(level.phase) << std::right << std::setw(6);
     if(level.max_recursion_level < 0)
       os << "start";
     else
@@ -112,19 +118,21 @@ inline std::string count(const std::size_t n, const std::string& noun)
 // prints the table at the end of the program
 template <typename Result, typename Domain>
 void print_summary(std::ostream& os, const Result& result, const Domain& domain,
-                   const std::array<double, 2>& angles)
+                   const std::array<double, 2>& angles, const Seconds& seconds)
 {
   const std::streamsize precision = os.precision(3);
   print_phases(os, result.phases);
   os << to_string(result.status) << ": " << result.missing_edges.size() << " of " << result.number_of_edges
      << " edges and " << result.missing_facets.size() << " of " << result.number_of_facets << " facets are missing\n"
-     << count(domain.points.size(), "point") << ", of them " << count(result.steiner_vertices.size(), "Steiner point")
-     << "; tetrahedra: " << domain.tetrahedra.size() << " in "
+     << "Steiner points: " << result.number_of_constraint_points << " put on constraints, "
+     << result.number_of_steiner_points << " after splitting, " << result.steiner_vertices.size() << " left, "
+     << domain.number_of_steiner_points << " of them in the domain\n"
+     << "written: " << count(domain.points.size(), "point") << ", " << domain.tetrahedra.size() << " tetrahedra in "
      << count(static_cast<std::size_t>(domain.number_of_regions), "region") << '\n';
   if(domain.is_convex_hull)
     os << "no region can be told from the outside: the tetrahedra are those of the convex hull\n";
   os << "dihedral angles from " << angles[0] << " to " << angles[1] << " degrees, "
-     << sum_of_seconds(result.phases, true) << " seconds, " << sum_of_seconds(result.phases, false)
+     << seconds.total << " seconds, " << seconds.recovery
      << " of them for the recovery" << std::endl;
   os.precision(precision);
 }

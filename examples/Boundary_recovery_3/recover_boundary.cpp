@@ -12,6 +12,7 @@
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Real_timer.h>
 
 #include <algorithm>
 #include <array>
@@ -92,7 +93,7 @@ void print_defects(const Result& result)
 }
 
 bool write_report(const Options& options, const Result& result, const Domain<Point>& domain,
-                  const std::array<double, 2>& angles)
+                  const std::array<double, 2>& angles, const Seconds& seconds)
 {
   static constexpr const char* modes[] = { "constrained", "conforming", "flips_only" };
   std::ofstream os(options.report);
@@ -105,14 +106,15 @@ bool write_report(const Options& options, const Result& result, const Domain<Poi
   json.entry("mode", modes[static_cast<int>(options.mode)]);
   Report_writer<Result> write_result(json);
   write_result(result);
+  json.entry("number_of_steiner_points_in_domain", domain.number_of_steiner_points);
   json.entry("number_of_points", domain.points.size());
   json.entry("number_of_tetrahedra", domain.tetrahedra.size());
   json.entry("number_of_regions", domain.number_of_regions);
   json.entry("domain", domain.tetrahedra.empty() ? "none" : domain.is_convex_hull ? "convex_hull" : "regions");
   json.entry("min_dihedral_angle", angles[0]);
   json.entry("max_dihedral_angle", angles[1]);
-  json.entry("seconds", sum_of_seconds(result.phases, true));
-  json.entry("seconds_recovery", sum_of_seconds(result.phases, false));
+  json.entry("seconds", seconds.total);
+  json.entry("seconds_recovery", seconds.recovery);
   json.end('}');
   os << '\n';
   os.close();
@@ -137,7 +139,11 @@ int run(const Options& options)
 
   Triangulation tr;
   Progress_printer progress(std::cout, ! options.quiet && stdout_is_terminal());
+  CGAL::Real_timer timer;
+  timer.start();
   Result result = recover(tr, surface, options, progress);
+  timer.stop();
+  const Seconds seconds = make_seconds(timer.time(), result.phases);
 
   Domain<Point> domain;
   if(result.status != Status::invalid_input)
@@ -145,7 +151,7 @@ int run(const Options& options)
   const std::array<double, 2> angles = range_of_dihedral_angles(domain);
   use_vertex_numbers_of_file(result, surface);
 
-  if(! options.report.empty() && ! write_report(options, result, domain, angles))
+  if(! options.report.empty() && ! write_report(options, result, domain, angles, seconds))
     return fail("cannot write " + options.report);
   if(result.status == Status::invalid_input)
   {
@@ -157,12 +163,11 @@ int run(const Options& options)
       return fail("cannot write " + file);
 
   if(! options.quiet)
-    print_summary(std::cout, result, domain, angles);
+    print_summary(std::cout, result, domain, angles, seconds);
   if(options.table)
     print_levels(std::cout, result.levels);
   if(options.timing)
-    std::cout << "@@rec " << sum_of_seconds(result.phases, false) << '\n'
-              << "@@tmesh " << sum_of_seconds(result.phases, true) << std::endl;
+    std::cout << "@@rec " << seconds.recovery << '\n' << "@@tmesh " << seconds.total << std::endl;
   return result ? recovered : incomplete_or_stopped;
 }
 

@@ -1,6 +1,8 @@
 #ifndef BOUNDARY_RECOVERY_3_EXAMPLES_WRITE_DOMAIN_H
 #define BOUNDARY_RECOVERY_3_EXAMPLES_WRITE_DOMAIN_H
 
+#include "orient_parts.h"
+
 #include <CGAL/Boundary_recovery_3/label_regions.h>
 
 #include <CGAL/Kernel/global_functions.h>
@@ -22,9 +24,10 @@ struct Domain
   std::vector<Point> points;                            // input vertices in their order, then Steiner points
   std::vector<std::array<std::size_t, 4> > tetrahedra;
   std::vector<int> regions;                             // of each tetrahedron
-  std::vector<std::array<std::size_t, 3> > triangles;   // the input faces that are in the triangulation
+  std::vector<std::array<std::size_t, 3> > triangles;   // the input faces that are in the triangulation, or their parts
   std::vector<std::size_t> patches;                     // of each triangle: the number of its face in the file, from 1
   int number_of_regions = 0;
+  std::size_t number_of_steiner_points = 0; // those at tetrahedra of the domain
   bool is_convex_hull = false; // no region can be told from the outside: all tetrahedra are here, as region 1
 };
 
@@ -68,24 +71,28 @@ public:
       m_domain.regions.push_back(r);
     }
     add_simplices(cells, result);
+    count_steiner_points(cells, result);
     return m_domain;
   }
 
 private:
-  // the faces that are in the triangulation
+  // the faces that are in the triangulation, each as one facet or as several ones
   template <typename Surface, typename Result>
   void collect_facets(const Surface& surface, const Result& result)
   {
     std::vector<bool> is_missing(surface.faces.size(), false);
     for(const auto& facet : result.missing_facets)
       is_missing[facet.index] = true;
+    const Part_orienter<Result> parts(result);
     for(std::size_t i = 0; i < surface.faces.size(); ++i)
     {
       if(is_missing[i])
         continue;
-      const auto& face = surface.faces[i];
-      m_facets.push_back({{ result.vertices[face[0]], result.vertices[face[1]], result.vertices[face[2]] }});
-      m_faces.push_back(i);
+      for(const auto& facet : parts(i, surface.faces[i]))
+      {
+        m_facets.push_back(facet);
+        m_faces.push_back(i);
+      }
     }
   }
 
@@ -103,6 +110,20 @@ private:
         return true;
     }
     return false;
+  }
+
+  // those that only tetrahedra outside the domain have do not count
+  template <typename Result>
+  void count_steiner_points(const std::vector<Cell_handle>& cells, const Result& result)
+  {
+    CGAL::Unique_hash_map<Vertex_handle, bool> is_in_domain(false);
+    for(std::size_t i = 0; i < cells.size(); ++i)
+      for(int j = 0; j < 4; ++j)
+        if(m_domain.regions[i] != 0)
+          is_in_domain[cells[i]->vertex(j)] = true;
+    m_domain.number_of_steiner_points = static_cast<std::size_t>(
+      std::count_if(result.steiner_vertices.begin(), result.steiner_vertices.end(),
+                    [&](const Vertex_handle v) { return is_in_domain[v]; }));
   }
 
   // numbers the vertices and appends the tetrahedra of the cells and the triangles of the facets

@@ -147,9 +147,24 @@ private:
     m_json.entry("number_of_facets", result.number_of_facets);
     m_json.entry("number_of_missing_edges", result.missing_edges.size());
     m_json.entry("number_of_missing_facets", result.missing_facets.size());
-    m_json.entry("number_of_steiner_points", result.steiner_vertices.size());
+    m_json.entry("number_of_constraint_points", result.number_of_constraint_points);
+    m_json.entry("number_of_steiner_points", result.number_of_steiner_points);
+    m_json.entry("number_of_steiner_points_left", result.steiner_vertices.size());
+    m_json.entry("number_of_split_edges", number_of_constraints(result.parts_of_edges));
+    m_json.entry("number_of_split_facets", number_of_constraints(result.parts_of_facets));
     m_json.entry("number_of_inserted_vertices", result.number_of_inserted_vertices);
     m_json.entry("number_of_shell_transformations", result.number_of_shell_transformations);
+  }
+
+  // The parts of one constraint come one after the other.
+  template <typename Parts>
+  static std::size_t number_of_constraints(const Parts& parts)
+  {
+    std::size_t n = 0;
+    for(std::size_t i = 0; i < parts.size(); ++i)
+      if(i == 0 || parts[i].constraint.vertices != parts[i - 1].constraint.vertices)
+        ++n;
+    return n;
   }
 
   void write_phases(const Result& result)

@@ -361,6 +361,91 @@ def test_incomplete():
     assert mesh.triangles == [tuple(faces[i]) for i in range(len(faces)) if i not in missing]
 
 
+def twisted_box(outward):
+    """a box, and inside it a twisted prism that bounds a void or a second region"""
+    points, faces = schonhardt()
+    return join(box((-3, -3, -3), (3, 3, 3)), (points, faces if outward else [(a, c, b) for a, b, c in faces]))
+
+
+def test_steiner_points():
+    points, faces = schonhardt()
+    report = report_of(write('twisted.off', off_text(points, faces)), '-o', 'twisted.mesh', status=RECOVERED)
+    assert report['status'] == 'recovered' and report['mode'] == 'constrained' and report['domain'] == 'regions'
+    assert report['missing_edges'] == report['missing_facets'] == []
+    mesh = read_mesh('twisted.mesh')
+    check_domain(mesh, points, faces)
+    left = report['number_of_steiner_points_left']
+    assert 0 < left <= report['number_of_steiner_points'] and report['number_of_constraint_points'] > 0
+    assert left == len(report['steiner_points']) and report['number_of_split_edges'] == 0
+    assert report['number_of_steiner_points_in_domain'] == len(mesh.points) - 6 > 0
+    inside = [list(p) for p in mesh.points[6:]]
+    assert [p for p in report['steiner_points'] if p in inside] == inside
+    phases = [phase['name'] for phase in report['phases']]
+    assert {'conforming_edge_recovery', 'steiner_splitting', 'steiner_suppression'} <= set(phases)
+    process = run('twisted.off', status=RECOVERED)
+    assert re.search(r'^steiner_splitting ', process.out, re.M)
+    assert 'Steiner points: %d put on constraints, %d after splitting, %d left, %d of them in the domain' % (
+        report['number_of_constraint_points'], report['number_of_steiner_points'], left, len(mesh.points) - 6) in process.out
+
+
+def test_steiner_points_outside():
+    void = twisted_box(outward=False)
+    report = report_of(write('void.off', off_text(*void)), '-o', 'void.mesh', status=RECOVERED)
+    mesh = read_mesh('void.mesh')
+    check_domain(mesh, *void)
+    left, inside = report['number_of_steiner_points_left'], report['number_of_steiner_points_in_domain']
+    assert left > inside  # one is in the void, which cannot be filled without
+    assert len(mesh.points) == 14 + inside
+    run('void.off', '-o', 'all.mesh', '--keep-exterior', status=RECOVERED)
+    mesh = read_mesh('all.mesh')
+    check_tetrahedra(mesh)
+    assert set(mesh.regions) == {0, 1} and len(mesh.points) == 14 + left
+
+
+def chains_of(triangles):
+    """the directed edges around a set of triangles that are turned the same way"""
+    edges = collections.Counter((t[i], t[(i + 1) % 3]) for t in triangles for i in range(3))
+    assert set(edges.values()) == {1}
+    return {a: b for a, b in edges if (b, a) not in edges}
+
+
+def check_parts(mesh, faces):
+    """the triangles of each face are turned as it is, and one cycle through its corners goes around them"""
+    parts = collections.defaultdict(list)
+    for triangle, patch in zip(mesh.triangles, mesh.patches):
+        parts[patch - 1].append(triangle)
+    assert sorted(parts) == list(range(len(faces)))
+    for i, face in enumerate(faces):
+        after = chains_of(parts[i])
+        cycle = [face[0]]
+        while after[cycle[-1]] != face[0]:
+            cycle.append(after[cycle[-1]])
+        assert len(cycle) == len(after) and [v for v in cycle if v in face] == list(face), (face, cycle)
+    return max(map(len, parts.values()))
+
+
+def test_conforming():
+    points, faces = schonhardt()
+    report = report_of(write('twisted.off', off_text(points, faces)), '--conforming', '-o', 'twisted.mesh',
+                       status=RECOVERED)
+    assert report['mode'] == 'conforming' and report['domain'] == 'regions'
+    assert report['number_of_steiner_points_left'] == report['number_of_constraint_points'] > 0
+    assert report['number_of_split_edges'] > 0 and report['number_of_split_facets'] > 0
+    mesh = read_mesh('twisted.mesh')
+    check_tetrahedra(mesh)
+    assert check_parts(mesh, faces) > 1 and set(mesh.regions) == {1}
+    boundary = {f for f, n in facets_of(mesh.tetrahedra).items() if n == 1}
+    assert boundary == {frozenset(t) for t in mesh.triangles}
+    assert signed_volume(mesh.points, mesh.tetrahedra) == signed_volume(mesh.points, mesh.triangles)
+
+    for outward, regions in ((False, {1}), (True, {1, 2})):  # parts that are not turned like their face would not tell
+        surface = twisted_box(outward)
+        run(write('box.off', off_text(*surface)), '--conforming', '-o', 'box.mesh', status=RECOVERED)
+        mesh = read_mesh('box.mesh')
+        check_tetrahedra(mesh)
+        assert check_parts(mesh, surface[1]) > 1 and set(mesh.regions) == regions
+
+
 def test_time_limit():
     points, faces = box((0, 0, 0), (3, 4, 5))
     surface = write('limit.off', off_text(points, faces))
@@ -387,7 +472,9 @@ def test_report():
     phases = [phase['name'] for phase in report['phases']]
     assert phases[0] == 'insertion' and 'search' in phases
     assert report['seconds'] >= report['seconds_recovery'] >= 0
-    assert abs(sum(phase['seconds'] for phase in report['phases']) - report['seconds']) < 1e-9
+    seconds = {phase['name']: phase['seconds'] for phase in report['phases']}
+    assert sum(seconds.values()) <= report['seconds'] + 1e-9
+    assert abs(report['seconds'] - seconds['insertion'] - report['seconds_recovery']) < 1e-9
 
     # the report says the same as the mesh
     report = report_of('-o', 'report.mesh', status=RECOVERED)
