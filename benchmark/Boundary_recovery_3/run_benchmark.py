@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Recovers many surfaces by flips alone, beside TetGen if it is there, and prints the figures that tell how it went.
+"""Recovers many surfaces in one mode, beside TetGen if it is there, and prints the figures that tell how it went.
 
 README.md in this folder tells how to build the program that is run here, and what the columns of the table mean.
 """
@@ -15,9 +15,9 @@ import tempfile
 import time
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-DRIVER = os.path.join(ROOT, "build", "benchmark", "benchmark", "Boundary_recovery_3", "benchmark_flips_only")
+DRIVER = os.path.join(ROOT, "build", "benchmark", "benchmark", "Boundary_recovery_3", "benchmark_recovery")
 BUILD = ("cmake -S %s -B %s -DBUILD_TESTING=OFF -DBR3_BUILD_BENCHMARK=ON"
-         " && cmake --build %s --target benchmark_flips_only")
+         " && cmake --build %s --target benchmark_recovery")
 FORMATS = (".off", ".ply", ".stl", ".obj")
 RESOLUTION = 1e-6  # seconds; TetGen's clock() counts microseconds
 LONG = 0.01        # seconds; what takes TetGen longer is more than noise
@@ -37,8 +37,9 @@ class Table:
         self.columns = (["model", "vertices", "facets", "edges", "outcome"]
                         + ["lost_edges_at_start", "lost_facets_at_start"]
                         + [kind + "_after_" + phase for kind in ("edges", "facets") for phase in self.middle]
-                        + ["lost_edges", "lost_facets", "shell_transformations", "valid", "same_output",
-                           "insertion_seconds", "recovery_seconds", "phases_seconds"]
+                        + ["lost_edges", "lost_facets", "shell_transformations", "valid", "verdict", "same_output",
+                           "constraint_points", "steiner_points_after_splitting", "steiner_points",
+                           "steiner_points_in_domain", "insertion_seconds", "recovery_seconds", "phases_seconds"]
                         + ["seconds_" + phase for phase in self.phases[1:]]
                         + ["peak_memory_mb", "wall_seconds", "tetgen", "tetgen_seconds", "tetgen_points", "ratio",
                            "checksum", "note", "file"])
@@ -83,10 +84,12 @@ def without_measurements(value):
     return value
 
 
-def run_ours(arguments, file, surface):
-    command = [arguments.driver, file, "--table", "--kernel", arguments.kernel]
+def run_ours(arguments, file, surface, mesh):
+    command = [arguments.driver, file, "--table", "--mode", arguments.mode, "--kernel", arguments.kernel]
     if surface:
         command += ["--write-surface", surface]
+    if mesh:
+        command += ["--write-mesh", mesh]
     if arguments.time_limit is not None:
         command += ["--time-limit", str(arguments.time_limit)]
     status, output, errors, seconds = run(command, arguments.timeout)
@@ -102,11 +105,32 @@ def run_ours(arguments, file, surface):
     return {"outcome": outcome, "note": note, "wall": seconds}
 
 
+def seconds_of_step(step, log):
+    found = re.findall(step + r" seconds:\s+([0-9.eE+-]+)", log)
+    return float(found[-1]) if found else 0.0
+
+
+def verdict(arguments, surface, mesh):
+    """the class that the verifier finds; `no mesh` where no region is bounded"""
+    if not os.path.exists(mesh):
+        return "no mesh"
+    status, output, _, _ = run([arguments.verify, surface, mesh], arguments.timeout)
+    try:
+        found = json.loads(output)
+    except ValueError:
+        return "verifier failed" if status is not None else "verifier timeout"
+    if found["class"] == "strict" and found.get("steiner_seg", 0) + found.get("steiner_fac", 0) > 0:
+        return "points on the surface"
+    return found["class"]
+
+
 def run_tetgen(arguments, surface, output):
     status, log, _, _ = run([arguments.tetgen, "pYV", surface, output], arguments.timeout)
     if status != 0:
         return {"tetgen": "timeout" if status is None else "error %d" % status}
-    found = re.findall(r"Boundary recovery seconds:\s+([0-9.eE+-]+)", log)
+    seconds = seconds_of_step("Boundary recovery", log)
+    if arguments.mode == "constrained":  # ours has removed what it could of the points then
+        seconds += seconds_of_step("Steiner suppression", log)
     try:
         with open(output, encoding="ascii") as file:
             header = file.readline().split()
@@ -114,14 +138,16 @@ def run_tetgen(arguments, surface, output):
         points = int(header[1]) if header[:1] == ["vtet"] else None
     except (OSError, ValueError, IndexError):
         points = None
-    return {"tetgen": "ok", "seconds": float(found[-1]) if found else 0.0, "points": points}
+    return {"tetgen": "ok", "seconds": seconds, "points": points}
 
 
 def fill(row, result, table):
     """enters the numbers of one run"""
     for key in ("vertices", "facets", "edges", "lost_edges_at_start", "lost_facets_at_start", "lost_edges",
-                "lost_facets", "shell_transformations", "peak_memory_mb"):
+                "lost_facets", "shell_transformations", "constraint_points", "steiner_points_after_splitting",
+                "steiner_points", "peak_memory_mb"):
         row[key] = result[key]
+    row["steiner_points_in_domain"] = result.get("steiner_points_in_domain", "")
     row["outcome"] = result["status"]
     row["checksum"] = result.get("checksum", "")
     fill_times(row, result)
@@ -138,7 +164,9 @@ def fill_times(row, result):
     for key in ("recovery_seconds", "phases_seconds", "insertion_seconds"):
         row[key] = result[key]
     for phase in result["phases"]:
-        row["seconds_" + phase["phase"]] = phase["seconds"]
+        row["seconds_" + phase["phase"]] = 0
+    for phase in result["phases"]:  # the recount runs twice: after the flips, and in the end
+        row["seconds_" + phase["phase"]] += phase["seconds"]
 
 
 def second_run_verdict(first, second):
@@ -156,17 +184,20 @@ def measure(arguments, table, file):
     row["model"], row["file"] = os.path.splitext(os.path.basename(file))[0], file
     with tempfile.TemporaryDirectory(prefix="br3_") as folder:
         surface, output = os.path.join(folder, "in.off"), os.path.join(folder, "out.vtet")
-        first = run_ours(arguments, file, surface if arguments.tetgen else None)
+        mesh = os.path.join(folder, "out.mesh") if arguments.verify else None
+        first = run_ours(arguments, file, surface if arguments.tetgen or arguments.verify else None, mesh)
         row["wall_seconds"] = first["wall"]
         peers = []
         if arguments.tetgen and os.path.exists(surface):
             peers.append(run_tetgen(arguments, surface, output))
         if "result" in first:
             fill(row, first["result"], table)
+            if arguments.verify and row["outcome"] == "recovered":
+                row["verdict"] = verdict(arguments, surface, mesh)
             if first["wall"] > SECOND_RUN:
                 row["same_output"] = "skipped"
             else:
-                second = run_ours(arguments, file, None)
+                second = run_ours(arguments, file, None, None)
                 row["same_output"] = second_run_verdict(first, second)
                 if "result" in second and second["result"]["recovery_seconds"] < row["recovery_seconds"]:
                     fill_times(row, second["result"])
@@ -238,7 +269,13 @@ def print_verdicts(rows):
         if found:
             print("%-29s %d%s" % (text, len(found), names(found)))
     recovered = len(with_outcome("recovered"))
-    print("%-29s %d of %d = %s" % ("fully recovered, no points", recovered, len(rows), percent(recovered, len(rows))))
+    print("%-29s %d of %d = %s" % ("fully recovered", recovered, len(rows), percent(recovered, len(rows))))
+    free = sum(r["outcome"] == "recovered" and r["steiner_points_in_domain"] == 0 for r in rows)
+    print("%-29s %d of %d = %s" % ("  without a point inside", free, len(rows), percent(free, len(rows))))
+    judged = sorted(set(r["verdict"] for r in rows if r["verdict"]))
+    for found in judged:
+        such = [r for r in rows if r["verdict"] == found]
+        print("%-29s %d%s" % ("verifier: " + found, len(such), names(such) if found != "strict" else ""))
 
 
 def total(rows, key):
@@ -253,7 +290,7 @@ def print_lost(all_rows, table):
         print("%-7s lost after the insertion %d, still lost %d = %s" % (kind, start, end, percent(end, start)))
     if len(rows) < len(all_rows):
         print("  (without %d surfaces that came to no end)" % (len(all_rows) - len(rows)))
-    line = "%-22s %12s %12s %12s"
+    line = "%-26s %12s %12s %12s"
     print("\nsums over the %d surfaces that were measured" % len(rows))
     print(line % ("phase", "lost edges", "lost facets", "seconds"))
     print(line % ("insertion", "", "", "%.3f" % total(rows, "insertion_seconds")))
@@ -265,7 +302,28 @@ def print_lost(all_rows, table):
     print(line % ("beside the phases", "", "", "%.3f" % beside))
 
 
-def print_peer(rows):
+POINT_COLUMNS = ["constraint_points", "steiner_points_after_splitting", "steiner_points", "steiner_points_in_domain"]
+
+
+def print_points(rows, has_peer):
+    """Steiner points, in total and beside TetGen's"""
+    done = [r for r in rows if r["outcome"] == "recovered"]
+    print("Steiner points on the %d surfaces that were recovered: %d put on constraints, %d after splitting, %d left, %d in the domain"
+          % ((len(done),) + tuple(total(done, column) for column in POINT_COLUMNS)))
+    both = [r for r in done if r["tetgen_points"] != "" and r["steiner_points_in_domain"] != ""]
+    if both:
+        more = [r for r in both if r["steiner_points_in_domain"] > r["tetgen_points"]]
+        print("  in the domain, on the %d of them where TetGen succeeds: %d, TetGen %d"
+              % (len(both), total(both, "steiner_points_in_domain"), total(both, "tetgen_points")))
+        print("  more than TetGen: %d of %d%s" % (len(more), len(both), names(more)))
+    most = sorted((r for r in rows if r["steiner_points"] not in ("", 0)),
+                  key=lambda r: (-(r["steiner_points_in_domain"] or 0), -r["steiner_points"], r["model"]))[:10]
+    if most:
+        print_worst("the ten with the most Steiner points in the domain", most,
+                    ["facets"] + POINT_COLUMNS + (["tetgen_points"] if has_peer else []) + ["recovery_seconds"])
+
+
+def print_peer(rows, mode):
     tried = [r for r in rows if r["tetgen"]]
     good = [r for r in tried if r["tetgen"] == "ok"]
     free = [r for r in good if r["tetgen_points"] == 0]
@@ -274,7 +332,8 @@ def print_peer(rows):
     both = [r for r in good if r["ratio"] != ""]
     if not both:
         return
-    print("recovery time / TetGen's \"Boundary recovery seconds\" on %d surfaces" % len(both))
+    print("recovery time / TetGen's \"Boundary recovery seconds\"%s on %d surfaces"
+          % (" + \"Steiner suppression seconds\"" if mode == "constrained" else "", len(both)))
     print("  (%d left out: no time of ours, or 0 s of TetGen)" % (len(good) - len(both)))
     slow = [r for r in both if r["tetgen_seconds"] >= LONG]
     for key, name in (("recovery_seconds", "whole call but insertion"), ("phases_seconds", "phases alone")):
@@ -296,16 +355,20 @@ def print_worst(title, rows, columns):
         print("  " + line[0].ljust(widths[0]) + "".join("  " + t.rjust(w) for t, w in zip(line[1:], widths[1:])))
 
 
-def print_summary(rows, table, has_peer):
+def print_summary(rows, table, mode, has_peer):
+    print("mode                          " + mode)
     print_verdicts(rows)
     print_lost(rows, table)
+    print()
+    print_points(rows, has_peer)
     if has_peer:
         print()
-        print_peer(rows)
+        print_peer(rows, mode)
     worst = sorted((r for r in rows if r["lost_edges"] != "" and r["lost_edges"] + r["lost_facets"] > 0),
                    key=lambda r: (-r["lost_edges"], -r["lost_facets"], r["model"]))[:10]
-    print_worst("the ten worst by edges still lost", worst,
-                ["facets", "lost_edges_at_start", "lost_edges", "lost_facets", "recovery_seconds"])
+    if worst:
+        print_worst("the ten worst by edges still lost", worst,
+                    ["facets", "lost_edges_at_start", "lost_edges", "lost_facets", "recovery_seconds"])
     if has_peer:
         slowest = sorted((r for r in rows if r["ratio"] != ""), key=lambda r: -r["ratio"])[:10]
         print_worst("the ten slowest relative to TetGen", slowest,
@@ -320,9 +383,11 @@ def parse_arguments():
     parser.add_argument("--jobs", type=int, default=2, help="surfaces at a time, default 2; 1 where times matter")
     parser.add_argument("--timeout", type=float, default=120, help="seconds after which a program is stopped")
     parser.add_argument("--time-limit", type=float, help="maximum_running_time of the recovery, in seconds")
+    parser.add_argument("--mode", choices=("constrained", "conforming", "flips_only"), default="constrained")
     parser.add_argument("--kernel", choices=("epick", "epeck"), default="epick")
-    parser.add_argument("--driver", default=DRIVER, help="the program benchmark_flips_only")
+    parser.add_argument("--driver", default=DRIVER, help="the program benchmark_recovery")
     parser.add_argument("--tetgen", metavar="PROGRAM", help="called as PROGRAM pYV in.off out.vtet")
+    parser.add_argument("--verify", metavar="PROGRAM", help="called as PROGRAM in.off out.mesh on what was recovered")
     parser.add_argument("--out", metavar="FILE.tsv", help="write a table with a row per surface")
     return parser.parse_args()
 
@@ -333,11 +398,13 @@ def main():
         build = os.path.join(ROOT, "build", "benchmark")
         sys.exit("run_benchmark.py: there is no %s; build it:\n  %s" % (arguments.driver, BUILD % (ROOT, build, build)))
     arguments.driver = os.path.abspath(arguments.driver)
-    if arguments.tetgen and not os.access(arguments.tetgen, os.X_OK):
-        sys.exit("run_benchmark.py: no such program: " + arguments.tetgen)
-    if arguments.tetgen:
-        arguments.tetgen = os.path.abspath(arguments.tetgen)
-    else:
+    for name in ("tetgen", "verify"):
+        program = getattr(arguments, name)
+        if program and not os.access(program, os.X_OK):
+            sys.exit("run_benchmark.py: no such program: " + program)
+        if program:
+            setattr(arguments, name, os.path.abspath(program))
+    if not arguments.tetgen:
         print("TetGen is skipped: no --tetgen was given", file=sys.stderr)
     files = surfaces_of(arguments)
     if not files:
@@ -351,14 +418,15 @@ def main():
     with concurrent.futures.ThreadPoolExecutor(max(1, arguments.jobs)) as pool:
         for row in pool.map(lambda surface: measure(arguments, table, surface), files):
             rows.append(row)
-            print("%d/%d %s: %s, %s edges lost" % (len(rows), len(files), row["model"], row["outcome"],
-                                                  row["lost_edges"] if row["lost_edges"] != "" else "?"),
+            print("%d/%d %s: %s, %s edges lost, %s points%s"
+                  % (len(rows), len(files), row["model"], row["outcome"], *(row[c] if row[c] != "" else "?" for c in
+                     ("lost_edges", "steiner_points_in_domain")), row["verdict"] and ", " + row["verdict"]),
                   file=sys.stderr, flush=True)
             if file:
                 print("\t".join(text_of(row[column]) for column in table.columns), file=file, flush=True)
     if file:
         file.close()
-    print_summary(rows, table, bool(arguments.tetgen))
+    print_summary(rows, table, arguments.mode, bool(arguments.tetgen))
 
 
 if __name__ == "__main__":

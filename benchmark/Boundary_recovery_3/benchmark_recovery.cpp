@@ -1,14 +1,16 @@
-// Recovers one surface by flips alone and prints what that took as one line of JSON; README.md tells what the
-// entries mean. Nothing that the library reports is taken on trust: the final triangulation is looked through.
+// Recovers one surface and prints what that took as one line of JSON; README.md tells what the entries mean. Nothing
+// that the library reports is taken on trust: the final triangulation is looked through.
 
 #include <CGAL/recover_boundary.h>
 
+#include <CGAL/Boundary_recovery_3/label_regions.h>
 #include <CGAL/Cartesian_converter.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Real_timer.h>
+#include <CGAL/Unique_hash_map.h>
 
 #include <algorithm>
 #include <array>
@@ -33,6 +35,7 @@ typedef CGAL::Exact_predicates_inexact_constructions_kernel   Epick;
 typedef CGAL::Exact_predicates_exact_constructions_kernel     Epeck;
 typedef CGAL::Boundary_recovery_3::Recovery_phase             Phase;
 typedef CGAL::Boundary_recovery_3::Recovery_status            Status;
+typedef CGAL::Boundary_recovery_3::Recovery_mode              Mode;
 typedef std::array<std::size_t, 2>                            Edge;
 typedef std::array<std::size_t, 3>                            Facet;
 typedef std::array<std::size_t, 4>                            Cell;
@@ -40,19 +43,23 @@ typedef std::array<std::size_t, 4>                            Cell;
 enum Exit_status { measured = 0, usage_or_file_error = 1, exception_caught = 2 };
 
 constexpr const char* usage =
-  "usage: benchmark_flips_only [options] SURFACE\n"
-  "Recovers a surface (.off .ply .stl .obj) by flips alone and prints one line of JSON.\n"
+  "usage: benchmark_recovery [options] SURFACE\n"
+  "Recovers a surface (.off .ply .stl .obj) and prints one line of JSON.\n"
+  "  --mode MODE            constrained (default), conforming or flips_only\n"
   "  --kernel epick|epeck   the kernel; default: epick\n"
   "  --time-limit SECONDS   stop the recovery after that time; default: never\n"
   "  --table                add the numbers n1 to n4 of each recursion level\n"
   "  --write-surface FILE   write the surface as it is recovered, in OFF, for other programs\n"
-  "benchmark_flips_only --phases prints the names of all phases, in the order in which they run.\n"
+  "  --write-mesh FILE      write the tetrahedra of the domain, in MEDIT's format\n"
+  "benchmark_recovery --phases prints the names of all phases, in the order in which they run.\n"
   "exit status: 0 measured, 1 usage or file error, 2 an exception left the library\n";
 
 struct Options
 {
   std::string input;
   std::string surface;
+  std::string mesh;
+  Mode mode = Mode::constrained;
   bool is_exact = false;
   bool table = false;
   double time_limit = (std::numeric_limits<double>::infinity)();
@@ -64,6 +71,19 @@ struct Surface
   std::vector<std::vector<std::size_t> > faces;
 };
 
+constexpr const char* names_of_modes[] = { "constrained", "conforming", "flips_only" }; // in the order of `Mode`
+
+bool parse_mode(const std::string& name, Mode& mode)
+{
+  for(int i = 0; i < 3; ++i)
+    if(name == names_of_modes[i])
+    {
+      mode = static_cast<Mode>(i);
+      return true;
+    }
+  return false;
+}
+
 bool parse(const int argc, const char* const argv[], Options& options)
 {
   for(int i = 1; i < argc; ++i)
@@ -74,8 +94,12 @@ bool parse(const int argc, const char* const argv[], Options& options)
       options.table = true;
     else if(argument == "--kernel" && (value == "epick" || value == "epeck"))
       options.is_exact = argv[++i] == std::string("epeck");
+    else if(argument == "--mode" && parse_mode(value, options.mode))
+      ++i;
     else if(argument == "--write-surface" && ! value.empty())
       options.surface = argv[++i];
+    else if(argument == "--write-mesh" && ! value.empty())
+      options.mesh = argv[++i];
     else if(argument == "--time-limit" && ! value.empty())
     {
       char* end = nullptr;
@@ -174,22 +198,32 @@ std::vector<Edge> edges_of(const std::vector<std::vector<std::size_t> >& faces)
   return edges;
 }
 
-// The cells by the input indices of their vertices, in an order of their own; the infinite vertex comes last.
+// The vertices by number: those of the input, Steiner points, and the infinite vertex.
 template <typename Triangulation>
-std::vector<Cell> indexed_cells(const Triangulation& tr,
-                                const CGAL::Boundary_recovery_result_3<Triangulation>& result)
+class Vertex_numbers
 {
-  std::unordered_map<const void*, std::size_t> index; // look-up only
-  for(const auto v : result.vertices)
-    index.emplace(&*v, index.size());
-  for(const auto v : result.steiner_vertices)
-    index.emplace(&*v, index.size());
-  index.emplace(&*tr.infinite_vertex(), index.size());
+  std::unordered_map<const void*, std::size_t> m_numbers; // look-up only
 
+public:
+  Vertex_numbers(const Triangulation& tr, const CGAL::Boundary_recovery_result_3<Triangulation>& result)
+  {
+    for(const auto v : result.vertices)
+      m_numbers.emplace(&*v, m_numbers.size());
+    for(const auto v : result.steiner_vertices)
+      m_numbers.emplace(&*v, m_numbers.size());
+    m_numbers.emplace(&*tr.infinite_vertex(), m_numbers.size());
+  }
+
+  std::size_t operator()(const typename Triangulation::Vertex_handle v) const { return m_numbers.at(&*v); }
+};
+
+// The cells by the numbers of their vertices, in an order of their own.
+template <typename Triangulation>
+std::vector<Cell> indexed_cells(const Triangulation& tr, const Vertex_numbers<Triangulation>& number)
+{
   std::vector<Cell> cells;
   for(const auto c : tr.all_cell_handles())
-    cells.push_back({{ index.at(&*c->vertex(0)), index.at(&*c->vertex(1)),
-                       index.at(&*c->vertex(2)), index.at(&*c->vertex(3)) }});
+    cells.push_back({{ number(c->vertex(0)), number(c->vertex(1)), number(c->vertex(2)), number(c->vertex(3)) }});
   for(Cell& c : cells)
     std::sort(c.begin(), c.end());
   std::sort(cells.begin(), cells.end());
@@ -207,6 +241,73 @@ std::uint64_t checksum(const std::vector<Cell>& cells)
   return hash;
 }
 
+// The cells of the domain: all of those whose region is not 0.
+template <typename Triangulation>
+std::vector<typename Triangulation::Cell_handle>
+cells_of_domain(const Triangulation& tr, const CGAL::Boundary_recovery_result_3<Triangulation>& result,
+                const Surface& surface)
+{
+  typedef typename Triangulation::Vertex_handle Vertex_handle;
+  typedef typename Triangulation::Cell_handle Cell_handle;
+
+  std::vector<std::array<Vertex_handle, 3> > walls; // facets that are split are none, so they are ignored here
+  for(const auto& face : surface.faces)
+    walls.push_back({{ result.vertices[face[0]], result.vertices[face[1]], result.vertices[face[2]] }});
+  for(const auto& part : result.parts_of_facets)
+    walls.push_back({{ part.vertices[0], part.vertices[1], part.vertices[2] }});
+  CGAL::Unique_hash_map<Cell_handle, int> region(0);
+  CGAL::Boundary_recovery_3::label_regions(
+    tr, walls, boost::associative_property_map<CGAL::Unique_hash_map<Cell_handle, int> >(region));
+  std::vector<Cell_handle> cells;
+  for(const Cell_handle c : tr.finite_cell_handles())
+    if(region[c] != 0)
+      cells.push_back(c);
+  return cells;
+}
+
+// How many Steiner points are vertices of the cells.
+template <typename Result, typename Cells>
+std::size_t number_of_steiner_points(const Result& result, const Cells& cells)
+{
+  CGAL::Unique_hash_map<typename Result::Vertex_handle, bool> is_there(false);
+  for(const auto c : cells)
+    for(int i = 0; i < 4; ++i)
+      is_there[c->vertex(i)] = true;
+  return static_cast<std::size_t>(std::count_if(result.steiner_vertices.begin(), result.steiner_vertices.end(),
+                                                [&](const auto v) { return is_there[v]; }));
+}
+
+template <typename Result, typename Cells>
+bool write_mesh(const std::string& file, const Result& result, const Cells& cells)
+{
+  typedef typename Result::Vertex_handle Vertex_handle;
+  std::vector<Vertex_handle> vertices = result.vertices;
+  vertices.insert(vertices.end(), result.steiner_vertices.begin(), result.steiner_vertices.end());
+  CGAL::Unique_hash_map<Vertex_handle, std::size_t> number(0); // 0: not used
+  for(const auto c : cells)
+    for(int i = 0; i < 4; ++i)
+      number[c->vertex(i)] = std::size_t(-1);
+
+  std::ofstream os(file);
+  os.precision(17);
+  vertices.erase(std::remove_if(vertices.begin(), vertices.end(), [&](const auto v) { return number[v] == 0; }),
+                 vertices.end());
+  os << "MeshVersionFormatted 2\nDimension 3\nVertices\n" << vertices.size() << '\n';
+  for(std::size_t i = 0; i < vertices.size(); ++i)
+  {
+    const auto& p = vertices[i]->point();
+    number[vertices[i]] = i + 1;
+    os << CGAL::to_double(p.x()) << ' ' << CGAL::to_double(p.y()) << ' ' << CGAL::to_double(p.z()) << " 0\n";
+  }
+  os << "Tetrahedra\n" << cells.size() << '\n';
+  for(const auto c : cells)
+    os << number[c->vertex(0)] << ' ' << number[c->vertex(1)] << ' ' << number[c->vertex(2)] << ' '
+       << number[c->vertex(3)] << " 1\n";
+  os << "End\n";
+  os.close();
+  return ! os.fail();
+}
+
 template <typename Simplex>
 std::size_t number_of_missing(const std::vector<Simplex>& wanted, const std::vector<Simplex>& present)
 {
@@ -214,16 +315,36 @@ std::size_t number_of_missing(const std::vector<Simplex>& wanted, const std::vec
                                   { return ! std::binary_search(present.begin(), present.end(), s); }));
 }
 
+// Puts the parts of simplices (mode `conforming`) in their place.
+template <typename Simplex, typename Parts, typename Numbers>
+void replace_by_parts(std::vector<Simplex>& simplices, const Parts& parts, const Numbers& number)
+{
+  std::vector<Simplex> split, pieces;
+  for(const auto& part : parts)
+  {
+    Simplex whole, piece;
+    std::copy_n(part.constraint.vertices.begin(), whole.size(), whole.begin());
+    std::transform(part.vertices.begin(), part.vertices.end(), piece.begin(), number);
+    split.push_back(whole);
+    pieces.push_back(piece);
+  }
+  make_unique(split);
+  simplices.erase(std::remove_if(simplices.begin(), simplices.end(), [&](const Simplex& s)
+                                 { return std::binary_search(split.begin(), split.end(), s); }), simplices.end());
+  simplices.insert(simplices.end(), pieces.begin(), pieces.end());
+  make_unique(simplices);
+}
+
 // Whether the numbers of missing edges and facets are those that a look at all the cells gives.
-template <typename Result>
-bool recount_agrees(const Result& result, const Surface& surface, const std::vector<Cell>& cells)
+template <typename Result, typename Numbers>
+bool recount_agrees(const Result& result, const Surface& surface, const std::vector<Cell>& cells, const Numbers& number)
 {
   std::vector<Facet> present, wanted;
   for(const Cell& c : cells)
     for(std::size_t i = 0; i < 4; ++i)
       present.push_back({{ c[(i + 1) % 4], c[(i + 2) % 4], c[(i + 3) % 4] }});
   make_unique(present);
-  std::vector<Edge> present_edges;
+  std::vector<Edge> present_edges, wanted_edges = edges_of(surface.faces);
   for(const Facet& f : present)
     for(std::size_t i = 0; i < 3; ++i)
       present_edges.push_back({{ f[i], f[(i + 1) % 3] }});
@@ -231,7 +352,9 @@ bool recount_agrees(const Result& result, const Surface& surface, const std::vec
   for(const auto& face : surface.faces)
     wanted.push_back({{ face[0], face[1], face[2] }});
   make_unique(wanted);
-  return number_of_missing(edges_of(surface.faces), present_edges) == result.missing_edges.size()
+  replace_by_parts(wanted_edges, result.parts_of_edges, number);
+  replace_by_parts(wanted, result.parts_of_facets, number);
+  return number_of_missing(wanted_edges, present_edges) == result.missing_edges.size()
       && number_of_missing(wanted, present) == result.missing_facets.size();
 }
 
@@ -353,6 +476,8 @@ void print_account(std::ostream& os, const Result& result, const double seconds)
      << ", \"lost_edges_at_start\": " << lost_edges << ", \"lost_facets_at_start\": " << lost_facets
      << ", \"lost_edges\": " << result.missing_edges.size()
      << ", \"lost_facets\": " << result.missing_facets.size()
+     << ", \"constraint_points\": " << result.number_of_constraint_points
+     << ", \"steiner_points_after_splitting\": " << result.number_of_steiner_points
      << ", \"steiner_points\": " << result.steiner_vertices.size()
      << ", \"shell_transformations\": " << result.number_of_shell_transformations;
   print_phases(os, result);
@@ -369,14 +494,17 @@ void print_checks(std::ostream& os, const Triangulation& tr, const Result& resul
      << ", \"hull_is_convex\": " << hull_is_convex(tr);
   if(result.status == Status::invalid_input || result.vertices.size() != surface.points.size())
     return; // nobody knows which vertex is which
-  const std::vector<Cell> cells = indexed_cells(tr, result);
+  const Vertex_numbers<Triangulation> number(tr, result);
+  const std::vector<Cell> cells = indexed_cells(tr, number);
   char text[24];
   std::snprintf(text, sizeof(text), "%016llx", static_cast<unsigned long long>(checksum(cells)));
-  os << ", \"recount_agrees\": " << recount_agrees(result, surface, cells) << ", \"checksum\": \"" << text << '"';
+  os << ", \"steiner_points_in_domain\": " << number_of_steiner_points(result, cells_of_domain(tr, result, surface))
+     << ", \"recount_agrees\": " << recount_agrees(result, surface, cells, number) << ", \"checksum\": \"" << text << '"';
 }
 
+// Returns false if a file cannot be written.
 template <typename Kernel>
-void measure(const Options& options, const Surface& surface)
+bool measure(const Options& options, const Surface& surface)
 {
   typedef CGAL::Delaunay_triangulation_3<Kernel> Triangulation;
 
@@ -390,14 +518,15 @@ void measure(const Options& options, const Surface& surface)
   timer.start();
   const auto result = CGAL::recover_boundary(tr, points, surface.faces,
     CGAL::parameters::maximum_running_time(options.time_limit),
-    CGAL::parameters::recovery_mode(CGAL::Boundary_recovery_3::Recovery_mode::flips_only));
+    CGAL::parameters::recovery_mode(options.mode));
   timer.stop();
   const double memory = peak_memory(); // before the checks take some
 
   std::ostream& os = std::cout;
   os.precision(9);
   os << "{\"model\": " << quoted(model_name(options.input))
-     << ", \"kernel\": \"" << (options.is_exact ? "epeck" : "epick")
+     << ", \"mode\": \"" << names_of_modes[static_cast<int>(options.mode)]
+     << "\", \"kernel\": \"" << (options.is_exact ? "epeck" : "epick")
      << "\", \"vertices\": " << surface.points.size() << ", \"facets\": " << surface.faces.size()
      << ", \"edges\": " << edges_of(surface.faces).size();
   print_account(os, result, timer.time());
@@ -406,6 +535,8 @@ void measure(const Options& options, const Surface& surface)
   if(options.table)
     print_levels(os, result);
   os << '}' << std::endl;
+  return options.mesh.empty() || result.vertices.size() != surface.points.size()
+      || write_mesh(options.mesh, result, cells_of_domain(tr, result, surface));
 }
 
 // All phases, a name per line; there is none beyond the last one that has a name.
@@ -437,20 +568,21 @@ int main(int argc, char* argv[])
   catch(const std::exception&) { } // an index or a size that the file cannot have
   if(! is_read || (! options.surface.empty() && ! write_surface(options.surface, surface)))
   {
-    std::cerr << "benchmark_flips_only: cannot " << (is_read ? "write " + options.surface : "read " + options.input)
+    std::cerr << "benchmark_recovery: cannot " << (is_read ? "write " + options.surface : "read " + options.input)
               << std::endl;
     return usage_or_file_error;
   }
   try
   {
-    if(options.is_exact)
-      measure<Epeck>(options, surface);
-    else
-      measure<Epick>(options, surface);
+    if(! (options.is_exact ? measure<Epeck>(options, surface) : measure<Epick>(options, surface)))
+    {
+      std::cerr << "benchmark_recovery: cannot write " << options.mesh << std::endl;
+      return usage_or_file_error;
+    }
   }
   catch(const std::exception& e)
   {
-    std::cerr << "benchmark_flips_only: " << e.what() << std::endl;
+    std::cerr << "benchmark_recovery: " << e.what() << std::endl;
     return exception_caught;
   }
   return measured;
