@@ -241,7 +241,7 @@ std::uint64_t checksum(const std::vector<Cell>& cells)
   return hash;
 }
 
-// The cells of the domain: all of those whose region is not 0.
+// The cells of the domain: those whose region is not 0; all of them if the surface bounds nothing.
 template <typename Triangulation>
 std::vector<typename Triangulation::Cell_handle>
 cells_of_domain(const Triangulation& tr, const CGAL::Boundary_recovery_result_3<Triangulation>& result,
@@ -256,11 +256,11 @@ cells_of_domain(const Triangulation& tr, const CGAL::Boundary_recovery_result_3<
   for(const auto& part : result.parts_of_facets)
     walls.push_back({{ part.vertices[0], part.vertices[1], part.vertices[2] }});
   CGAL::Unique_hash_map<Cell_handle, int> region(0);
-  CGAL::Boundary_recovery_3::label_regions(
+  const int number_of_regions = CGAL::Boundary_recovery_3::label_regions(
     tr, walls, boost::associative_property_map<CGAL::Unique_hash_map<Cell_handle, int> >(region));
   std::vector<Cell_handle> cells;
   for(const Cell_handle c : tr.finite_cell_handles())
-    if(region[c] != 0)
+    if(number_of_regions == 0 || region[c] != 0)
       cells.push_back(c);
   return cells;
 }
@@ -498,8 +498,10 @@ void print_checks(std::ostream& os, const Triangulation& tr, const Result& resul
   const std::vector<Cell> cells = indexed_cells(tr, number);
   char text[24];
   std::snprintf(text, sizeof(text), "%016llx", static_cast<unsigned long long>(checksum(cells)));
-  os << ", \"steiner_points_in_domain\": " << number_of_steiner_points(result, cells_of_domain(tr, result, surface))
-     << ", \"recount_agrees\": " << recount_agrees(result, surface, cells, number) << ", \"checksum\": \"" << text << '"';
+  os << ", \"steiner_points_in_domain\": "
+     << number_of_steiner_points(result, cells_of_domain(tr, result, surface))
+     << ", \"recount_agrees\": " << recount_agrees(result, surface, cells, number)
+     << ", \"checksum\": \"" << text << '"';
 }
 
 // Returns false if a file cannot be written.

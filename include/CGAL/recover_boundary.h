@@ -38,13 +38,16 @@ namespace CGAL {
  * 2. finds the points among the vertices of `tr` by their exact coordinates, and inserts those that are not there;
  * 3. recovers lost edges, then lost facets, by recursive shell transformations [CZZ+17, Section 4.2] and small
  *    polyhedron reconnection, without adding points;
- * 4. looks up every constraint again.
+ * 4. if something is still lost, and the constraints do not intersect, recovers it by Steiner points, on the
+ *    constraints first [CZZ+17, Section 4]; takes them off the constraints, and removes as many of them as it can;
+ * 5. looks up every constraint again.
  *
  * The triangulation is changed in place and is no longer Delaunay afterwards, although its type may say so: point
  * insertion, point location by conflicts, and nearest vertex queries are undefined from then on. The base
  * `Triangulation_3::is_valid()` holds. Vertices keep their handles and their coordinates, bit for bit. Cells are
  * replaced; data in them is lost, unless a visitor carries it over. A later call on the same triangulation has to be
- * given the earlier constraints again, or it may flip them away.
+ * given the earlier constraints again, or it may flip them away. Steiner points of an earlier call are ordinary
+ * vertices for it: they are not removed, and parts of constraints have to be given as constraints of their own.
  *
  * Nothing is printed, and nothing is thrown because of the input.
  *
@@ -69,8 +72,8 @@ namespace CGAL {
  *     \cgalParamDescription{how far the recovery goes}
  *     \cgalParamType{`CGAL::Boundary_recovery_3::Recovery_mode`}
  *     \cgalParamDefault{`Recovery_mode::constrained`}
- *     \cgalParamExtra{Steiner points are not implemented yet: whatever the mode, what flips cannot recover is reported
- *                     as missing, with the status `incomplete`.}
+ *     \cgalParamExtra{If Steiner points cannot recover all, because the kernel has no numbers for their positions, or
+ *                     because time is up, the triangulation is given back as the flips left it.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{max_recursion_level}
  *     \cgalParamDescription{the recursion level that is never exceeded; 0: no recursion}
@@ -84,7 +87,7 @@ namespace CGAL {
  *     \cgalParamDefault{no edges}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_running_time}
- *     \cgalParamDescription{the time in seconds after which the recovery stops, with a valid triangulation}
+ *     \cgalParamDescription{the time in seconds after which the recovery stops soon, with a valid triangulation}
  *     \cgalParamType{`double`}
  *     \cgalParamDefault{no limit}
  *   \cgalParamNEnd

@@ -23,8 +23,8 @@ namespace Boundary_recovery_3 {
 /// how far `CGAL::recover_boundary()` goes to recover a constraint.
 enum class Recovery_mode
 {
-  constrained, ///< every constraint is one simplex of the triangulation; Steiner points only off the constraints
-  conforming,  ///< Steiner points may stay on the constraints, which become unions of simplices
+  constrained, ///< every constraint becomes one simplex of the triangulation; Steiner points only off the constraints
+  conforming,  ///< Steiner points stay on the constraints, which become unions of simplices
   flips_only   ///< no point is ever added
 };
 
@@ -33,9 +33,11 @@ enum class Recovery_mode
 enum class Recovery_status
 {
   recovered,     ///< every constraint is in the triangulation (mode `conforming`: as a union of simplices)
-  incomplete,    ///< some constraints are missing; they are listed
+  incomplete,    ///< some constraints are missing; they are listed. In the modes with points, none could be represented
+                 ///< where it would have to be; the triangulation is as the flips left it
   invalid_input, ///< the input cannot be recovered by anybody; its defects are listed
-  stopped        ///< the visitor or the time limit ended the recovery early; what is missing then is listed
+  stopped        ///< the visitor or the time limit ended the recovery early; what is missing then is listed, and no
+                 ///< Steiner point is in the triangulation
 };
 
 /// \ingroup PkgBoundaryRecovery3Classes
@@ -124,7 +126,8 @@ struct Recursion_level_report
 };
 
 /// \ingroup PkgBoundaryRecovery3Classes
-/// a mesh edge or facet that is a part of a constraint.
+/// a mesh edge or facet that is a part of a constraint. Mesh edges come one after the other, as they are on the
+/// constrained edge; mesh facets come in any order and orientation.
 template <typename Vertex_handle_, typename Point_3_>
 struct Constraint_part_3
 {
@@ -173,13 +176,14 @@ struct Boundary_recovery_result_3
   /// constrained facets that are not named here are single mesh facets, unless they are missing
   std::vector<Constraint_part> parts_of_facets;
 
-  /// the Steiner points that are left in the triangulation
+  /// the Steiner points that are left in the triangulation, those outside of the domain included
   std::vector<Vertex_handle> steiner_vertices;
 
   std::size_t number_of_edges = 0;             ///< number of constrained edges, those of the facets included
   std::size_t number_of_facets = 0;            ///< number of constrained facets
   std::size_t number_of_constraint_points = 0; ///< number of Steiner points that were put on constraints
-  std::size_t number_of_steiner_points = 0;    ///< number of Steiner points before any of them was removed
+  std::size_t number_of_steiner_points = 0;    ///< number of Steiner points that came off the constraints in their place,
+                                               ///< before any of them was removed; 0 in the mode `conforming`
   std::size_t number_of_inserted_vertices = 0; ///< number of input points that were not in the triangulation before
   std::size_t number_of_shell_transformations = 0; ///< number of covering meshes that were replaced
 

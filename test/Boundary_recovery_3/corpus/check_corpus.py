@@ -2,7 +2,7 @@
 """Runs the program recover_boundary on a folder of valid, closed surfaces and judges what it writes.
 
 usage: check_corpus.py --program PROGRAM --verify VERIFIER [options] FOLDER
-  --below N      take the surfaces of fewer than N triangles (1500)
+  --below N      take the surfaces of fewer than N triangles (5000)
   --skip NAMES   leave these out, names without .off, separated by commas (those that take too long here, see SLOW)
   --flips-only   no points are allowed
   --jobs N       surfaces at the same time (2)
@@ -209,7 +209,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--program", required=True)
     parser.add_argument("--verify", required=True)
-    parser.add_argument("--below", type=int, default=1500)
+    parser.add_argument("--below", type=int, default=5000)
     parser.add_argument("--skip", default=SLOW)
     parser.add_argument("--flips-only", action="store_true")
     parser.add_argument("--jobs", type=int, default=2)
