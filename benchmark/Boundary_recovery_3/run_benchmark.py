@@ -293,6 +293,8 @@ def print_lost(all_rows, table):
     print(line % ("phase", "lost edges", "lost facets", "seconds"))
     print(line % ("insertion", "", "", "%.3f" % total(rows, "insertion_seconds")))
     for phase in table.phases[1:]:
+        if all(row["seconds_" + phase] == "" for row in rows):
+            continue  # it never ran
         suffix = None if phase in table.middle else "_at_start" if phase == "search" else ""
         keys = [kind + "_after_" + phase if suffix is None else "lost_" + kind + suffix for kind in ("edges", "facets")]
         print(line % (phase, total(rows, keys[0]), total(rows, keys[1]), "%.3f" % total(rows, "seconds_" + phase)))
