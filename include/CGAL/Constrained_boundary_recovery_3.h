@@ -398,21 +398,19 @@ public:
   bool suppress_steiner_points()
   {
     Boundary_recovery_3::internal::Steiner_suppression_3<Tr, Visitor>
-      suppress(m_tr, m_predicates, m_constraints, m_steiner_points.positions(), m_context.visitor());
+      suppress(m_tr, m_predicates, m_constraints, m_steiner_points.positions(), m_free_steiner_vertices,
+               m_context.visitor());
     bool is_storable = true;
     run(Phase::steiner_suppression, [&]
     {
-      for(int l_max = 0; l_max <= max_suppression_level; ++l_max)
-        for(std::size_t before = 0; before != m_free_steiner_vertices.size(); )
-        {
-          before = m_free_steiner_vertices.size();
-          remove_done(Phase::steiner_suppression, m_free_steiner_vertices,
-                      [&](const Vertex_handle v) { return suppress(v, l_max, m_context); });
-          for(const Vertex_handle v : m_free_steiner_vertices)
-            suppress.relocate(v);
-        }
-      for(const Vertex_handle v : m_free_steiner_vertices)
-        is_storable = suppress.round(v) && is_storable;
+      do
+      {
+        for(int l_max = 0; l_max <= max_suppression_level; ++l_max)
+          while(suppress.remove_points(l_max, m_context))
+            suppress.relocate_points(m_context);
+      }
+      while(suppress.merge_points(m_context));
+      is_storable = suppress.round_points();
     });
     m_number_of_transformations += suppress.number_of_transformations();
     return is_storable;

@@ -15,7 +15,9 @@
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Cartesian_converter.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Interval_nt.h>
 #include <CGAL/Kernel_traits.h>
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/number_utils.h>
 
 #include <cstddef>
@@ -48,6 +50,10 @@ public:
   typedef typename Exact_kernel::FT          Exact_FT;
   typedef typename Exact_kernel::Point_3     Exact_point_3;
 
+  typedef Interval_nt<false>                 Interval;
+  typedef Simple_cartesian<Interval>         Interval_kernel;
+  typedef Interval_kernel::Point_3           Interval_point_3;
+
   // Whether every vertex is where the triangulation says.
   bool empty() const { return m_positions.empty(); }
 
@@ -60,8 +66,15 @@ public:
     else
     {
       const auto it = m_positions.find(&*v);
-      return it == m_positions.end() ? Cartesian_converter<Kernel, Exact_kernel>()(v->point()) : it->second;
+      return it == m_positions.end() ? Cartesian_converter<Kernel, Exact_kernel>()(v->point()) : it->second.exact;
     }
+  }
+
+  // A box around the position, for filters. Not to be called with exact kernels.
+  Interval_point_3 box(const Vertex_handle v) const
+  {
+    const auto it = m_positions.find(&*v);
+    return it == m_positions.end() ? box(v->point()) : it->second.box;
   }
 
   void set(const Vertex_handle v, const Exact_point_3& p)
@@ -71,7 +84,8 @@ public:
     else
     {
       v->set_point(Point_3(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())));
-      m_positions[&*v] = p;
+      CGAL::exact(p); // or it would remember all the points that it was computed from
+      m_positions[&*v] = { p, box(p) };
     }
   }
 
@@ -79,7 +93,20 @@ public:
   void erase(const Vertex_handle v) { m_positions.erase(&*v); }
 
 private:
-  std::unordered_map<const void*, Exact_point_3> m_positions; // look-up only
+  struct Position
+  {
+    Exact_point_3 exact;
+    Interval_point_3 box;
+  };
+
+  template <typename Point>
+  static Interval_point_3 box(const Point& p)
+  {
+    const Interval x = CGAL::to_interval(p.x()), y = CGAL::to_interval(p.y()), z = CGAL::to_interval(p.z());
+    return Interval_point_3(x, y, z);
+  }
+
+  std::unordered_map<const void*, Position> m_positions; // look-up only
 };
 
 } // namespace internal

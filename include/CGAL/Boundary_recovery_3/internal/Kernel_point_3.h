@@ -25,6 +25,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <random>
 #include <vector>
 
 namespace CGAL {
@@ -74,6 +75,9 @@ public:
     set_up(faces, m_predicates.approximate_point(v));
     return move_to_deepest_point(v, faces);
   }
+
+  // The distance of the deepest point, computed last, from the planes of the faces; negative if there is no kernel.
+  double depth() const { return m_depth; }
 
   // Whether v sees all the faces.
   bool is_kernel_point(const Vertex_handle v, const std::vector<Triangle>& faces) const
@@ -179,6 +183,54 @@ private:
   // that with the largest r.
   bool move_to_deepest_point(const Vertex_handle v, const std::vector<Triangle>& faces)
   {
+    Vector x, objective = {{ 0, 0, 0 }};
+    m_depth = - m_diameter;
+    if(! maximize(objective, 1, x))
+      return false;
+    v->set_point(point(x));
+    return is_kernel_point(v, faces) || (m_depth > 0 && sample(v, faces, x));
+  }
+
+  // A kernel thinner than the distance of floating point numbers contains many of them nevertheless, if it is wide and
+  // not parallel to an axis: points in it, rounded, are inside now and then.
+  bool sample(const Vertex_handle v, const std::vector<Triangle>& faces, const Vector& deepest)
+  {
+    const double depth = m_depth;
+    std::vector<Vector> extreme;
+    for(int i = 0; i < 6; ++i)
+    {
+      Vector x, objective = {{ 0, 0, 0 }};
+      objective[i / 2] = i % 2 == 0 ? 1 : -1;
+      if(maximize(objective, 0, x))
+        extreme.push_back(x);
+    }
+    m_depth = depth;
+    std::minstd_rand random; // always the same numbers
+    for(int k = 0; k < number_of_samples && ! extreme.empty(); ++k)
+    {
+      Vector x = deepest;
+      for(const Vector& e : extreme)
+      {
+        const double t = static_cast<double>(random()) / random.max() / 2;
+        for(int i = 0; i < 3; ++i)
+          x[i] += t * (e[i] - x[i]);
+      }
+      v->set_point(point(x));
+      if(is_kernel_point(v, faces))
+        return true;
+    }
+    return false;
+  }
+
+  Point_3 point(const Vector& x) const
+  {
+    return Point_3(m_origin[0] + m_diameter * x[0], m_origin[1] + m_diameter * x[1], m_origin[2] + m_diameter * x[2]);
+  }
+
+  // Maximizes objective * x + r_max * r over the points x that are at least as deep as r, 0 <= r <= r_max, in units of
+  // the diameter; sets the depth.
+  bool maximize(const Vector& objective, const int r_max, Vector& x)
+  {
     typedef CGAL::Quadratic_program<double> Program;
     Program lp(CGAL::LARGER, false, 0, false, 0);
     int row = 0;
@@ -190,25 +242,31 @@ private:
       lp.set_b(row, h.offset / m_diameter);
       ++row;
     }
-    lp.set_u(3, true, 1);
-    lp.set_c(3, -1);
+    for(int i = 0; i < 3; ++i)
+      lp.set_c(i, - objective[i]);
+    lp.set_u(3, true, r_max);
+    if(r_max == 0)
+      lp.set_l(3, true, 0);
+    lp.set_c(3, - r_max);
     const CGAL::Quadratic_program_solution<MP_Float> solution = CGAL::solve_linear_program(lp, MP_Float());
     if(! solution.is_optimal())
       return false;
-    Vector x;
-    auto it = solution.variable_values_begin();
+    const double denominator = CGAL::to_double(solution.variables_common_denominator());
+    auto it = solution.variable_numerators_begin();
     for(int i = 0; i < 3; ++i, ++it)
-      x[i] = m_origin[i] + m_diameter * CGAL::to_double(*it);
-    v->set_point(Point_3(x[0], x[1], x[2]));
-    return is_kernel_point(v, faces);
+      x[i] = CGAL::to_double(*it) / denominator;
+    m_depth = m_diameter * (CGAL::to_double(*it) / denominator);
+    return true;
   }
 
   static constexpr int max_number_of_bisections = 50;
+  static constexpr int number_of_samples = 500;
 
   const Predicates& m_predicates;
   Positions& m_positions;
   Vector m_origin;
   double m_diameter;
+  double m_depth;
   std::vector<Half_space> m_half_spaces;
 };
 

@@ -72,22 +72,75 @@ public:
 
   typedef Exact_positions_3<Tr>                Positions;
 
-  // `predicates` know of `positions`.
+  // `predicates` know of `positions`; `points` are the Steiner points, those that are removed are taken out of it.
   Steiner_suppression_3(Tr& tr, const Predicates& predicates, const Constraints& constraints, Positions& positions,
-                        Visitor& visitor)
-    : m_tr(tr), m_predicates(predicates), m_constraints(constraints), m_positions(positions), m_visitor(visitor),
-      m_reconnection(predicates), m_kernel_point(predicates, positions),
+                        std::vector<Vertex_handle>& points, Visitor& visitor)
+    : m_tr(tr), m_predicates(predicates), m_constraints(constraints), m_positions(positions), m_points(points),
+      m_visitor(visitor), m_reconnection(predicates), m_kernel_point(predicates, positions),
       m_transformation(tr, Quality(tr), Validity(Kept(constraints), No_new_edge_at_vertex_3<Tr>(Vertex_handle())),
                        visitor, predicates)
   { }
 
-  // Returns whether v, which is on no constraint, is gone.
+  // Tries once to remove each of the points, with a maximal recursion level. Returns whether one is gone.
   template <typename Context>
-  bool operator()(const Vertex_handle v, const int l_max, Context& context)
+  bool remove_points(const int l_max, Context& context)
   {
-    if(! collect_ball(v))
-      return false;
-    return collapse(v) || reconnect_ball(v) || reduce_ball(v, l_max, context) || reconnect_with_layer(v);
+    return for_each_point(context, [&](const Vertex_handle v)
+    {
+      return collect_ball(v)
+          && (collapse(v) || reconnect_ball(v) || reduce_ball(v, l_max, context) || reconnect_with_layer(v));
+    });
+  }
+
+  // Makes one point of two neighbors, where one can star both balls. Returns whether there were such.
+  template <typename Context>
+  bool merge_points(Context& context)
+  {
+    return for_each_point(context, [this](const Vertex_handle v) { return merge(v); });
+  }
+
+  // Moves each of the points to the deepest point of the kernel of its ball, from where more may be possible.
+  template <typename Context>
+  void relocate_points(Context& context)
+  {
+    for_each_point(context, [this](const Vertex_handle v) { relocate(v); return false; });
+  }
+
+  // Gives each of the points a position that the triangulation can store. Returns whether there is one for all of them.
+  bool round_points()
+  {
+    const std::vector<Vertex_handle> points = m_points;
+    return std::count_if(points.begin(), points.end(), [this](const Vertex_handle v)
+    {
+      return contains(m_points, v) && ! round(v);
+    }) == 0;
+  }
+
+  std::size_t number_of_transformations() const { return m_transformation.number_of_transformations(); }
+
+private:
+  typedef Kept_constraints_3<Constraints>                                        Kept;
+  typedef Shell_validity_conjunction_3<Kept, No_new_edge_at_vertex_3<Tr> >       Validity;
+  typedef Worst_element_quality_3<Tr>                                            Quality;
+  typedef Small_polyhedron_reconnection_3<Tr>                                    Reconnection;
+  typedef typename Cell_replacement<Tr>::Tetrahedron                             Tetrahedron;
+  typedef typename Kernel_point_3<Tr>::Triangle                                  Triangle;
+
+  // Work may remove points. Returns whether it returned `true` for one.
+  template <typename Context, typename Work>
+  bool for_each_point(Context& context, const Work& work)
+  {
+    bool result = false;
+    const std::vector<Vertex_handle> points = m_points;
+    for(const Vertex_handle v : points)
+    {
+      if(! context.go_further())
+        break;
+      if(contains(m_points, v))
+        result = work(v) || result;
+      context.visitor().on_progress(Recovery_phase::steiner_suppression, points.size() - m_points.size(), points.size());
+    }
+    return result;
   }
 
   // Moves v to the deepest point of the kernel of its ball, from where more may be possible, if it can be stored.
@@ -116,21 +169,11 @@ public:
     const std::vector<Triangle> faces = boundary_of_ball(v);
     const typename Positions::Exact_point_3 exact = m_positions(v);
     m_positions.erase(v);
-    if(m_kernel_point.is_kernel_point(v, faces) || m_kernel_point(v, faces))
+    if(m_kernel_point.is_kernel_point(v, faces) || m_kernel_point(v, faces) || enlarge_ball(v))
       return true;
     m_positions.set(v, exact);
     return false;
   }
-
-  std::size_t number_of_transformations() const { return m_transformation.number_of_transformations(); }
-
-private:
-  typedef Kept_constraints_3<Constraints>                                        Kept;
-  typedef Shell_validity_conjunction_3<Kept, No_new_edge_at_vertex_3<Tr> >       Validity;
-  typedef Worst_element_quality_3<Tr>                                            Quality;
-  typedef Small_polyhedron_reconnection_3<Tr>                                    Reconnection;
-  typedef typename Cell_replacement<Tr>::Tetrahedron                             Tetrahedron;
-  typedef typename Kernel_point_3<Tr>::Triangle                                  Triangle;
 
   // Returns false if v is on the hull.
   bool collect_ball(const Vertex_handle v)
@@ -138,6 +181,142 @@ private:
     m_ball.clear();
     m_tr.incident_cells(v, std::back_inserter(m_ball));
     return std::none_of(m_ball.begin(), m_ball.end(), [this](const Cell_handle c) { return m_tr.is_infinite(c); });
+  }
+
+  // Where no number fits into the kernel of the ball of v: adds the cell behind a face of it, and so on, always the one
+  // that makes the kernel deepest. Returns whether v got a position and all the cells around it are new.
+  bool enlarge_ball(const Vertex_handle v)
+  {
+    std::vector<Cell_handle> cavity = m_ball;
+    for(int step = 0; step < max_number_of_added_cells; ++step)
+    {
+      std::vector<Cell_handle> deepest;
+      double depth = 0;
+      for(const Cell_handle n : cells_around(cavity))
+      {
+        std::vector<Cell_handle> larger = cavity;
+        larger.push_back(n);
+        std::vector<Triangle> faces;
+        if(! collect_boundary(larger, faces))
+          continue;
+        if(m_kernel_point(v, faces))
+        {
+          star(v, larger, faces);
+          return true;
+        }
+        if(deepest.empty() || m_kernel_point.depth() > depth)
+        {
+          deepest.swap(larger);
+          depth = m_kernel_point.depth();
+        }
+      }
+      if(deepest.empty())
+        return false;
+      cavity.swap(deepest);
+    }
+    return false;
+  }
+
+  std::vector<Cell_handle> cells_around(const std::vector<Cell_handle>& cavity) const
+  {
+    std::vector<Cell_handle> result;
+    for(const Cell_handle c : cavity)
+      for(int i = 0; i < 4; ++i)
+      {
+        const Cell_handle n = c->neighbor(i);
+        if(! m_tr.is_infinite(n) && ! contains(cavity, n) && ! contains(result, n)
+           && ! m_constraints.is_constrained(c->vertex((i + 1) & 3), c->vertex((i + 2) & 3), c->vertex((i + 3) & 3)))
+          result.push_back(n);
+      }
+    return result;
+  }
+
+  // Stars the balls of v and of another Steiner point, its neighbor, from one point.
+  bool merge(const Vertex_handle v)
+  {
+    if(! collect_ball(v))
+      return false;
+    collect_neighbors(v);
+    const std::vector<Cell_handle> ball = m_ball;
+    const typename Positions::Point_3 before = v->point();
+    for(const Vertex_handle w : m_neighbors)
+    {
+      if(! contains(m_points, w) || ! collect_ball(w))
+        continue;
+      std::vector<Cell_handle> cavity = ball;
+      for(const Cell_handle c : m_ball)
+        if(! contains(cavity, c))
+          cavity.push_back(c);
+      std::vector<Triangle> faces;
+      if(! m_positions.contains(v) && collect_boundary(cavity, faces) && m_kernel_point(v, faces))
+      {
+        star(v, cavity, faces);
+        return true;
+      }
+      v->set_point(before);
+    }
+    return false;
+  }
+
+  // The faces of the cavity, seen from inside, and the vertices inside. Returns false if there is a constraint inside, or
+  // a vertex that is no Steiner point.
+  bool collect_boundary(const std::vector<Cell_handle>& cavity, std::vector<Triangle>& faces)
+  {
+    m_inner_points.clear();
+    std::vector<Vertex_handle> vertices;
+    std::vector<std::array<Vertex_handle, 2> > edges; // those of the faces, both ways
+    for(const Cell_handle c : cavity)
+      for(int i = 0; i < 4; ++i)
+      {
+        const Triangle f = {{ c->vertex(Tr::vertex_triple_index(i, 0)), c->vertex(Tr::vertex_triple_index(i, 1)),
+                              c->vertex(Tr::vertex_triple_index(i, 2)) }};
+        if(contains(cavity, c->neighbor(i)))
+        {
+          if(m_constraints.is_constrained(f[0], f[1], f[2]))
+            return false;
+          continue;
+        }
+        faces.push_back(f);
+        for(int k = 0; k < 3; ++k)
+        {
+          vertices.push_back(f[k]);
+          edges.push_back({{ f[k], f[(k + 1) % 3] }});
+        }
+      }
+    for(const Cell_handle c : cavity)
+      for(int i = 0; i < 4; ++i)
+      {
+        const Vertex_handle p = c->vertex(i);
+        if(! contains(vertices, p) && ! contains(m_inner_points, p))
+        {
+          if(! contains(m_points, p))
+            return false;
+          m_inner_points.push_back(p);
+        }
+        for(int j = 0; j < 4; ++j)
+          if(j != i && m_constraints.is_constrained(p, c->vertex(j))
+             && ! contains(edges, std::array<Vertex_handle, 2>{{ p, c->vertex(j) }}))
+            return false;
+      }
+    return true;
+  }
+
+  template <typename Item>
+  static bool contains(const std::vector<Item>& items, const Item& item)
+  {
+    return std::find(items.begin(), items.end(), item) != items.end();
+  }
+
+  // Stars the cavity from v; other points inside are gone then.
+  void star(const Vertex_handle v, const std::vector<Cell_handle>& cavity, const std::vector<Triangle>& faces)
+  {
+    m_tetrahedra.clear();
+    for(const Triangle& f : faces)
+      m_tetrahedra.push_back({{ f[0], f[1], f[2], v }});
+    replace(cavity, m_tetrahedra);
+    for(const Vertex_handle p : m_inner_points)
+      if(p != v)
+        drop(p);
   }
 
   std::vector<Triangle> boundary_of_ball(const Vertex_handle v) const
@@ -172,7 +351,8 @@ private:
         for(const Cell_handle c : m_ball)
           if(! c->has_vertex(x))
             m_tetrahedra.push_back(with(c, v, x));
-        replace(m_ball, m_tetrahedra, v);
+        replace(m_ball, m_tetrahedra);
+        drop(v);
         return true;
       }
     return false;
@@ -223,7 +403,8 @@ private:
     m_reconnection.forget(); // vertices may have moved
     if(m_reconnection(cells, edges, facets, v) != Reconnection::FOUND)
       return false;
-    replace(cells, m_reconnection.tetrahedra(), v);
+    replace(cells, m_reconnection.tetrahedra());
+    drop(v);
     return true;
   }
 
@@ -256,19 +437,27 @@ private:
   }
 
   template <typename CellRange, typename TetrahedronRange>
-  void replace(const CellRange& cells, const TetrahedronRange& tetrahedra, const Vertex_handle v)
+  void replace(const CellRange& cells, const TetrahedronRange& tetrahedra)
   {
     m_visitor.before_cells_removal(cells);
     m_replacement(m_tr, cells, tetrahedra);
-    m_positions.erase(v);
-    m_tr.tds().delete_vertex(v);
     m_visitor.after_cells_creation(m_replacement.new_cells());
   }
+
+  void drop(const Vertex_handle v)
+  {
+    m_points.erase(std::find(m_points.begin(), m_points.end(), v));
+    m_positions.erase(v);
+    m_tr.tds().delete_vertex(v);
+  }
+
+  static constexpr int max_number_of_added_cells = 30;
 
   Tr& m_tr;
   const Predicates& m_predicates;
   const Constraints& m_constraints;
   Positions& m_positions;
+  std::vector<Vertex_handle>& m_points;
   Visitor& m_visitor;
   Reconnection m_reconnection;
   Kernel_point_3<Tr> m_kernel_point;
@@ -276,6 +465,7 @@ private:
   Cell_replacement<Tr> m_replacement;
   std::vector<Cell_handle> m_ball;
   std::vector<Vertex_handle> m_neighbors;
+  std::vector<Vertex_handle> m_inner_points; // of a cavity
   std::vector<Tetrahedron> m_tetrahedra;
 };
 

@@ -14,6 +14,7 @@
 
 #include <CGAL/Boundary_recovery_3/internal/Exact_positions_3.h>
 
+#include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
 
@@ -66,8 +67,7 @@ public:
                           const Vertex_handle r, const Vertex_handle s) const
   {
     if(has_exact_position(p, q, r, s))
-      return typename Exact_kernel::Orientation_3()((*m_positions)(p), (*m_positions)(q),
-                                                    (*m_positions)(r), (*m_positions)(s));
+      return exact_orientation(p, q, r, s);
     return m_orientation(p->point(), q->point(), r->point(), s->point());
   }
 
@@ -123,6 +123,20 @@ private:
   bool has_exact_position(const Vertex_handles ... v) const
   {
     return m_positions != nullptr && ! m_positions->empty() && (m_positions->contains(v) || ...);
+  }
+
+  Orientation exact_orientation(const Vertex_handle p, const Vertex_handle q,
+                                const Vertex_handle r, const Vertex_handle s) const
+  {
+    {
+      const typename Positions::Interval::Protector protector;
+      const Uncertain<Orientation> o = typename Positions::Interval_kernel::Orientation_3()(
+        m_positions->box(p), m_positions->box(q), m_positions->box(r), m_positions->box(s));
+      if(is_certain(o))
+        return get_certain(o);
+    }
+    return typename Exact_kernel::Orientation_3()((*m_positions)(p), (*m_positions)(q),
+                                                  (*m_positions)(r), (*m_positions)(s));
   }
 
   const Tr* m_tr;
