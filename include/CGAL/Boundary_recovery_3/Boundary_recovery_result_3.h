@@ -182,8 +182,8 @@ struct Boundary_recovery_result_3
   std::size_t number_of_edges = 0;             ///< number of constrained edges, those of the facets included
   std::size_t number_of_facets = 0;            ///< number of constrained facets
   std::size_t number_of_constraint_points = 0; ///< number of Steiner points that were put on constraints
-  std::size_t number_of_steiner_points = 0;    ///< number of Steiner points that came off the constraints in their place,
-                                               ///< before any of them was removed; 0 in the mode `conforming`
+  std::size_t number_of_steiner_points = 0;    ///< number of Steiner points that came off the constraints in their
+                                               ///< place, before any was removed; 0 in the mode `conforming`
   std::size_t number_of_inserted_vertices = 0; ///< number of input points that were not in the triangulation before
   std::size_t number_of_shell_transformations = 0; ///< number of covering meshes that were replaced
 
