@@ -24,9 +24,9 @@
 
 namespace br3_test {
 
-// To be set once Steiner points are there: whether these modes must recover every valid input.
-constexpr bool is_constrained_mode_complete = false;
-constexpr bool is_conforming_mode_complete = false;
+// Whether these modes must recover every valid input.
+constexpr bool is_constrained_mode_complete = true;
+constexpr bool is_conforming_mode_complete = true;
 
 struct Complaint : public std::runtime_error { using std::runtime_error::runtime_error; };
 
