@@ -498,6 +498,10 @@ private:
   // level. (On 170 surfaces: 1293 edges lost instead of 1341, but two surfaces lose edges that lost none before.)
   static constexpr int last_level_of_single_steps = 4;
 
+  // Bound on the shells that one calling of Alg. 5 visits, for each constraint that is lost at its start. Only few surfaces
+  // come near it: they have planar fans of hundreds of triangles, where recursion goes astray.
+  static constexpr std::size_t max_number_of_shells_per_constraint = 1000;
+
   static constexpr std::size_t never = std::size_t(-1);
 
   template <typename Work>
@@ -543,6 +547,7 @@ private:
   {
     m_hopeless_edges.assign(m_constraints.edges().size(), std::size_t(never));
     m_hopeless_facets.assign(m_constraints.facets().size(), std::size_t(never));
+    m_max_number_of_shells = max_number_of_shells_per_constraint * (lost.size() + 20);
     std::size_t best = add_level(phase, -1, report(), measure);
     int number_of_failures = 0;
     for(int l_max = 0; l_max <= m_max_recursion_level && ! lost.empty() && m_context.go_further();
@@ -594,7 +599,7 @@ private:
                const int l_max)
   {
     const std::size_t before = st.number_of_transformations();
-    if(hopeless_since == before)
+    if(hopeless_since == before || st.number_of_shells() > m_max_number_of_shells)
       return false;
     const bool is_recovered = recovery(st, simplex, l_max, m_context);
     const bool is_hopeless = ! is_recovered && st.number_of_transformations() == before && ! recovery.was_cut_off();
@@ -762,6 +767,7 @@ private:
   std::vector<Phase_report> m_phases;
   std::vector<Recursion_level_report> m_levels;
   std::size_t m_number_of_transformations = 0;
+  std::size_t m_max_number_of_shells = std::size_t(-1); // in one calling of Alg. 5
   int m_max_recursion_level = default_max_recursion_level;
 };
 

@@ -183,6 +183,9 @@ public:
   /// returns the number of covering meshes that were replaced so far.
   std::size_t number_of_transformations() const { return m_number_of_transformations; }
 
+  /// returns the number of shells visited so far, in all removals.
+  std::size_t number_of_shells() const { return m_total_number_of_shells + m_number_of_shells; }
+
   /// returns whether the last removal was cut off by the recursion level or by the bound on the number of shells.
   bool was_cut_off() const { return m_was_cut_off; }
 
@@ -255,6 +258,7 @@ private:
     m_root_cell = c;
     if(m_tr.is_infinite(a) || m_tr.is_infinite(b) || (p == Vertex_handle() && m_validity.is_constrained(a, b)))
       return false;
+    m_total_number_of_shells += m_number_of_shells;
     m_number_of_shells = 0;
     const Supporting_edge root(a, b, c, nullptr);
     const bool is_removed = remove(root, p, 0, l_max);
@@ -427,6 +431,7 @@ private:
   Cell_handle m_root_cell;
   std::size_t m_max_number_of_shells = default_max_number_of_shells;
   std::size_t m_number_of_shells = 0;
+  std::size_t m_total_number_of_shells = 0; // in the removals before this one
   std::size_t m_number_of_transformations = 0;
   bool m_was_cut_off = false;
 };

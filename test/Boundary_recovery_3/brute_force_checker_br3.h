@@ -24,7 +24,7 @@
 
 namespace br3_test {
 
-// To be set once Steiner points are there: whether these modes must recover every valid input.
+// Whether these modes must recover every valid input.
 constexpr bool is_constrained_mode_complete = true;
 constexpr bool is_conforming_mode_complete = true;
 

@@ -78,6 +78,7 @@ public:
   {
     const std::array<Vertex_handle, 2>& edge = m_constraints.edges()[e];
     std::vector<std::array<Vertex_handle, 2> > parts(1, edge);
+    std::size_t number_of_splits = 0;
     while(! parts.empty())
     {
       const std::array<Vertex_handle, 2> part = parts.back();
@@ -85,10 +86,15 @@ public:
         return false;
       m_edge_transformation.validity() = Edge_validity(Kept(m_steiner_points), BRC1<Tr>(m_predicates, part[0], part[1]));
       parts.pop_back();
-      if(m_edge_recovery(m_edge_transformation, part, l_max, context))
+      if(number_of_splits < max_number_of_splits_with_flips
+         && m_edge_recovery(m_edge_transformation, part, l_max, context))
         continue;
-      if(m_walk(part[0], part[1]) != Walk::CROSSED)
+      const typename Walk::Outcome outcome = m_walk(part[0], part[1]);
+      if(outcome == Walk::IS_EDGE)
+        continue;
+      if(outcome == Walk::BLOCKED)
         return false;
+      ++number_of_splits;
       const Crossing crossing = m_walk.crossings()[m_walk.crossings().size() / 2];
       const FT t = parameter_on_edge(edge, crossing);
       const Vertex_handle v = crossing.dimension == 1 ? split_edge(crossing.cell, crossing.vertices)
@@ -106,25 +112,25 @@ public:
   template <typename Context>
   bool recover_facet(const std::size_t f, const int l_max, Context& context)
   {
-    Cell_handle c;
-    std::array<Vertex_handle, 2> piercing;
     const std::array<Vertex_handle, 3>& facet = m_constraints.facets()[f];
     m_facet_transformation.validity() = Facet_validity(Kept(m_steiner_points),
                                                        BRC2<Tr>(m_predicates, facet[0], facet[1], facet[2]));
-    while(find_piercing_edge(f, c, piercing))
-    {
-      if(! context.go_further())
-        return false;
-      const std::size_t before = m_facet_transformation.number_of_transformations();
-      if(m_facet_transformation.remove_edge(Edge(c, c->index(piercing[0]), c->index(piercing[1])), l_max))
-        continue;
-      if(m_facet_transformation.number_of_transformations() != before)
-        find_piercing_edge(f, c, piercing);
-      const std::array<FT, 2> weights = weights_in_facet(facet, piercing);
-      const Vertex_handle v = split_edge(c, piercing);
-      move_in_facet(v, facet, weights);
-      m_steiner_points.insert_in_facet(f, v);
-    }
+    for(find_piercing_edges(f); ! m_piercing_edges.empty(); find_piercing_edges(f))
+      for(const Piercing_edge& e : m_piercing_edges)
+      {
+        if(! context.go_further())
+          return false;
+        Cell_handle c;
+        int i, j;
+        if(! m_tr.is_edge(e[0], e[1], c, i, j) || m_facet_transformation.remove_edge(Edge(c, i, j), l_max))
+          continue;
+        if(! m_tr.is_edge(e[0], e[1], c, i, j))
+          continue;
+        const std::array<FT, 2> weights = weights_in_facet(facet, e);
+        const Vertex_handle v = split_edge(c, e);
+        move_in_facet(v, facet, weights);
+        m_steiner_points.insert_in_facet(f, v);
+      }
     return true;
   }
 
@@ -135,6 +141,7 @@ public:
 
 private:
   typedef typename Tr::Edge                             Edge;
+  typedef std::array<Vertex_handle, 2>                  Piercing_edge;
   typedef Kept_constraints_3<Steiner_points>            Kept;
   typedef Worst_element_quality_3<Tr>                   Quality;
   typedef Shell_validity_conjunction_3<Kept, BRC1<Tr> > Edge_validity;
@@ -186,40 +193,44 @@ private:
     return {{ CGAL::volume(u, p, w, a) / all, CGAL::volume(u, v, p, a) / all }};
   }
 
-  // A mesh edge that pierces the facet. All of them are at cells around vertices on the facet if there are any: else
-  // mesh facets tile it around these vertices, and therefore everywhere.
-  bool find_piercing_edge(const std::size_t f, Cell_handle& cell, std::array<Vertex_handle, 2>& edge)
+  // Mesh edges that pierce the facet: those of the cells around vertices on it. If there is none there, there is none at
+  // all, for then mesh facets tile it around these vertices, and therefore everywhere.
+  void find_piercing_edges(const std::size_t f)
   {
     const std::array<Vertex_handle, 3>& facet = m_constraints.facets()[f];
+    m_piercing_edges.clear();
     for(const Vertex_handle v : m_steiner_points.vertices_on_facet(f))
     {
       m_star.clear();
       m_tr.incident_cells(v, std::back_inserter(m_star));
       for(const Cell_handle c : m_star)
-        if(! m_tr.is_infinite(c) && has_piercing_edge(c, facet, edge))
-        {
-          cell = c;
-          return true;
-        }
+        if(! m_tr.is_infinite(c))
+          add_piercing_edges(c, facet);
     }
-    return false;
   }
 
-  bool has_piercing_edge(const Cell_handle c, const std::array<Vertex_handle, 3>& facet,
-                         std::array<Vertex_handle, 2>& edge) const
+  void add_piercing_edges(const Cell_handle c, const std::array<Vertex_handle, 3>& facet)
   {
     std::array<Orientation, 4> side;
     for(int i = 0; i < 4; ++i)
       side[i] = m_predicates.orientation(facet[0], facet[1], facet[2], c->vertex(i));
     for(int i = 0; i < 4; ++i)
       for(int j = i + 1; j < 4; ++j)
-        if(side[i] * side[j] == NEGATIVE
-           && m_predicates.segment_pierces_triangle(c->vertex(i), c->vertex(j), facet[0], facet[1], facet[2]))
-        {
-          edge = {{ c->vertex(i), c->vertex(j) }};
-          return true;
-        }
-    return false;
+      {
+        const Vertex_handle p = c->vertex(i), q = c->vertex(j);
+        if(side[i] * side[j] != NEGATIVE || is_listed(p, q))
+          continue;
+        if(m_predicates.segment_pierces_triangle(p, q, facet[0], facet[1], facet[2]))
+          m_piercing_edges.push_back({{ p, q }});
+      }
+  }
+
+  bool is_listed(const Vertex_handle p, const Vertex_handle q) const
+  {
+    return std::any_of(m_piercing_edges.begin(), m_piercing_edges.end(), [&](const Piercing_edge& e)
+    {
+      return (e[0] == p && e[1] == q) || (e[0] == q && e[1] == p);
+    });
   }
 
   // --- splits -------------------------------------------------------------------------------------------------------
@@ -280,6 +291,9 @@ private:
     m_visitor.after_cells_creation(m_replacement.new_cells());
   }
 
+  // Flips for one part of an edge may do harm to the next part. So that this ends, a long chain is finished without.
+  static constexpr std::size_t max_number_of_splits_with_flips = 100;
+
   // --- simple positions ---------------------------------------------------------------------------------------------
 
   // Numbers of bits behind the binary point that are tried for the weights of a position, the fewest first.
@@ -337,6 +351,7 @@ private:
   Cell_replacement<Tr> m_replacement;
   std::vector<Tetrahedron> m_tetrahedra;
   std::vector<Cell_handle> m_star;
+  std::vector<Piercing_edge> m_piercing_edges;
 };
 
 } // namespace internal

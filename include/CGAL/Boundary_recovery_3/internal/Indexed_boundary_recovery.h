@@ -72,6 +72,9 @@ public:
       m_result.vertices = std::move(vertices);
     if(m_result.defects.empty() && m_tr.dimension() < 3 && ! m_context.is_stopped())
       m_result.defects.push_back(Defect{ Input_defect_kind::dimension_less_than_3, {} });
+    if(m_result.defects.empty() && m_options.list_defects && ! m_context.is_stopped())
+      m_result.defects = Recovery_diagnosis<GT>(m_input, m_gt).vertices_on_constraints(all_constraints(), m_tr,
+                                                                                       m_result.vertices);
     if(! m_result.defects.empty())
       return invalid_input();
     if(m_context.is_stopped())
@@ -162,6 +165,16 @@ private:
                     : ! m_result.defects.empty() ? Recovery_status::invalid_input : Recovery_status::incomplete;
     if(m_result.status == Recovery_status::invalid_input)
       m_result.vertices.clear(); // as for input that is refused at once
+  }
+
+  std::vector<Simplex> all_constraints() const
+  {
+    std::vector<Simplex> constraints;
+    for(std::size_t f = 0; f < m_input.facets.size(); ++f)
+      constraints.push_back(describe_facet(m_input, f));
+    for(std::size_t e = 0; e < m_input.edges.size(); ++e)
+      constraints.push_back(describe_edge(m_input, e));
+    return constraints;
   }
 
   void insert_constraints(Recovery& recovery)

@@ -15,7 +15,7 @@
 #include <CGAL/Boundary_recovery_3/internal/Exact_positions_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
 
-#include <CGAL/MP_Float.h>
+#include <CGAL/Gmpzf.h>
 #include <CGAL/QP_functions.h>
 #include <CGAL/QP_models.h>
 #include <CGAL/number_utils.h>
@@ -248,7 +248,7 @@ private:
     if(r_max == 0)
       lp.set_l(3, true, 0);
     lp.set_c(3, - r_max);
-    const CGAL::Quadratic_program_solution<MP_Float> solution = CGAL::solve_linear_program(lp, MP_Float());
+    const CGAL::Quadratic_program_solution<Gmpzf> solution = CGAL::solve_linear_program(lp, Gmpzf());
     if(! solution.is_optimal())
       return false;
     const double denominator = CGAL::to_double(solution.variables_common_denominator());

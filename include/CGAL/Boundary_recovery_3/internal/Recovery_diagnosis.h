@@ -18,8 +18,12 @@
 
 #include <CGAL/Bbox_3.h>
 
+#include <CGAL/box_intersection_d.h>
+
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -51,35 +55,54 @@ public:
     return intersecting_constraints(m_input, m_gt);
   }
 
-  // The missing constraints with a vertex of the triangulation inside them that is not theirs.
+  // The given constraints with a vertex of the triangulation on them that is not theirs.
   template <typename Tr>
-  std::vector<Defect> vertices_on_constraints(const std::vector<Simplex>& missing, const Tr& tr,
+  std::vector<Defect> vertices_on_constraints(const std::vector<Simplex>& constraints, const Tr& tr,
                                               const std::vector<typename Tr::Vertex_handle>& vertices) const
   {
-    std::vector<Defect> defects;
-    for(const Simplex& simplex : missing)
+    typedef typename Tr::Vertex_handle Vertex_handle;
+    typedef Box_intersection_d::Box_with_info_d<double, 3, std::size_t> Box;
+    std::vector<Vertex_handle> all;
+    std::vector<Box> vertex_boxes, constraint_boxes;
+    for(const Vertex_handle v : tr.finite_vertex_handles())
     {
-      const Bbox_3 b = bbox(simplex.points);
-      for(const typename Tr::Vertex_handle v : tr.finite_vertex_handles())
-        if(do_overlap(b, v->point().bbox()) && is_inside(v->point(), simplex))
-        {
-          Simplex vertex;
-          vertex.dimension = 0;
-          for(std::size_t i = 0; i < vertices.size(); ++i)
-            if(vertices[i] == v)
-            {
-              vertex.index = i;
-              vertex.vertices.assign(1, i);
-              break;
-            }
-          vertex.points.assign(1, v->point());
-          defects.push_back(Defect{ Input_defect_kind::intersecting_constraints, { vertex, simplex } });
-        }
+      vertex_boxes.push_back(Box(v->point().bbox(), all.size()));
+      all.push_back(v);
     }
+    for(std::size_t i = 0; i < constraints.size(); ++i)
+      constraint_boxes.push_back(Box(bbox(constraints[i].points), i));
+    std::vector<std::pair<std::size_t, std::size_t> > found; // constraint and vertex
+    box_intersection_d(constraint_boxes.begin(), constraint_boxes.end(), vertex_boxes.begin(), vertex_boxes.end(),
+                       [&](const Box& c, const Box& v)
+                       {
+                         if(is_inside(all[v.info()]->point(), constraints[c.info()]))
+                           found.push_back(std::make_pair(c.info(), v.info()));
+                       });
+    std::sort(found.begin(), found.end());
+    std::vector<Defect> defects;
+    for(const auto& pair : found)
+      defects.push_back(Defect{ Input_defect_kind::intersecting_constraints,
+                                { describe(all[pair.second], vertices), constraints[pair.first] } });
     return defects;
   }
 
 private:
+  // A vertex that is not of the input has no index.
+  template <typename Vertex_handle>
+  static Simplex describe(const Vertex_handle v, const std::vector<Vertex_handle>& vertices)
+  {
+    Simplex vertex;
+    vertex.dimension = 0;
+    vertex.points.assign(1, v->point());
+    const auto it = std::find(vertices.begin(), vertices.end(), v);
+    if(it != vertices.end())
+    {
+      vertex.index = static_cast<std::size_t>(it - vertices.begin());
+      vertex.vertices.assign(1, vertex.index);
+    }
+    return vertex;
+  }
+
   static Bbox_3 bbox(const std::vector<Point_3>& points)
   {
     Bbox_3 b;
