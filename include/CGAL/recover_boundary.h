@@ -98,8 +98,8 @@ namespace CGAL {
  *     \cgalParamExtra{Pass `std::ref(visitor)` to have the object itself called and not a copy.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{list_defects}
- *     \cgalParamDescription{whether intersections of constraints are searched first, and the triangulation is left
- *                           alone if there are any}
+ *     \cgalParamDescription{whether intersections of constraints, and vertices of `tr` on constraints, are searched
+ *                           first, and no cell is flipped if there are any}
  *     \cgalParamType{`bool`}
  *     \cgalParamDefault{`false`: they are searched only when constraints are missing in the end}
  *   \cgalParamNEnd
@@ -119,9 +119,9 @@ namespace CGAL {
  *         `true` iff every triangle and constrained edge is in the triangulation.
  *         If the status is `stopped`, constraints that intersect have not been looked for; if points were still to be
  *         inserted then, all constraints are listed as missing, and the vertices of these points are default handles.
- *         If the status is `invalid_input`, the triangulation was not changed, with two exceptions: the points have
- *         been inserted if they and the vertices of a triangulation of a dimension less than 3 turn out to be coplanar;
- *         and constraints that intersect are, unless `list_defects` is set, found only after points were inserted and
+ *         If the status is `invalid_input`, the triangulation was not changed, with these exceptions: the points have
+ *         been inserted if they and the vertices of a triangulation of a dimension less than 3 turn out to be coplanar,
+ *         or if a vertex that was in the triangulation before is on a constraint; and constraints that intersect are, unless `list_defects` is set, found only after points were inserted and
  *         cells flipped.
  */
 template <typename Triangulation, typename PointRange, typename TriangleRange, typename CGAL_NP_TEMPLATE_PARAMETERS
