@@ -121,7 +121,8 @@ namespace CGAL {
  *         inserted then, all constraints are listed as missing, and the vertices of these points are default handles.
  *         If the status is `invalid_input`, the triangulation was not changed, with these exceptions: the points have
  *         been inserted if they and the vertices of a triangulation of a dimension less than 3 turn out to be coplanar,
- *         or if a vertex that was in the triangulation before is on a constraint; and constraints that intersect are, unless `list_defects` is set, found only after points were inserted and
+ *         or if a vertex that was in the triangulation before is on a constraint; and constraints that intersect are,
+ *         unless `list_defects` is set, found only after points were inserted and
  *         cells flipped.
  */
 template <typename Triangulation, typename PointRange, typename TriangleRange, typename CGAL_NP_TEMPLATE_PARAMETERS
