@@ -1,7 +1,7 @@
 #ifndef BOUNDARY_RECOVERY_3_EXAMPLES_WRITE_DOMAIN_H
 #define BOUNDARY_RECOVERY_3_EXAMPLES_WRITE_DOMAIN_H
 
-#include "orient_parts.h"
+#include "surface_facets.h"
 
 #include <CGAL/Boundary_recovery_3/label_regions.h>
 
@@ -83,7 +83,7 @@ private:
     std::vector<bool> is_missing(surface.faces.size(), false);
     for(const auto& facet : result.missing_facets)
       is_missing[facet.index] = true;
-    const Part_orienter<Result> parts(result);
+    const Surface_facets<Result> parts(result);
     for(std::size_t i = 0; i < surface.faces.size(); ++i)
     {
       if(is_missing[i])

@@ -45,10 +45,10 @@ namespace CGAL {
 /*!
  * \ingroup PkgBoundaryRecovery3Classes
  *
- * \brief recovers constrained edges and facets in a triangulation by recursive shell transformations, without adding
- * points.
+ * \brief recovers constrained edges and facets in a triangulation, by recursive shell transformations first, and by
+ * Steiner points where these are not enough.
  *
- * It holds the constraints and runs the preprocessing of [CZZ+17, Section 4.2]; each phase can be called on its own.
+ * It holds the constraints and runs the phases of [CZZ+17, Section 4]; each phase can be called on its own.
  * Constraints that are in the triangulation are never destroyed.
  *
  * \tparam Tr an instance of `CGAL::Triangulation_3`, or of a class derived from it
@@ -127,11 +127,12 @@ public:
   /// returns the indices of the facets with Steiner points on them or on their edges, in increasing order.
   std::vector<std::size_t> split_facets() const { return m_steiner_points.split_facets(); }
 
-  /// returns the mesh edges that the edge `e` consists of, from its first vertex to its second; none if it is not a union
-  /// of mesh edges.
+  /// returns the mesh edges that the edge `e` consists of, from its first vertex to its second; none if it is not a
+  /// union of mesh edges.
   std::vector<std::array<Vertex_handle, 2> > parts_of_edge(const std::size_t e) const { return m_parts.of_edge(e); }
 
-  /// returns the mesh facets that the facet `f` consists of; none if it is not a union of mesh facets.
+  /// returns the mesh facets that the facet `f` consists of, in its orientation; none if it is not a union of mesh
+  /// facets.
   std::vector<std::array<Vertex_handle, 3> > parts_of_facet(const std::size_t f) const { return m_parts.of_facet(f); }
   /// @}
 
@@ -334,8 +335,8 @@ public:
     return m_lost.edges.empty() && m_lost.facets.empty();
   }
 
-  /// is the first half of the main procedure of [CZZ+17, Section 4]: lost edges become chains of mesh edges, lost facets
-  /// unions of mesh facets, by Steiner points on them.
+  /// is the first half of the main procedure of [CZZ+17, Section 4]: lost edges become chains of mesh edges, lost
+  /// facets unions of mesh facets, by Steiner points on them.
   void recover_conforming()
   {
     Boundary_recovery_3::internal::Conforming_recovery_3<Tr, Visitor>
@@ -356,8 +357,8 @@ public:
     m_number_of_transformations += conform.number_of_transformations();
   }
 
-  /// gives each Steiner point on a constraint the nearest position that the triangulation can store, where all the cells
-  /// around it remain positively oriented. Returns whether this is so for all of them.
+  /// gives each Steiner point on a constraint the nearest position that the triangulation can store, where all the
+  /// cells around it remain positively oriented. Returns whether this is so for all of them.
   bool round_steiner_points()
   {
     bool is_done = true;
@@ -405,9 +406,8 @@ public:
     {
       do
       {
-        for(int l_max = 0; l_max <= max_suppression_level; ++l_max)
-          while(suppress.remove_points(l_max, m_context))
-            suppress.relocate_points(m_context);
+        while(suppress.remove_points(suppression_recursion_level, m_context))
+          suppress.relocate_points(m_context);
       }
       while(suppress.merge_points(m_context));
       is_storable = suppress.round_points();
@@ -461,7 +461,8 @@ private:
 
   typedef Boundary_recovery_3::internal::Mesh_snapshot_3<Tr>  Snapshot;
 
-  static constexpr int max_suppression_level = 4;
+  // Raising the level from 0, as for lost edges, left a few more points in twice the time.
+  static constexpr int suppression_recursion_level = 4;
   static constexpr int conforming_recursion_level = 3;
 
   // Does something with each item of a list, and keeps those for which it failed.
@@ -498,8 +499,8 @@ private:
   // level. (On 170 surfaces: 1293 edges lost instead of 1341, but two surfaces lose edges that lost none before.)
   static constexpr int last_level_of_single_steps = 4;
 
-  // Bound on the shells that one calling of Alg. 5 visits, for each constraint that is lost at its start. Only few surfaces
-  // come near it: they have planar fans of hundreds of triangles, where recursion goes astray.
+  // Bound on the shells that one calling of Alg. 5 visits, for each constraint that is lost at its start. Only few
+  // surfaces come near it: they have planar fans of hundreds of triangles, where recursion goes astray.
   static constexpr std::size_t max_number_of_shells_per_constraint = 1000;
 
   static constexpr std::size_t never = std::size_t(-1);

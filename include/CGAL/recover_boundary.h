@@ -117,12 +117,12 @@ namespace CGAL {
  *
  * \return the status, and what is missing or wrong in terms of the indices of points and triangles. It converts to
  *         `true` iff every triangle and constrained edge is in the triangulation.
- *         If the status is `stopped`, intersections may not have been looked for; if points of the input were still to be
- *         inserted then, all constraints are listed as missing, and the vertices of these points are default handles.
- *         If the status is `invalid_input`, the triangulation was not changed, with these exceptions: the points have
- *         been inserted if they and the vertices of a triangulation of a dimension less than 3 turn out to be coplanar,
- *         or if a vertex that was in the triangulation before is on a constraint; and constraints that intersect are,
- *         unless `list_defects` is set, found only after points were inserted and cells flipped.
+ *         If the status is `stopped`, intersections may not have been looked for; if points of the input were still
+ *         to be inserted then, all constraints are listed as missing, and the vertices of these points are default
+ *         handles. If the status is `invalid_input`, the triangulation was not changed, with these exceptions: the
+ *         points have been inserted if they and the vertices of a triangulation of a dimension less than 3 turn out
+ *         to be coplanar, or if a vertex that was in the triangulation before is on a constraint; and constraints
+ *         that intersect are, unless `list_defects` is set, found only after points were inserted and cells flipped.
  */
 template <typename Triangulation, typename PointRange, typename TriangleRange, typename CGAL_NP_TEMPLATE_PARAMETERS
 #ifndef DOXYGEN_RUNNING

@@ -39,9 +39,10 @@ namespace internal {
  * The main procedure of [CZZ+17, Section 4], first half: conforming recovery. Where a lost edge meets a mesh edge or
  * facet, and where a mesh edge meets a lost facet, that mesh entity is split by a Steiner point.
  *
- * It ends. An edge: each split adds the part up to the first crossing to the chain, and parts of a chain are never
- * crossed by another constraint, hence never split. The rest crosses what it crossed before, less one entity: splits at
- * a point of a line add nothing that crosses the line. A facet whose edges are chains: each split takes away one mesh
+ * It ends. An edge: parts of a chain that are in the mesh are kept by flips, and are never split, since no other
+ * constraint crosses them. A split at a crossing leaves both parts with the other crossings between them, for splits at
+ * a point of a line add nothing that crosses the line; flips for one part may add crossings to another, but the number
+ * of splits that are followed by flips is bounded. A facet whose edges are chains: each split takes away one mesh
  * edge that pierces it and adds none, since all new edges end in its plane. Once no edge pierces it, and no foreign
  * vertex is in it, mesh facets tile it.
  *
@@ -63,7 +64,8 @@ public:
                         Steiner_points& steiner_points, Visitor& visitor)
     : m_tr(tr), m_predicates(predicates), m_constraints(constraints), m_steiner_points(steiner_points),
       m_visitor(visitor), m_walk(tr, predicates), m_edge_recovery(tr, predicates),
-      m_edge_transformation(tr, Quality(tr), Edge_validity(Kept(steiner_points), BRC1<Tr>(tr, Vertex_handle(), Vertex_handle())),
+      m_edge_transformation(tr, Quality(tr),
+                            Edge_validity(Kept(steiner_points), BRC1<Tr>(tr, Vertex_handle(), Vertex_handle())),
                             visitor, predicates),
       m_facet_transformation(tr, Quality(tr),
                              Facet_validity(Kept(steiner_points),
@@ -84,7 +86,8 @@ public:
       const std::array<Vertex_handle, 2> part = parts.back();
       if(! context.go_further())
         return false;
-      m_edge_transformation.validity() = Edge_validity(Kept(m_steiner_points), BRC1<Tr>(m_predicates, part[0], part[1]));
+      m_edge_transformation.validity() = Edge_validity(Kept(m_steiner_points),
+                                                       BRC1<Tr>(m_predicates, part[0], part[1]));
       parts.pop_back();
       if(number_of_splits < max_number_of_splits_with_flips
          && m_edge_recovery(m_edge_transformation, part, l_max, context))
@@ -193,8 +196,8 @@ private:
     return {{ CGAL::volume(u, p, w, a) / all, CGAL::volume(u, v, p, a) / all }};
   }
 
-  // Mesh edges that pierce the facet: those of the cells around vertices on it. If there is none there, there is none at
-  // all, for then mesh facets tile it around these vertices, and therefore everywhere.
+  // Mesh edges that pierce the facet: those of the cells around vertices on it. If there is none there, there is none
+  // at all, for then mesh facets tile it around these vertices, and therefore everywhere.
   void find_piercing_edges(const std::size_t f)
   {
     const std::array<Vertex_handle, 3>& facet = m_constraints.facets()[f];

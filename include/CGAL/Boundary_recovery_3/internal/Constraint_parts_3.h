@@ -15,6 +15,7 @@
 #include <CGAL/Boundary_recovery_3/internal/Simplex_key_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Steiner_points_3.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <iterator>
@@ -57,11 +58,11 @@ public:
     return parts;
   }
 
-  // None if they do not tile the facet. They do if, and only if, their boundary is that of the facet: mesh facets
-  // do not overlap.
+  // In the orientation of the facet; none if they do not tile it. They do if, and only if, their boundary is that of
+  // the facet: mesh facets do not overlap.
   std::vector<Facet> of_facet(const std::size_t f) const
   {
-    const std::vector<Facet> parts = facets_on(f);
+    std::vector<Facet> parts = facets_on(f);
     Edges open;
     for(const Facet& part : parts)
       for(int i = 0; i < 3; ++i)
@@ -69,7 +70,10 @@ public:
     for(const std::size_t e : m_steiner_points.constraints().edges_of_facet(f))
       for(const Edge& part : chain(e))
         toggle(open, part[0], part[1]);
-    return open.empty() ? parts : std::vector<Facet>();
+    if(! open.empty())
+      return std::vector<Facet>();
+    orient(parts, f);
+    return parts;
   }
 
 private:
@@ -89,6 +93,49 @@ private:
     for(std::size_t i = 1; i < vertices.size(); ++i)
       parts.push_back({{ vertices[i - 1], vertices[i] }});
     return parts;
+  }
+
+  // The edges of the facet have a direction, and neighboring parts run through their common edge in opposite
+  // directions.
+  void orient(std::vector<Facet>& parts, const std::size_t f) const
+  {
+    std::vector<Edge> directed = boundary(f);
+    std::vector<bool> is_done(parts.size(), false);
+    while(! directed.empty())
+    {
+      const Edge e = directed.back();
+      directed.pop_back();
+      for(std::size_t i = 0; i < parts.size(); ++i)
+      {
+        Facet& p = parts[i];
+        const auto end = p.end();
+        if(is_done[i] || std::find(p.begin(), end, e[0]) == end || std::find(p.begin(), end, e[1]) == end)
+          continue;
+        is_done[i] = true;
+        while(p[0] != e[0])
+          std::rotate(p.begin(), p.begin() + 1, p.end());
+        if(p[1] != e[1])
+          std::swap(p[1], p[2]);
+        directed.push_back({{ p[2], p[1] }});
+        directed.push_back({{ p[0], p[2] }});
+      }
+    }
+  }
+
+  // The mesh edges around the facet f, in its direction.
+  std::vector<Edge> boundary(const std::size_t f) const
+  {
+    const Facet& facet = m_steiner_points.constraints().facets()[f];
+    std::vector<Edge> edges;
+    for(int i = 0; i < 3; ++i)
+    {
+      std::vector<Edge> parts = chain(m_steiner_points.constraints().edges_of_facet(f)[i]);
+      if(parts.front()[0] != facet[i])
+        for(Edge& part : parts)
+          std::swap(part[0], part[1]);
+      edges.insert(edges.end(), parts.begin(), parts.end());
+    }
+    return edges;
   }
 
   // The mesh facets whose vertices are all on the facet f.

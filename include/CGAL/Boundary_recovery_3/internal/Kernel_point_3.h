@@ -58,8 +58,9 @@ public:
     : m_predicates(predicates), m_positions(positions)
   { }
 
-  // Moves v to a point on a ray from `origin`, a point of the closed kernel, in one of the directions, or to the deepest
-  // point. Each of the faces has the polyhedron on its positive side. v must have no exact position, but it may get one.
+  // Moves v to a point on a ray from `origin`, a point of the closed kernel, in one of the directions, or to the
+  // deepest point. Each of the faces has the polyhedron on its positive side. v must have no exact position, but it
+  // may get one.
   bool operator()(const Vertex_handle v, const std::vector<Triangle>& faces,
                   const Vertex_handle origin, const std::vector<Exact_vector>& directions)
   {
@@ -69,7 +70,8 @@ public:
         || any_of(directions, [&](const Exact_vector& d) { return find_exactly_on_ray(v, faces, origin, d); });
   }
 
-  // Moves v to the deepest point of the kernel, in numbers of the triangulation's kernel. v must have no exact position.
+  // Moves v to the deepest point of the kernel, in numbers of the triangulation's kernel. v must have no exact
+  // position.
   bool operator()(const Vertex_handle v, const std::vector<Triangle>& faces)
   {
     set_up(faces, m_predicates.approximate_point(v));

@@ -509,7 +509,8 @@ private:
     for(const Cell_handle c : m_star)
     {
       const int i = c->index(m_s);
-      m_faces[sector(c)].push_back({{ c->vertex(Tr::vertex_triple_index(i, 0)), c->vertex(Tr::vertex_triple_index(i, 1)),
+      m_faces[sector(c)].push_back({{ c->vertex(Tr::vertex_triple_index(i, 0)),
+                                      c->vertex(Tr::vertex_triple_index(i, 1)),
                                       c->vertex(Tr::vertex_triple_index(i, 2)) }});
     }
     for(std::size_t i = 0; i < m_faces.size(); ++i)

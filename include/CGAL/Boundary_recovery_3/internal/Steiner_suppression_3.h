@@ -57,8 +57,9 @@ private:
  *
  * A vertex is dropped when its ball can be covered without it: by starring the ball from one of its neighbors (this is
  * collapsing an edge; it contains the 4-1 flip), or by small polyhedron reconnection of the ball. Until that works, the
- * edges at the vertex are removed one after the other by recursive shell transformations. At last the ball and one
- * layer more is tried.
+ * edges at the vertex are removed one after the other by recursive shell transformations. Then the ball and one layer
+ * more is tried. Two neighbors become one where one point sees the boundary of both balls. In between, points move to
+ * the deepest point of their kernel.
  */
 template <typename Tr, typename Visitor>
 class Steiner_suppression_3
@@ -138,7 +139,8 @@ private:
         break;
       if(contains(m_points, v))
         result = work(v) || result;
-      context.visitor().on_progress(Recovery_phase::steiner_suppression, points.size() - m_points.size(), points.size());
+      context.visitor().on_progress(Recovery_phase::steiner_suppression,
+                                    points.size() - m_points.size(), points.size());
     }
     return result;
   }
@@ -258,8 +260,8 @@ private:
     return false;
   }
 
-  // The faces of the cavity, seen from inside, and the vertices inside. Returns false if there is a constraint inside, or
-  // a vertex that is no Steiner point.
+  // The faces of the cavity, seen from inside, and the vertices inside. Returns false if there is a constraint
+  // inside, or a vertex that is no Steiner point.
   bool collect_boundary(const std::vector<Cell_handle>& cavity, std::vector<Triangle>& faces)
   {
     m_inner_points.clear();
