@@ -153,10 +153,10 @@ public:
   /// runs all the phases of a mode. Returns whether every constraint is in the triangulation: as one simplex, or, in
   /// the mode `conforming`, as a union of simplices.
   ///
-  /// \pre unless `mode` is `flips_only`, the constraints do not intersect, and no other vertex is on them.
+  /// \pre the constraints do not intersect, and no other vertex is on them.
   bool operator()(const Mode mode = Mode::constrained)
   {
-    return recover_by_flips() || (mode != Mode::flips_only && recover_by_points(mode));
+    return recover_by_flips() || recover_by_points(mode);
   }
 
   /// runs the phases that add no points. Returns whether every constraint is in the triangulation.
@@ -316,12 +316,15 @@ public:
 
   /// recovers what is lost by Steiner points: the main procedure and the postprocessing of [CZZ+17, Section 4]. In the
   /// mode `constrained`, they are taken off the constraints again, and as many of them as possible are removed; in the
-  /// mode `conforming`, they stay there and get the nearest positions that the triangulation can store. Returns whether
-  /// this worked for all constraints; if not, the triangulation is as it was before.
+  /// mode `conforming`, they stay there and get the nearest positions that the triangulation can store. In the mode
+  /// `flips_only`, they are tried for a few lost edges, and accepted only if all of them could be removed. Returns
+  /// whether this worked for all constraints; if not, the triangulation is as it was before.
   ///
   /// \pre the constraints do not intersect, and no other vertex is on them.
   bool recover_by_points(const Mode mode)
   {
+    if(mode == Mode::flips_only && m_lost.edges.size() > max_number_of_edges_for_temporary_points)
+      return false;
     const Snapshot snapshot(m_tr);
     recover_conforming();
     bool is_done = m_lost.edges.empty() && m_lost.facets.empty();
@@ -329,6 +332,8 @@ public:
       is_done = round_steiner_points();
     else if(is_done)
       is_done = split_steiner_points() && suppress_steiner_points();
+    if(mode == Mode::flips_only && ! m_free_steiner_vertices.empty())
+      is_done = false;
     if(! is_done)
       take_back(snapshot);
     recount();
@@ -461,6 +466,9 @@ private:
 
   typedef Boundary_recovery_3::internal::Mesh_snapshot_3<Tr>  Snapshot;
 
+  // With more lost edges, the chance that no point is left is too small for the time that it takes.
+  static constexpr std::size_t max_number_of_edges_for_temporary_points = 20;
+
   // Raising the level from 0, as for lost edges, left a few more points in twice the time.
   static constexpr int suppression_recursion_level = 4;
   static constexpr int conforming_recursion_level = 3;
@@ -489,6 +497,7 @@ private:
       m_steiner_points.positions().erase(v);
     vertices.insert(vertices.end(), m_free_steiner_vertices.begin(), m_free_steiner_vertices.end());
     m_free_steiner_vertices.clear();
+    m_number_of_constraint_points = m_number_of_steiner_points = 0;
     snapshot.restore(m_tr, vertices, m_context.visitor());
   }
 

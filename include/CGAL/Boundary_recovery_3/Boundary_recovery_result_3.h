@@ -25,7 +25,8 @@ enum class Recovery_mode
 {
   constrained, ///< every constraint becomes one simplex of the triangulation; Steiner points only off the constraints
   conforming,  ///< Steiner points stay on the constraints, which become unions of simplices
-  flips_only   ///< no point is ever added
+  flips_only   ///< no points: where a few edges stay lost, Steiner points are tried as a temporary means, and all is
+               ///< taken back unless every one of them can be removed again
 };
 
 /// \ingroup PkgBoundaryRecovery3Classes

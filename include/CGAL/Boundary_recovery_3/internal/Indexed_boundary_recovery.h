@@ -156,7 +156,7 @@ private:
       // only now, for in most cases flips are enough, and prove the input valid
       describe_missing(recovery);
       judge_missing_constraints();
-      if(m_result.defects.empty() && m_options.mode != Recovery_mode::flips_only)
+      if(m_result.defects.empty())
         is_recovered = recovery.recover_by_points(m_options.mode);
     }
     take_account(recovery);
