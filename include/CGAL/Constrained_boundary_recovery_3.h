@@ -325,6 +325,8 @@ public:
   {
     if(mode == Mode::flips_only && m_lost.edges.size() > max_number_of_edges_for_temporary_points)
       return false;
+    if(! m_context.go_further())
+      return false;
     const Snapshot snapshot(m_tr);
     recover_conforming();
     bool is_done = m_lost.edges.empty() && m_lost.facets.empty();
@@ -351,13 +353,14 @@ public:
       remove_done(Phase::conforming_edge_recovery, m_lost.edges,
                   [&](const std::size_t e) { return conform.recover_edge(e, conforming_recursion_level, m_context); });
     });
-    if(! m_lost.edges.empty())
-      return;
-    run(Phase::conforming_facet_recovery, [&]
-    {
-      remove_done(Phase::conforming_facet_recovery, m_lost.facets,
-                  [&](const std::size_t f) { return conform.recover_facet(f, conforming_recursion_level, m_context); });
-    });
+    if(m_lost.edges.empty())
+      run(Phase::conforming_facet_recovery, [&]
+      {
+        remove_done(Phase::conforming_facet_recovery, m_lost.facets, [&](const std::size_t f)
+        {
+          return conform.recover_facet(f, conforming_recursion_level, m_context);
+        });
+      });
     m_number_of_constraint_points = m_steiner_points.vertices().size();
     m_number_of_transformations += conform.number_of_transformations();
   }
@@ -406,7 +409,6 @@ public:
     Boundary_recovery_3::internal::Steiner_suppression_3<Tr, Visitor>
       suppress(m_tr, m_predicates, m_constraints, m_steiner_points.positions(), m_free_steiner_vertices,
                m_context.visitor());
-    bool is_storable = true;
     run(Phase::steiner_suppression, [&]
     {
       do
@@ -415,8 +417,8 @@ public:
           suppress.relocate_points(m_context);
       }
       while(suppress.merge_points(m_context));
-      is_storable = suppress.round_points();
     });
+    const bool is_storable = suppress.round_points(m_context); // also if the recovery was stopped before
     m_number_of_transformations += suppress.number_of_transformations();
     return is_storable;
   }

@@ -23,12 +23,14 @@
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
 #include <CGAL/Shell_transformation_3.h>
 
+#include <CGAL/Kernel/global_functions_3.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <vector>
 
 namespace CGAL {
@@ -100,8 +102,12 @@ public:
       ++number_of_splits;
       const Crossing crossing = m_walk.crossings()[m_walk.crossings().size() / 2];
       const FT t = parameter_on_edge(edge, crossing);
-      const Vertex_handle v = crossing.dimension == 1 ? split_edge(crossing.cell, crossing.vertices)
-                                                      : split_facet(crossing.cell, crossing.vertices);
+      const Exact_point u = position(edge[0]);
+      const Vertex_handle v = create_vertex(u + t * (position(edge[1]) - u));
+      if(crossing.dimension == 1)
+        split_edge(crossing.cell, crossing.vertices[0], crossing.vertices[1], v);
+      else
+        split_facet(crossing.cell, crossing.vertices, v);
       move_along_edge(v, edge, t);
       m_steiner_points.insert_on_edge(e, part[0], v);
       parts.push_back({{ v, part[1] }});
@@ -130,7 +136,10 @@ public:
         if(! m_tr.is_edge(e[0], e[1], c, i, j))
           continue;
         const std::array<FT, 2> weights = weights_in_facet(facet, e);
-        const Vertex_handle v = split_edge(c, e);
+        const Exact_point u = position(facet[0]);
+        const Vertex_handle v = create_vertex(u + weights[0] * (position(facet[1]) - u)
+                                                + weights[1] * (position(facet[2]) - u));
+        split_edge(c, e[0], e[1], v);
         move_in_facet(v, facet, weights);
         m_steiner_points.insert_in_facet(f, v);
       }
@@ -238,20 +247,16 @@ private:
 
   // --- splits -------------------------------------------------------------------------------------------------------
 
-  Vertex_handle split_edge(const Cell_handle c, const std::array<Vertex_handle, 2>& edge)
+  Vertex_handle create_vertex(const Exact_point& p)
   {
-    return split_edge(c, edge[0], edge[1]);
+    const Vertex_handle v = m_tr.tds().create_vertex();
+    m_steiner_points.positions().set(v, p);
+    return v;
   }
 
-  Vertex_handle split_edge(const Cell_handle c, const std::array<Vertex_handle, 3>& edge)
-  {
-    return split_edge(c, edge[0], edge[1]);
-  }
-
-  Vertex_handle split_edge(const Cell_handle c, const Vertex_handle a, const Vertex_handle b)
+  void split_edge(const Cell_handle c, const Vertex_handle a, const Vertex_handle b, const Vertex_handle v)
   {
     const Shell_3<Tr> shell(m_tr, c, c->index(a), c->index(b));
-    const Vertex_handle v = m_tr.tds().create_vertex();
     m_tetrahedra.clear();
     for(const Cell_handle cell : shell.cells())
     {
@@ -259,22 +264,19 @@ private:
       add_with(cell, b, v);
     }
     replace(shell.cells());
-    return v;
   }
 
-  Vertex_handle split_facet(const Cell_handle c, const std::array<Vertex_handle, 3>& facet)
+  void split_facet(const Cell_handle c, const std::array<Vertex_handle, 3>& facet, const Vertex_handle v)
   {
     int i = 0;
     while(std::find(facet.begin(), facet.end(), c->vertex(i)) != facet.end())
       ++i;
     const std::array<Cell_handle, 2> cells = {{ c, c->neighbor(i) }};
-    const Vertex_handle v = m_tr.tds().create_vertex();
     m_tetrahedra.clear();
     for(const Cell_handle cell : cells)
       for(const Vertex_handle replaced : facet)
         add_with(cell, replaced, v);
     replace(cells);
-    return v;
   }
 
   // The cell, with one vertex exchanged.

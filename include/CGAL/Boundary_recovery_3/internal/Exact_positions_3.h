@@ -20,7 +20,6 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/number_utils.h>
 
-#include <cstddef>
 #include <type_traits>
 #include <unordered_map>
 
@@ -83,8 +82,8 @@ public:
       v->set_point(p);
     else
     {
+      CGAL::exact(p); // or it would remember all the points that it was computed from, and be rounded badly
       v->set_point(Point_3(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())));
-      CGAL::exact(p); // or it would remember all the points that it was computed from
       m_positions[&*v] = { p, box(p) };
     }
   }

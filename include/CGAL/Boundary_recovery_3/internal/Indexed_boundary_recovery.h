@@ -208,7 +208,7 @@ private:
   // The parts of constraints with Steiner points on them.
   void describe_parts(const Recovery& recovery)
   {
-    const std::vector<std::size_t>& edges = recovery.split_edges();
+    const std::vector<std::size_t> edges = recovery.split_edges();
     const std::vector<Simplex> described = describe_edges(recovery, edges);
     for(std::size_t k = 0; k < edges.size(); ++k)
       for(const auto& part : recovery.parts_of_edge(edges[k]))

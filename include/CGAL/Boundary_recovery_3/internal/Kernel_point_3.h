@@ -15,10 +15,14 @@
 #include <CGAL/Boundary_recovery_3/internal/Exact_positions_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
 
-#include <CGAL/Gmpzf.h>
 #include <CGAL/QP_functions.h>
 #include <CGAL/QP_models.h>
 #include <CGAL/number_utils.h>
+#ifdef CGAL_USE_GMP
+#include <CGAL/Gmpzf.h>
+#else
+#include <CGAL/MP_Float.h>
+#endif
 
 #include <algorithm>
 #include <array>
@@ -91,6 +95,12 @@ public:
   }
 
 private:
+#ifdef CGAL_USE_GMP
+  typedef CGAL::Gmpzf    ET; // exact type of the linear programs
+#else
+  typedef CGAL::MP_Float ET;
+#endif
+
   // The half space of the points x for which normal * x > offset; the origin of coordinates is the given origin.
   struct Half_space
   {
@@ -126,11 +136,10 @@ private:
     m_origin = origin;
     m_half_spaces.clear();
     m_diameter = 0;
+    find_unit(faces);
     for(const Triangle& f : faces)
     {
-      const Vector p = difference(m_predicates.approximate_point(f[0]), origin);
-      const Vector q = difference(m_predicates.approximate_point(f[1]), origin);
-      const Vector r = difference(m_predicates.approximate_point(f[2]), origin);
+      const Vector p = from_origin(f[0]), q = from_origin(f[1]), r = from_origin(f[2]);
       Vector normal = cross(difference(q, p), difference(r, p));
       const double length = std::sqrt(dot(normal, normal));
       m_diameter = (std::max)(m_diameter, 2 * std::sqrt(dot(p, p)));
@@ -142,10 +151,31 @@ private:
     }
   }
 
+  // A power of two, so that products of lengths do not leave the range of floating point numbers.
+  void find_unit(const std::vector<Triangle>& faces)
+  {
+    m_unit = 1;
+    double largest = 0;
+    for(const Triangle& f : faces)
+      for(const Vertex_handle v : f)
+        for(const double x : from_origin(v))
+          largest = (std::max)(largest, std::abs(x));
+    if(largest > 0)
+      m_unit = std::ldexp(1., (std::max)(-1000, (std::min)(1000, std::ilogb(largest))));
+  }
+
+  Vector from_origin(const Vertex_handle v) const
+  {
+    Vector d = difference(m_predicates.approximate_point(v), m_origin);
+    for(double& x : d)
+      x /= m_unit;
+    return d;
+  }
+
   bool find_on_ray(const Vertex_handle v, const std::vector<Triangle>& faces, const Vector& direction)
   {
     const double length = std::sqrt(dot(direction, direction));
-    if(! (length > 0))
+    if(! (length > 0) || ! std::isfinite(length))
       return false;
     const Vector d = {{ direction[0] / length, direction[1] / length, direction[2] / length }};
     double s = m_diameter; // where the ray leaves the kernel
@@ -155,7 +185,8 @@ private:
     for(int i = 0; i < max_number_of_bisections; ++i)
     {
       s /= 2;
-      v->set_point(Point_3(m_origin[0] + s * d[0], m_origin[1] + s * d[1], m_origin[2] + s * d[2]));
+      v->set_point(Point_3(m_origin[0] + m_unit * (s * d[0]), m_origin[1] + m_unit * (s * d[1]),
+                           m_origin[2] + m_unit * (s * d[2])));
       if(is_kernel_point(v, faces))
         return true;
     }
@@ -168,14 +199,17 @@ private:
     typedef typename Positions::Exact_kernel Exact_kernel;
     const typename Exact_kernel::Point_3 p = m_positions(origin);
     const Vector d = approximate(direction);
-    const double length = std::sqrt(dot(d, d));
-    if(! (length > 0))
+    const double length = (std::max)(std::abs(d[0]), (std::max)(std::abs(d[1]), std::abs(d[2])));
+    if(direction == CGAL::NULL_VECTOR)
       return false;
-    for(double s = m_diameter / length; s > (std::numeric_limits<double>::min)(); s /= 4)
+    const double start = m_diameter * m_unit / length;
+    typename Exact_kernel::FT s(std::isfinite(start) && start > 0 ? start : 1.);
+    for(int i = 0; i < max_number_of_exact_bisections; ++i)
     {
-      m_positions.set(v, p + typename Exact_kernel::FT(s) * direction);
+      m_positions.set(v, p + s * direction);
       if(is_kernel_point(v, faces))
         return true;
+      s /= 4;
     }
     m_positions.erase(v);
     return false;
@@ -226,7 +260,8 @@ private:
 
   Point_3 point(const Vector& x) const
   {
-    return Point_3(m_origin[0] + m_diameter * x[0], m_origin[1] + m_diameter * x[1], m_origin[2] + m_diameter * x[2]);
+    const double unit = m_diameter * m_unit;
+    return Point_3(m_origin[0] + unit * x[0], m_origin[1] + unit * x[1], m_origin[2] + unit * x[2]);
   }
 
   // Maximizes objective * x + r_max * r over the points x that are at least as deep as r, 0 <= r <= r_max, in units of
@@ -250,7 +285,7 @@ private:
     if(r_max == 0)
       lp.set_l(3, true, 0);
     lp.set_c(3, - r_max);
-    const CGAL::Quadratic_program_solution<Gmpzf> solution = CGAL::solve_linear_program(lp, Gmpzf());
+    const CGAL::Quadratic_program_solution<ET> solution = CGAL::solve_linear_program(lp, ET());
     if(! solution.is_optimal())
       return false;
     const double denominator = CGAL::to_double(solution.variables_common_denominator());
@@ -262,11 +297,13 @@ private:
   }
 
   static constexpr int max_number_of_bisections = 50;
+  static constexpr int max_number_of_exact_bisections = 2000; // far beyond the range of double
   static constexpr int number_of_samples = 500;
 
   const Predicates& m_predicates;
   Positions& m_positions;
   Vector m_origin;
+  double m_unit;     // of the half spaces and the diameter
   double m_diameter;
   double m_depth;
   std::vector<Half_space> m_half_spaces;

@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <unordered_map>
 #include <vector>
 
@@ -83,12 +84,18 @@ public:
   {
     const Carrier c = carrier(v);
     erase_from(c.dimension == 1 ? m_chains[c.index] : m_interiors[c.index], v);
+    if(c.dimension == 1 && m_chains[c.index].size() == 2)
+    {
+      m_chains.erase(c.index);
+      m_facets_at_edge.erase(c.index);
+    }
     erase_from(m_vertices, v);
     m_carriers.erase(&*v);
     m_positions.erase(v);
   }
 
-  // Lets v be where the triangulation says, if all the cells around it are positively oriented then.
+  // Lets v be where the triangulation says, if all the cells around it are positively oriented and the hull is convex
+  // then.
   template <typename Predicates>
   bool round(const Tr& tr, const Predicates& predicates, const Vertex_handle v)
   {
@@ -99,8 +106,8 @@ public:
     std::vector<typename Tr::Cell_handle> star;
     tr.incident_cells(v, std::back_inserter(star));
     for(const auto c : star)
-      if(! tr.is_infinite(c)
-         && predicates.orientation(c->vertex(0), c->vertex(1), c->vertex(2), c->vertex(3)) != POSITIVE)
+      if(tr.is_infinite(c) ? ! is_hull_convex_at(tr, predicates, c)
+                           : predicates.orientation(c->vertex(0), c->vertex(1), c->vertex(2), c->vertex(3)) != POSITIVE)
       {
         m_positions.set(v, exact);
         return false;
@@ -241,6 +248,23 @@ private:
       if(std::find(edges.begin(), edges.end(), e) != edges.end())
         facets.push_back(f);
     }
+  }
+
+  // Whether no hull facet beside that of an infinite cell is in front of it.
+  template <typename Predicates, typename Cell_handle>
+  static bool is_hull_convex_at(const Tr& tr, const Predicates& predicates, const Cell_handle c)
+  {
+    const int infinite = c->index(tr.infinite_vertex());
+    for(int i = 0; i < 4; ++i)
+    {
+      if(i == infinite)
+        continue;
+      std::array<Vertex_handle, 4> v = {{ c->vertex(0), c->vertex(1), c->vertex(2), c->vertex(3) }};
+      v[infinite] = tr.mirror_vertex(c, i);
+      if(predicates.orientation(v[0], v[1], v[2], v[3]) == POSITIVE)
+        return false;
+    }
+    return true;
   }
 
   static std::vector<std::size_t> sorted(std::vector<std::size_t> indices)

@@ -18,13 +18,17 @@
 #include <CGAL/Boundary_recovery_3/internal/Steiner_points_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
 
+#include <CGAL/Kernel/global_functions_3.h>
+#include <CGAL/Origin.h>
 #include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -77,6 +81,7 @@ public:
       release_free_points();
       return true;
     }
+    m_points.insert(m_points.end(), m_free_points.begin(), m_free_points.end()); // they are in the mesh
     for(const Vertex_handle v : m_sector_points)
       if(v != Vertex_handle())
       {
@@ -330,7 +335,9 @@ private:
     // cells have changed since the cut was found
     Cell_handle c;
     int i = 0, j = 0, k = 0;
+    CGAL_assertion_code(const bool is_facet =)
     m_tr.is_facet(m_s, cut.v, cut.w, c, i, j, k);
+    CGAL_assertion(is_facet);
     const std::array<Cell_handle, 2> cells = {{ c, c->neighbor(6 - i - j - k) }};
     m_tetrahedra.clear();
     for(const Cell_handle cell : cells)
@@ -413,6 +420,7 @@ private:
       polygon.push_back(h.v);
     if(! fan.is_closed)
       polygon.push_back(fan.facets.back().w);
+    find_scale();
     if(! find_apex(fan.facets.front()))
       return false;
     while(polygon.size() > 3)
@@ -483,10 +491,24 @@ private:
     return longest > 0 ? std::sqrt(dot(n, n)) / longest : 0;
   }
 
+  // In units of the size of the ball.
   Vector difference(const Vertex_handle v, const Vertex_handle w) const
   {
     const std::array<double, 3> p = m_predicates.approximate_point(v), q = m_predicates.approximate_point(w);
-    return {{ p[0] - q[0], p[1] - q[1], p[2] - q[2] }};
+    return {{ m_scale * (p[0] - q[0]), m_scale * (p[1] - q[1]), m_scale * (p[2] - q[2]) }};
+  }
+
+  // A power of two, so that products of lengths do not leave the range of floating point numbers.
+  void find_scale()
+  {
+    m_scale = 1;
+    double largest = 0;
+    for(const Half_facet& h : m_half_facets)
+      if(! m_tr.is_infinite(h.v))
+        for(const double x : difference(h.v, m_s))
+          largest = (std::max)(largest, std::abs(x));
+    if(largest > 0)
+      m_scale = std::ldexp(1., (std::max)(-1000, (std::min)(1000, - std::ilogb(largest))));
   }
 
   static double dot(const Vector& v, const Vector& w) { return v[0] * w[0] + v[1] * w[1] + v[2] * w[2]; }
@@ -619,6 +641,7 @@ private:
   std::unordered_map<const void*, std::size_t> m_sector_of_cell; // look-up only
   std::vector<bool> m_is_infinite;                               // by sector; so the next three
   std::vector<std::vector<Triangle> > m_faces;
+  double m_scale;
   std::vector<std::vector<Exact_vector> > m_directions;
   std::vector<Exact_vector> m_mean_directions;
   Vertices m_sector_points;

@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
 #include <CGAL/Boundary_recovery_3/Shell_quality_3.h>
 #include <CGAL/Boundary_recovery_3/Shell_validity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Cell_replacement.h>
@@ -25,6 +26,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <vector>
 
 namespace CGAL {
@@ -89,7 +91,8 @@ public:
     return for_each_point(context, [&](const Vertex_handle v)
     {
       return collect_ball(v)
-          && (collapse(v) || reconnect_ball(v) || reduce_ball(v, l_max, context) || reconnect_with_layer(v));
+          && (collapse(v) || reconnect_ball(v) || reduce_ball(v, l_max, context)
+              || (context.go_further() && reconnect_with_layer(v)));
     });
   }
 
@@ -108,12 +111,14 @@ public:
   }
 
   // Gives each of the points a position that the triangulation can store. Returns whether there is one for all of them.
-  bool round_points()
+  // Once stopped, only what is quick is tried.
+  template <typename Context>
+  bool round_points(Context& context)
   {
     const std::vector<Vertex_handle> points = m_points;
-    return std::count_if(points.begin(), points.end(), [this](const Vertex_handle v)
+    return std::count_if(points.begin(), points.end(), [&](const Vertex_handle v)
     {
-      return contains(m_points, v) && ! round(v);
+      return contains(m_points, v) && ! round(v, context);
     }) == 0;
   }
 
@@ -163,7 +168,8 @@ private:
   }
 
   // Makes the position of v one that the triangulation can store. Returns whether there is one that sees its ball.
-  bool round(const Vertex_handle v)
+  template <typename Context>
+  bool round(const Vertex_handle v, Context& context)
   {
     if(! m_positions.contains(v))
       return true;
@@ -171,7 +177,8 @@ private:
     const std::vector<Triangle> faces = boundary_of_ball(v);
     const typename Positions::Exact_point_3 exact = m_positions(v);
     m_positions.erase(v);
-    if(m_kernel_point.is_kernel_point(v, faces) || m_kernel_point(v, faces) || enlarge_ball(v))
+    if(m_kernel_point.is_kernel_point(v, faces) || m_kernel_point(v, faces)
+       || (context.go_further() && enlarge_ball(v)))
       return true;
     m_positions.set(v, exact);
     return false;
@@ -426,10 +433,13 @@ private:
           return false;
         Cell_handle c;
         int i, j;
-        if(! m_tr.is_edge(v, x, c, i, j) || ! m_transformation.remove_edge(Edge(c, i, j), l_max))
+        if(! m_tr.is_edge(v, x, c, i, j))
+          continue;
+        const bool is_removed = m_transformation.remove_edge(Edge(c, i, j), l_max);
+        collect_ball(v); // its cells may have been replaced even if the edge is still there
+        if(! is_removed)
           continue;
         is_changed = true;
-        collect_ball(v);
         if(collapse(v) || reconnect_ball(v))
           return true;
       }
