@@ -30,6 +30,7 @@
 
 namespace params = CGAL::parameters;
 using CGAL::Boundary_recovery_3::Phase_report;
+using CGAL::Boundary_recovery_3::Recovery_mode;
 using CGAL::Boundary_recovery_3::Recovery_phase;
 using CGAL::Boundary_recovery_3::Recovery_status;
 
@@ -121,9 +122,10 @@ void check_account(const Tr& tr, const Soup& soup, const CGAL::Boundary_recovery
 }
 
 template <typename Tr, typename Soup>
-CGAL::Boundary_recovery_result_3<Tr> recover_and_check(Tr& tr, const Soup& soup)
+CGAL::Boundary_recovery_result_3<Tr> recover_and_check(Tr& tr, const Soup& soup,
+                                                       const Recovery_mode mode = Recovery_mode::constrained)
 {
-  const auto result = CGAL::recover_boundary(tr, soup.points, soup.triangles);
+  const auto result = CGAL::recover_boundary(tr, soup.points, soup.triangles, params::recovery_mode(mode));
   assert(result.vertices.size() == soup.points.size());
   for(std::size_t i = 0; i < soup.points.size(); ++i)
     assert(result.vertices[i]->point() == soup.points[i]);
@@ -148,11 +150,17 @@ void test_surfaces()
     assert(result.phases[1].phase == Recovery_phase::search && result.phases[1].lost_edges > 0);
     assert(result.number_of_shell_transformations > 0);
   }
-  // A point would be needed: nobody can recover this, and it is no fault of the input.
+  // A point is needed: without, nobody can recover this, and it is no fault of the input.
+  const auto soup = read<K>("schoenhardt_br3.off");
   Tr tr;
-  const auto result = recover_and_check(tr, read<K>("schoenhardt_br3.off"));
+  const auto result = recover_and_check(tr, soup, Recovery_mode::flips_only);
   assert(result.status == Recovery_status::incomplete);
   assert(result.defects.empty() && ! result.missing_edges.empty() && ! result.missing_facets.empty());
+  Tr with_points;
+  const auto recovered = CGAL::recover_boundary(with_points, soup.points, soup.triangles);
+  assert(recovered.status == Recovery_status::recovered && recovered.steiner_vertices.size() == 1);
+  assert(with_points.number_of_vertices() == soup.points.size() + 1);
+  check_validity(with_points);
 }
 
 template <typename K>
@@ -190,7 +198,8 @@ void test_overloads()
 
   // Vertex handles, also in a triangulation that is not Delaunay by type.
   CGAL::Triangulation_3<K> plain(soup.points.begin(), soup.points.end());
-  const auto of_plain = CGAL::recover_boundary(plain, soup.points, soup.triangles);
+  const auto of_plain = CGAL::recover_boundary(plain, soup.points, soup.triangles,
+                                               params::recovery_mode(Recovery_mode::flips_only));
   assert(of_plain.status == Recovery_status::recovered || of_plain.status == Recovery_status::incomplete);
   check_account(plain, soup, of_plain);
   std::vector<std::array<typename Tr::Vertex_handle, 3> > facets;
@@ -204,7 +213,7 @@ void test_parameters()
 {
   typedef CGAL::Delaunay_triangulation_3<K> Tr;
   typedef typename K::Point_3 Point_3;
-  const auto flips_only = params::recovery_mode(CGAL::Boundary_recovery_3::Recovery_mode::flips_only);
+  const auto flips_only = params::recovery_mode(Recovery_mode::flips_only);
   const Soup<K> soup = read<K>("washer_br3.off");
   {
     Tr tr;
