@@ -345,9 +345,9 @@ public:
   /// is the first half of the main procedure of [CZZ+17, Section 4]: lost edges become chains of mesh edges, lost
   /// facets unions of mesh facets, by Steiner points on them.
   ///
-  /// Until `round_steiner_points()`, or `split_steiner_points()` and `suppress_steiner_points()`, returned `true`, exact
-  /// positions of Steiner points are known to this object only, and cells may be inverted by the rounded positions in
-  /// the triangulation.
+  /// Until `round_steiner_points()`, or `split_steiner_points()` and `suppress_steiner_points()`, returned `true`,
+  /// exact positions of Steiner points are known to this object only, and cells may be inverted by the rounded
+  /// positions in the triangulation.
   void recover_conforming()
   {
     Boundary_recovery_3::internal::Conforming_recovery_3<Tr, Visitor>
