@@ -394,9 +394,7 @@ private:
       m_tetrahedra.push_back(Tetrahedron{{ s.vertex(t[0]), s.vertex(t[1]), s.vertex(t[2]), s.b() }});
       m_tetrahedra.push_back(Tetrahedron{{ s.vertex(t[0]), s.vertex(t[2]), s.vertex(t[1]), s.a() }});
     }
-    m_visitor->before_cells_removal(m_old_cells);
-    m_replacement(m_tr, m_old_cells, m_tetrahedra);
-    m_visitor->after_cells_creation(m_replacement.new_cells());
+    m_replacement(m_tr, m_old_cells, m_tetrahedra, *m_visitor);
     ++m_number_of_transformations;
     update_cells(e);
   }

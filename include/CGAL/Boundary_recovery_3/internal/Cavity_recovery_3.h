@@ -173,9 +173,7 @@ private:
 
   void replace()
   {
-    m_visitor.before_cells_removal(m_cells);
-    m_replacement(m_tr, m_cells, m_reconnection.tetrahedra());
-    m_visitor.after_cells_creation(m_replacement.new_cells());
+    m_replacement(m_tr, m_cells, m_reconnection.tetrahedra(), m_visitor);
     ++m_number_of_replacements;
   }
 

@@ -43,6 +43,15 @@ public:
   // The new cells of the last replacement, in the order in which they were given.
   const Cells& new_cells() const { return m_new_cells; }
 
+  // As below, and tells a visitor which cells go and come.
+  template <typename CellRange, typename TetrahedronRange, typename Visitor>
+  void operator()(Tr& tr, const CellRange& old_cells, const TetrahedronRange& tetrahedra, Visitor& visitor)
+  {
+    visitor.before_cells_removal(old_cells);
+    (*this)(tr, old_cells, tetrahedra);
+    visitor.after_cells_creation(m_new_cells);
+  }
+
   template <typename CellRange, typename TetrahedronRange>
   const Cells& operator()(Tr& tr, const CellRange& old_cells, const TetrahedronRange& tetrahedra)
   {

@@ -21,6 +21,7 @@
 #include <CGAL/Boundary_recovery_3/internal/Segment_walk_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Steiner_points_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
+#include <CGAL/Boundary_recovery_3/internal/cell_simplices.h>
 #include <CGAL/Shell_transformation_3.h>
 
 #include <CGAL/Kernel/global_functions_3.h>
@@ -102,13 +103,12 @@ public:
       ++number_of_splits;
       const Crossing crossing = m_walk.crossings()[m_walk.crossings().size() / 2];
       const FT t = parameter_on_edge(edge, crossing);
-      const Exact_point u = position(edge[0]);
-      const Vertex_handle v = create_vertex(u + t * (position(edge[1]) - u));
+      const Vertex_handle v = create_vertex(point_on_edge(edge, t));
       if(crossing.dimension == 1)
         split_edge(crossing.cell, crossing.vertices[0], crossing.vertices[1], v);
       else
         split_facet(crossing.cell, crossing.vertices, v);
-      move_along_edge(v, edge, t);
+      simplify_position(v, [&](const int bits) { return point_on_edge(edge, rounded(t, bits)); });
       m_steiner_points.insert_on_edge(e, part[0], v);
       parts.push_back({{ v, part[1] }});
       parts.push_back({{ part[0], v }});
@@ -136,11 +136,12 @@ public:
         if(! m_tr.is_edge(e[0], e[1], c, i, j))
           continue;
         const std::array<FT, 2> weights = weights_in_facet(facet, e);
-        const Exact_point u = position(facet[0]);
-        const Vertex_handle v = create_vertex(u + weights[0] * (position(facet[1]) - u)
-                                                + weights[1] * (position(facet[2]) - u));
+        const Vertex_handle v = create_vertex(point_in_facet(facet, weights));
         split_edge(c, e[0], e[1], v);
-        move_in_facet(v, facet, weights);
+        simplify_position(v, [&](const int bits)
+        {
+          return point_in_facet(facet, {{ rounded(weights[0], bits), rounded(weights[1], bits) }});
+        });
         m_steiner_points.insert_in_facet(f, v);
       }
     return true;
@@ -161,12 +162,23 @@ private:
   typedef Segment_walk_3<Tr>                            Walk;
   typedef typename Walk::Crossing                       Crossing;
   typedef typename Steiner_points::Positions            Positions;
-  typedef typename Positions::Exact_kernel              Exact_kernel;
   typedef typename Positions::Exact_point_3             Exact_point;
   typedef typename Positions::Exact_FT                  FT;
   typedef typename Cell_replacement<Tr>::Tetrahedron    Tetrahedron;
 
   Exact_point position(const Vertex_handle v) const { return m_steiner_points.positions()(v); }
+
+  Exact_point point_on_edge(const std::array<Vertex_handle, 2>& edge, const FT& t) const
+  {
+    const Exact_point u = position(edge[0]);
+    return u + t * (position(edge[1]) - u);
+  }
+
+  Exact_point point_in_facet(const std::array<Vertex_handle, 3>& facet, const std::array<FT, 2>& weights) const
+  {
+    const Exact_point u = position(facet[0]);
+    return u + weights[0] * (position(facet[1]) - u) + weights[1] * (position(facet[2]) - u);
+  }
 
   // --- where constraints and mesh entities meet ---------------------------------------------------------------------
 
@@ -260,10 +272,10 @@ private:
     m_tetrahedra.clear();
     for(const Cell_handle cell : shell.cells())
     {
-      add_with(cell, a, v);
-      add_with(cell, b, v);
+      m_tetrahedra.push_back(with_exchanged_vertex(cell, a, v));
+      m_tetrahedra.push_back(with_exchanged_vertex(cell, b, v));
     }
-    replace(shell.cells());
+    m_replacement(m_tr, shell.cells(), m_tetrahedra, m_visitor);
   }
 
   void split_facet(const Cell_handle c, const std::array<Vertex_handle, 3>& facet, const Vertex_handle v)
@@ -272,28 +284,7 @@ private:
     while(std::find(facet.begin(), facet.end(), c->vertex(i)) != facet.end())
       ++i;
     const std::array<Cell_handle, 2> cells = {{ c, c->neighbor(i) }};
-    m_tetrahedra.clear();
-    for(const Cell_handle cell : cells)
-      for(const Vertex_handle replaced : facet)
-        add_with(cell, replaced, v);
-    replace(cells);
-  }
-
-  // The cell, with one vertex exchanged.
-  void add_with(const Cell_handle c, const Vertex_handle replaced, const Vertex_handle v)
-  {
-    Tetrahedron t;
-    for(int i = 0; i < 4; ++i)
-      t[i] = c->vertex(i) == replaced ? v : c->vertex(i);
-    m_tetrahedra.push_back(t);
-  }
-
-  template <typename CellRange>
-  void replace(const CellRange& cells)
-  {
-    m_visitor.before_cells_removal(cells);
-    m_replacement(m_tr, cells, m_tetrahedra);
-    m_visitor.after_cells_creation(m_replacement.new_cells());
+    m_replacement(m_tr, cells, internal::split_facet(cells, facet, v), m_visitor);
   }
 
   // Flips for one part of an edge may do harm to the next part. So that this ends, a long chain is finished without.
@@ -309,25 +300,15 @@ private:
     return FT(std::ldexp(std::round(std::ldexp(CGAL::to_double(t), bits)), -bits));
   }
 
-  void move_along_edge(const Vertex_handle s, const std::array<Vertex_handle, 2>& edge, const FT& t)
+  // `candidate` gives the position with weights of so many bits.
+  template <typename Candidate>
+  void simplify_position(const Vertex_handle s, const Candidate& candidate)
   {
-    const Exact_point u = position(edge[0]), v = position(edge[1]);
+    const Exact_point exact = position(s);
     for(const int bits : numbers_of_bits)
-    {
-      const FT r = rounded(t, bits);
-      if(move(s, u + r * (v - u)))
+      if(move(s, candidate(bits)))
         return;
-    }
-    m_steiner_points.positions().set(s, u + t * (v - u));
-  }
-
-  void move_in_facet(const Vertex_handle s, const std::array<Vertex_handle, 3>& facet, const std::array<FT, 2>& weights)
-  {
-    const Exact_point u = position(facet[0]), v = position(facet[1]), w = position(facet[2]);
-    for(const int bits : numbers_of_bits)
-      if(move(s, u + rounded(weights[0], bits) * (v - u) + rounded(weights[1], bits) * (w - u)))
-        return;
-    m_steiner_points.positions().set(s, u + weights[0] * (v - u) + weights[1] * (w - u));
+    m_steiner_points.positions().set(s, exact);
   }
 
   // Gives s a position, and returns whether all the cells around it are positively oriented so.

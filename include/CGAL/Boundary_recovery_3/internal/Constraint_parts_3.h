@@ -14,6 +14,7 @@
 
 #include <CGAL/Boundary_recovery_3/internal/Simplex_key_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Steiner_points_3.h>
+#include <CGAL/Boundary_recovery_3/internal/cell_simplices.h>
 
 #include <algorithm>
 #include <array>
@@ -151,8 +152,7 @@ private:
       for(const Cell_handle c : star)
         for(int i = 0; i < 4; ++i)
         {
-          const Facet facet = {{ c->vertex(Tr::vertex_triple_index(i, 0)), c->vertex(Tr::vertex_triple_index(i, 1)),
-                                 c->vertex(Tr::vertex_triple_index(i, 2)) }};
+          const Facet facet = facet_vertices(c, i);
           if(is_on(facet, f) && seen.insert(simplex_key(facet[0], facet[1], facet[2])).second)
             facets.push_back(facet);
         }

@@ -17,6 +17,7 @@
 #include <CGAL/Boundary_recovery_3/internal/Kernel_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Steiner_points_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
+#include <CGAL/Boundary_recovery_3/internal/cell_simplices.h>
 
 #include <CGAL/Kernel/global_functions_3.h>
 #include <CGAL/Origin.h>
@@ -339,16 +340,7 @@ private:
     m_tr.is_facet(m_s, cut.v, cut.w, c, i, j, k);
     CGAL_assertion(is_facet);
     const std::array<Cell_handle, 2> cells = {{ c, c->neighbor(6 - i - j - k) }};
-    m_tetrahedra.clear();
-    for(const Cell_handle cell : cells)
-      for(const Vertex_handle replaced : { m_s, cut.v, cut.w })
-      {
-        Tetrahedron t;
-        for(int l = 0; l < 4; ++l)
-          t[l] = cell->vertex(l) == replaced ? free_point : cell->vertex(l);
-        m_tetrahedra.push_back(t);
-      }
-    replace(cells);
+    m_replacement(m_tr, cells, split_facet(cells, Triangle{{ m_s, cut.v, cut.w }}, free_point), m_visitor);
     return free_point;
   }
 
@@ -529,12 +521,7 @@ private:
     m_mean_directions.assign(m_is_infinite.size(), CGAL::NULL_VECTOR);
     m_sector_points.assign(m_is_infinite.size(), Vertex_handle());
     for(const Cell_handle c : m_star)
-    {
-      const int i = c->index(m_s);
-      m_faces[sector(c)].push_back({{ c->vertex(Tr::vertex_triple_index(i, 0)),
-                                      c->vertex(Tr::vertex_triple_index(i, 1)),
-                                      c->vertex(Tr::vertex_triple_index(i, 2)) }});
-    }
+      m_faces[sector(c)].push_back(facet_vertices(c, c->index(m_s)));
     for(std::size_t i = 0; i < m_faces.size(); ++i)
       if(m_is_infinite[i])
         m_faces[i].clear(); // the infinite vertex is on the old ones
@@ -587,7 +574,7 @@ private:
     for(std::size_t i = 0; i < m_faces.size(); ++i)
       for(const Triangle& t : m_faces[i])
         m_tetrahedra.push_back({{ t[0], t[1], t[2], m_is_infinite[i] ? m_tr.infinite_vertex() : m_sector_points[i] }});
-    replace(m_star);
+    m_replacement(m_tr, m_star, m_tetrahedra, m_visitor);
     m_steiner_points.erase(m_s);
     m_tr.tds().delete_vertex(m_s);
     for(const Vertex_handle v : m_sector_points)
@@ -602,27 +589,13 @@ private:
     {
       m_star.clear();
       m_tr.incident_cells(v, std::back_inserter(m_star));
-      std::vector<Triangle> faces;
-      for(const Cell_handle c : m_star)
-      {
-        const int i = c->index(v);
-        faces.push_back({{ c->vertex(Tr::vertex_triple_index(i, 0)), c->vertex(Tr::vertex_triple_index(i, 1)),
-                           c->vertex(Tr::vertex_triple_index(i, 2)) }});
-      }
+      const std::vector<Triangle> faces = faces_of_ball(m_star, v);
       m_points.push_back(v);
       const Exact_point exact = position(v);
       m_steiner_points.positions().erase(v);
       if(! m_kernel_point.is_kernel_point(v, faces) && ! m_kernel_point(v, faces))
         m_steiner_points.positions().set(v, exact);
     }
-  }
-
-  template <typename CellRange>
-  void replace(const CellRange& cells)
-  {
-    m_visitor.before_cells_removal(cells);
-    m_replacement(m_tr, cells, m_tetrahedra);
-    m_visitor.after_cells_creation(m_replacement.new_cells());
   }
 
   Tr& m_tr;

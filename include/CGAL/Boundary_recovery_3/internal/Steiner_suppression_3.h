@@ -21,6 +21,7 @@
 #include <CGAL/Boundary_recovery_3/internal/Kernel_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Small_polyhedron_reconnection_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
+#include <CGAL/Boundary_recovery_3/internal/cell_simplices.h>
 #include <CGAL/Shell_transformation_3.h>
 
 #include <algorithm>
@@ -72,7 +73,6 @@ public:
   typedef typename Tr::Edge                    Edge;
   typedef Vertex_predicates_3<Tr>              Predicates;
   typedef Constraints_3<Tr>                    Constraints;
-
   typedef Exact_positions_3<Tr>                Positions;
 
   // `predicates` know of `positions`; `points` are the Steiner points, those that are removed are taken out of it.
@@ -155,7 +155,7 @@ private:
   {
     if(! collect_ball(v))
       return;
-    const std::vector<Triangle> faces = boundary_of_ball(v);
+    const std::vector<Triangle> faces = faces_of_ball(m_ball, v);
     const typename Positions::Exact_point_3 exact = m_positions(v);
     const typename Positions::Point_3 before = v->point();
     const bool is_exact = m_positions.contains(v);
@@ -174,7 +174,7 @@ private:
     if(! m_positions.contains(v))
       return true;
     collect_ball(v);
-    const std::vector<Triangle> faces = boundary_of_ball(v);
+    const std::vector<Triangle> faces = faces_of_ball(m_ball, v);
     const typename Positions::Exact_point_3 exact = m_positions(v);
     m_positions.erase(v);
     if(m_kernel_point.is_kernel_point(v, faces) || m_kernel_point(v, faces)
@@ -277,8 +277,7 @@ private:
     for(const Cell_handle c : cavity)
       for(int i = 0; i < 4; ++i)
       {
-        const Triangle f = {{ c->vertex(Tr::vertex_triple_index(i, 0)), c->vertex(Tr::vertex_triple_index(i, 1)),
-                              c->vertex(Tr::vertex_triple_index(i, 2)) }};
+        const Triangle f = facet_vertices(c, i);
         if(contains(cavity, c->neighbor(i)))
         {
           if(m_constraints.is_constrained(f[0], f[1], f[2]))
@@ -322,22 +321,10 @@ private:
     m_tetrahedra.clear();
     for(const Triangle& f : faces)
       m_tetrahedra.push_back({{ f[0], f[1], f[2], v }});
-    replace(cavity, m_tetrahedra);
+    m_replacement(m_tr, cavity, m_tetrahedra, m_visitor);
     for(const Vertex_handle p : m_inner_points)
       if(p != v)
         drop(p);
-  }
-
-  std::vector<Triangle> boundary_of_ball(const Vertex_handle v) const
-  {
-    std::vector<Triangle> faces;
-    for(const Cell_handle c : m_ball)
-    {
-      const int i = c->index(v);
-      faces.push_back({{ c->vertex(Tr::vertex_triple_index(i, 0)), c->vertex(Tr::vertex_triple_index(i, 1)),
-                         c->vertex(Tr::vertex_triple_index(i, 2)) }});
-    }
-    return faces;
   }
 
   void collect_neighbors(const Vertex_handle v)
@@ -345,7 +332,7 @@ private:
     m_neighbors.clear();
     for(const Cell_handle c : m_ball)
       for(int i = 0; i < 4; ++i)
-        if(c->vertex(i) != v && std::find(m_neighbors.begin(), m_neighbors.end(), c->vertex(i)) == m_neighbors.end())
+        if(c->vertex(i) != v && ! contains(m_neighbors, c->vertex(i)))
           m_neighbors.push_back(c->vertex(i));
   }
 
@@ -359,8 +346,8 @@ private:
         m_tetrahedra.clear();
         for(const Cell_handle c : m_ball)
           if(! c->has_vertex(x))
-            m_tetrahedra.push_back(with(c, v, x));
-        replace(m_ball, m_tetrahedra);
+            m_tetrahedra.push_back(with_exchanged_vertex(c, v, x));
+        m_replacement(m_tr, m_ball, m_tetrahedra, m_visitor);
         drop(v);
         return true;
       }
@@ -373,18 +360,9 @@ private:
     {
       if(c->has_vertex(x))
         return true;
-      const Tetrahedron t = with(c, v, x);
+      const Tetrahedron t = with_exchanged_vertex(c, v, x);
       return m_predicates.orientation(t[0], t[1], t[2], t[3]) == POSITIVE;
     });
-  }
-
-  // The cell, with x in the place of v.
-  static Tetrahedron with(const Cell_handle c, const Vertex_handle v, const Vertex_handle x)
-  {
-    Tetrahedron t;
-    for(int i = 0; i < 4; ++i)
-      t[i] = c->vertex(i) == v ? x : c->vertex(i);
-    return t;
   }
 
   bool reconnect_ball(const Vertex_handle v)
@@ -398,7 +376,7 @@ private:
     for(const Cell_handle c : m_ball)
     {
       const Cell_handle n = c->neighbor(c->index(v));
-      if(! m_tr.is_infinite(n) && std::find(cells.begin(), cells.end(), n) == cells.end())
+      if(! m_tr.is_infinite(n) && ! contains(cells, n))
         cells.push_back(n);
     }
     return reconnect(cells, v);
@@ -412,7 +390,7 @@ private:
     m_reconnection.forget(); // vertices may have moved
     if(m_reconnection(cells, edges, facets, v) != Reconnection::FOUND)
       return false;
-    replace(cells, m_reconnection.tetrahedra());
+    m_replacement(m_tr, cells, m_reconnection.tetrahedra(), m_visitor);
     drop(v);
     return true;
   }
@@ -443,17 +421,8 @@ private:
         if(collapse(v) || reconnect_ball(v))
           return true;
       }
-      collect_ball(v);
     }
     return false;
-  }
-
-  template <typename CellRange, typename TetrahedronRange>
-  void replace(const CellRange& cells, const TetrahedronRange& tetrahedra)
-  {
-    m_visitor.before_cells_removal(cells);
-    m_replacement(m_tr, cells, tetrahedra);
-    m_visitor.after_cells_creation(m_replacement.new_cells());
   }
 
   void drop(const Vertex_handle v)
