@@ -14,30 +14,23 @@
 
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_visitor_3.h>
-#include <CGAL/Boundary_recovery_3/Shell_quality_3.h>
-#include <CGAL/Boundary_recovery_3/Shell_validity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Cavity_recovery_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Conforming_recovery_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Constraint_parts_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Constraints_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Edge_recovery_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Facet_recovery_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Intersection_table_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Mesh_snapshot_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Recovery_context.h>
-#include <CGAL/Boundary_recovery_3/internal/Simplex_key_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Recursive_recovery_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Steiner_points_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Steiner_splitting_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Steiner_suppression_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
-#include <CGAL/Shell_transformation_3.h>
 
 #include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -80,7 +73,8 @@ public:
   Constrained_boundary_recovery_3(Tr& tr, Visitor& visitor)
     : m_tr(tr), m_steiner_points(m_constraints), m_parts(tr, m_steiner_points),
       m_predicates(tr, &m_steiner_points.positions()), m_context(visitor),
-      m_edge_recovery(tr, m_predicates), m_facet_recovery(tr, m_predicates)
+      m_edge_recovery(tr, m_predicates, m_constraints, m_context, m_lost.edges, m_levels),
+      m_facet_recovery(tr, m_predicates, m_constraints, m_context, m_treatable_facets, m_levels)
   {
     CGAL_precondition(tr.dimension() == 3);
   }
@@ -181,64 +175,33 @@ public:
   /// quality nor recursion.
   void remove_plainly()
   {
-    typedef Shell_transformation_3<Tr, No_quality, Edge_validity, Visitor> Transformation;
     if(m_lost.edges.empty())
       return;
     run(Phase::plain_removal, [&]
     {
-      Transformation st(m_tr, No_quality(), edge_validity(m_constraints.edges().front()), m_context.visitor());
-      m_hopeless_edges.assign(m_constraints.edges().size(), std::size_t(never));
-      for(std::size_t before = 0; before != m_lost.edges.size() && ! m_lost.edges.empty(); )
-      {
-        before = m_lost.edges.size();
-        edge_report(); // for the order
-        edge_pass(Phase::plain_removal, st, 0);
-      }
-      m_number_of_transformations += st.number_of_transformations();
+      m_number_of_transformations += m_edge_recovery.remove_plainly(Phase::plain_removal);
     });
   }
 
   /// is the first calling of [CZZ+17, Alg. 5]: under BRC1, with the vector [Q', Q'', Q_1].
   void recover_edges_brc1()
   {
-    typedef Shell_transformation_3<Tr, Worst_element_quality, Edge_validity, Visitor> Transformation;
     if(m_lost.edges.empty())
       return;
     run(Phase::edge_recovery_brc1, [&]
     {
-      Transformation st(m_tr, Worst_element_quality(m_tr), edge_validity(m_constraints.edges().front()),
-                        m_context.visitor());
-      raise_recursion_level(Phase::edge_recovery_brc1, m_lost.edges,
-                            [&] { return edge_report(); },
-                            [&](const int l_max) { edge_pass(Phase::edge_recovery_brc1, st, l_max); },
-                            [](const Recursion_level_report& r) { return r.n1; });
-      m_number_of_transformations += st.number_of_transformations();
+      m_number_of_transformations += m_edge_recovery.first_calling(Phase::edge_recovery_brc1, m_max_recursion_level);
     });
   }
 
   /// is the second calling of [CZZ+17, Alg. 5]: under BRC3, with the vector [Q_2, Q', Q''].
   void recover_edges_brc3()
   {
-    typedef Boundary_recovery_3::internal::Intersection_table_3<Tr, 2> Table;
-    typedef Boundary_recovery_3::Fewest_intersections_quality_3<Tr, Table> Quality;
-    typedef Boundary_recovery_3::Shell_validity_conjunction_3<Kept, Boundary_recovery_3::BRC3<Tr, Table> > Validity;
-    typedef Shell_transformation_3<Tr, Quality, Validity, Visitor> Transformation;
     if(m_lost.edges.empty())
       return;
     run(Phase::edge_recovery_brc3, [&]
     {
-      Table table(m_tr);
-      const Validity validity{ Kept(m_constraints), Boundary_recovery_3::BRC3<Tr, Table>(table) };
-      Transformation st(m_tr, Quality(table), validity, m_context.visitor());
-      raise_recursion_level(Phase::edge_recovery_brc3, m_lost.edges,
-                            [&] { return edge_report(); },
-                            [&](const int l_max)
-                            {
-                              table.set_constraints(simplices(m_lost.edges, m_constraints.edges()));
-                              edge_pass(Phase::edge_recovery_brc3, st, l_max);
-                            },
-                            [](const Recursion_level_report& r) { return r.n2; });
-      m_number_of_transformations += st.number_of_transformations();
+      m_number_of_transformations += m_edge_recovery.second_calling(Phase::edge_recovery_brc3, m_max_recursion_level);
     });
   }
 
@@ -267,7 +230,6 @@ public:
   /// Facets are treated if their edges are in the triangulation.
   void recover_facets_brc2()
   {
-    typedef Shell_transformation_3<Tr, Worst_element_quality, Facet_validity, Visitor> Transformation;
     if(m_lost.facets.empty())
       return;
     run(Phase::facet_recovery_brc2, [&]
@@ -276,13 +238,7 @@ public:
       find_treatable_facets();
       if(m_treatable_facets.empty())
         return;
-      Transformation st(m_tr, Worst_element_quality(m_tr), facet_validity(m_constraints.facets().front()),
-                        m_context.visitor());
-      raise_recursion_level(Phase::facet_recovery_brc2, m_treatable_facets,
-                            [&] { return facet_report(); },
-                            [&](const int l_max) { facet_pass(Phase::facet_recovery_brc2, st, l_max); },
-                            [](const Recursion_level_report& r) { return r.n1; });
-      m_number_of_transformations += st.number_of_transformations();
+      m_number_of_transformations += m_facet_recovery.first_calling(Phase::facet_recovery_brc2, m_max_recursion_level);
       look_up_lost();
     });
   }
@@ -290,27 +246,12 @@ public:
   /// is the second calling for facets [CZZ+17, Section 4.2.2]: under BRC4.
   void recover_facets_brc4()
   {
-    typedef Boundary_recovery_3::internal::Intersection_table_3<Tr, 3> Table;
-    typedef Boundary_recovery_3::Fewest_intersections_quality_3<Tr, Table> Quality;
-    typedef Boundary_recovery_3::Shell_validity_conjunction_3<Kept, Boundary_recovery_3::BRC4<Tr, Table> > Validity;
-    typedef Shell_transformation_3<Tr, Quality, Validity, Visitor> Transformation;
     find_treatable_facets();
     if(m_treatable_facets.empty())
       return;
     run(Phase::facet_recovery_brc4, [&]
     {
-      Table table(m_tr);
-      const Validity validity{ Kept(m_constraints), Boundary_recovery_3::BRC4<Tr, Table>(table) };
-      Transformation st(m_tr, Quality(table), validity, m_context.visitor());
-      raise_recursion_level(Phase::facet_recovery_brc4, m_treatable_facets,
-                            [&] { return facet_report(); },
-                            [&](const int l_max)
-                            {
-                              table.set_constraints(simplices(m_treatable_facets, m_constraints.facets()));
-                              facet_pass(Phase::facet_recovery_brc4, st, l_max);
-                            },
-                            [](const Recursion_level_report& r) { return r.n2; });
-      m_number_of_transformations += st.number_of_transformations();
+      m_number_of_transformations += m_facet_recovery.second_calling(Phase::facet_recovery_brc4, m_max_recursion_level);
     });
   }
 
@@ -464,12 +405,6 @@ public:
 private:
   typedef Boundary_recovery_3::internal::Constraints_3<Tr>    Constraints;
   typedef Boundary_recovery_3::internal::Lost_constraints     Lost_constraints;
-  typedef Boundary_recovery_3::Kept_constraints_3<Constraints> Kept;
-  typedef Boundary_recovery_3::No_shell_quality_3             No_quality;
-  typedef Boundary_recovery_3::Worst_element_quality_3<Tr>    Worst_element_quality;
-  typedef Boundary_recovery_3::Shell_validity_conjunction_3<Kept, Boundary_recovery_3::BRC1<Tr> > Edge_validity;
-  typedef Boundary_recovery_3::Shell_validity_conjunction_3<Kept, Boundary_recovery_3::BRC2<Tr> > Facet_validity;
-
   typedef Boundary_recovery_3::internal::Mesh_snapshot_3<Tr>  Snapshot;
 
   // With more lost edges, the chance that no point is left is too small for the time that it takes.
@@ -507,17 +442,6 @@ private:
     snapshot.restore(m_tr, vertices, m_context.visitor());
   }
 
-  // The recursion level is multiplied by this from pass to pass: passes at low levels change the mesh without much use.
-  // (On 50 surfaces where flips lose edges, 698 of them lost instead of 1167 with steps of one or two as in the paper,
-  // which also took twice the time.)
-  static constexpr int recursion_level_factor = 5;
-
-  // Bound on the shells that one calling of Alg. 5 visits, for each constraint that is lost at its start. Only few
-  // surfaces come near it: they have planar fans of hundreds of triangles, where recursion goes astray.
-  static constexpr std::size_t max_number_of_shells_per_constraint = 1000;
-
-  static constexpr std::size_t never = std::size_t(-1);
-
   template <typename Work>
   void run(const Phase phase, const Work& work)
   {
@@ -553,93 +477,6 @@ private:
     m_lost = Boundary_recovery_3::internal::Constraint_search_3<Tr>(m_tr, m_constraints)(Lost_constraints(m_lost));
   }
 
-  // recvBndEdgesByST_Wrap of [CZZ+17, Alg. 5], for edges and for facets: raises the recursion level from pass to pass
-  // up to its maximum, until nothing is lost, or until a pass there did not improve the measure.
-  template <typename Report, typename Pass, typename Measure>
-  void raise_recursion_level(const Phase phase, const std::vector<std::size_t>& lost,
-                             const Report& report, const Pass& pass, const Measure& measure)
-  {
-    m_hopeless_edges.assign(m_constraints.edges().size(), std::size_t(never));
-    m_hopeless_facets.assign(m_constraints.facets().size(), std::size_t(never));
-    m_max_number_of_shells = max_number_of_shells_per_constraint * (lost.size() + 20);
-    std::size_t best = add_level(phase, -1, report(), measure);
-    for(int l_max = (std::min)(1, m_max_recursion_level); ! lost.empty() && m_context.go_further();
-        l_max = next_recursion_level(l_max))
-    {
-      pass(l_max);
-      const std::size_t value = add_level(phase, l_max, report(), measure);
-      if(value >= best && l_max == m_max_recursion_level)
-        return;
-      best = (std::min)(best, value);
-    }
-  }
-
-  int next_recursion_level(const int l) const
-  {
-    return l < m_max_recursion_level / recursion_level_factor ? recursion_level_factor * l : m_max_recursion_level;
-  }
-
-  template <typename Measure>
-  std::size_t add_level(const Phase phase, const int l_max, Recursion_level_report report, const Measure& measure)
-  {
-    report.phase = phase;
-    report.max_recursion_level = l_max;
-    m_levels.push_back(report);
-    return measure(report);
-  }
-
-  // recvBndEdgesByST of [CZZ+17, Alg. 4]. Edges with few crossings come first: they are back after a few flips, and
-  // are then out of the way of the others. (On 112 surfaces: three more without any loss than in input order.) The
-  // order was found out by edge_report().
-  template <typename Transformation>
-  void edge_pass(const Phase phase, Transformation& st, const int l_max)
-  {
-    std::size_t done = 0;
-    const std::size_t total = m_lost.edges.size();
-    m_lost.edges.clear();
-    for(const auto& crossings_and_edge : m_edges_by_crossings)
-    {
-      const std::size_t e = crossings_and_edge.second;
-      const std::array<Vertex_handle, 2>& edge = m_constraints.edges()[e];
-      set_target(st, edge);
-      if(! attempt(st, m_hopeless_edges[e], m_edge_recovery, edge, l_max))
-        m_lost.edges.push_back(e);
-      m_context.visitor().on_progress(phase, ++done, total);
-    }
-    std::sort(m_lost.edges.begin(), m_lost.edges.end());
-  }
-
-  // Does not repeat an attempt that changed nothing and was not cut off, until the mesh has changed; a higher
-  // recursion level alone would lead it to the same end. `hopeless_since` is the state of the mesh in such a case.
-  template <typename Transformation, typename Recovery, typename Simplex>
-  bool attempt(Transformation& st, std::size_t& hopeless_since, Recovery& recovery, const Simplex& simplex,
-               const int l_max)
-  {
-    const std::size_t before = st.number_of_transformations();
-    if(hopeless_since == before || st.number_of_shells() > m_max_number_of_shells)
-      return false;
-    const bool is_recovered = recovery(st, simplex, l_max, m_context);
-    const bool is_hopeless = ! is_recovered && st.number_of_transformations() == before && ! recovery.was_cut_off();
-    hopeless_since = is_hopeless ? before : never;
-    return is_recovered;
-  }
-
-  template <typename Transformation>
-  void facet_pass(const Phase phase, Transformation& st, const int l_max)
-  {
-    std::size_t kept = 0, done = 0;
-    const std::size_t total = m_treatable_facets.size();
-    for(const std::size_t f : m_treatable_facets)
-    {
-      const std::array<Vertex_handle, 3>& facet = m_constraints.facets()[f];
-      set_target(st, facet);
-      if(! attempt(st, m_hopeless_facets[f], m_facet_recovery, facet, l_max))
-        m_treatable_facets[kept++] = f;
-      m_context.visitor().on_progress(phase, ++done, total);
-    }
-    m_treatable_facets.resize(kept);
-  }
-
   // One success may clear the way for another constraint, so passes are repeated while they help. What failed is not
   // tried again in the same mesh.
   template <typename Simplex>
@@ -647,7 +484,7 @@ private:
   {
     Boundary_recovery_3::internal::Cavity_recovery_3<Tr, Visitor>
       recover(m_tr, m_predicates, m_constraints, m_context.visitor());
-    std::vector<std::size_t> hopeless_since(lost.size(), std::size_t(never)); // numbers of replacements
+    std::vector<std::size_t> hopeless_since(lost.size(), std::size_t(-1)); // numbers of replacements, or -1
     for(std::size_t before = 0; before != lost.size() && ! lost.empty(); )
     {
       before = lost.size();
@@ -668,43 +505,6 @@ private:
     m_number_of_transformations += recover.number_of_replacements();
   }
 
-  // BRC1 and BRC2 are about the constraint that is being recovered, BRC3 and BRC4 about all of them.
-  template <typename Quality>
-  void set_target(Shell_transformation_3<Tr, Quality, Edge_validity, Visitor>& st,
-                  const std::array<Vertex_handle, 2>& edge) const
-  {
-    st.validity() = edge_validity(edge);
-  }
-
-  template <typename Quality>
-  void set_target(Shell_transformation_3<Tr, Quality, Facet_validity, Visitor>& st,
-                  const std::array<Vertex_handle, 3>& facet) const
-  {
-    st.validity() = facet_validity(facet);
-  }
-
-  template <typename Transformation, typename Simplex>
-  void set_target(Transformation&, const Simplex&) const { }
-
-  Edge_validity edge_validity(const std::array<Vertex_handle, 2>& e) const
-  {
-    return Edge_validity(Kept(m_constraints), Boundary_recovery_3::BRC1<Tr>(m_tr, e[0], e[1]));
-  }
-
-  Facet_validity facet_validity(const std::array<Vertex_handle, 3>& f) const
-  {
-    return Facet_validity(Kept(m_constraints), Boundary_recovery_3::BRC2<Tr>(m_tr, f[0], f[1], f[2]));
-  }
-
-  template <typename Simplex>
-  static std::vector<Simplex> simplices(const std::vector<std::size_t>& indices, const std::vector<Simplex>& all)
-  {
-    std::vector<Simplex> result;
-    for(const std::size_t i : indices)
-      result.push_back(all[i]);
-    return result;
-  }
-
   bool is_lost(const Vertex_handle u, const Vertex_handle v) const
   {
     return std::binary_search(m_lost.edges.begin(), m_lost.edges.end(), m_constraints.index(u, v));
@@ -722,50 +522,6 @@ private:
     }
   }
 
-  // The state of the lost edges; n_4 counts the mesh entities that they cross, each once.
-  Recursion_level_report edge_report()
-  {
-    Recursion_level_report report;
-    report.n1 = m_lost.edges.size();
-    Crossed_entities crossed;
-    m_edges_by_crossings.clear();
-    for(const std::size_t e : m_lost.edges)
-    {
-      const std::array<Vertex_handle, 2>& edge = m_constraints.edges()[e];
-      m_edges_by_crossings.emplace_back(m_edge_recovery.number_of_crossings(edge[0], edge[1]), e);
-      add_crossings(report, m_edges_by_crossings.back().first);
-      for(const auto& crossing : m_edge_recovery.walk().crossings())
-        crossed.insert(m_edge_recovery.key(crossing));
-    }
-    std::sort(m_edges_by_crossings.begin(), m_edges_by_crossings.end());
-    report.n4 = crossed.size();
-    return report;
-  }
-
-  Recursion_level_report facet_report()
-  {
-    Recursion_level_report report;
-    report.n1 = m_treatable_facets.size();
-    Crossed_entities crossed;
-    for(const std::size_t f : m_treatable_facets)
-    {
-      const std::array<Vertex_handle, 3>& facet = m_constraints.facets()[f];
-      add_crossings(report, m_facet_recovery.number_of_crossings(facet[0], facet[1], facet[2]));
-      for(const auto& crossing : m_facet_recovery.walk().crossings())
-        crossed.insert(m_facet_recovery.key(crossing));
-    }
-    report.n4 = crossed.size();
-    return report;
-  }
-
-  static void add_crossings(Recursion_level_report& report, const std::size_t n)
-  {
-    report.n2 += n;
-    report.n3 = (std::max)(report.n3, n);
-  }
-
-  typedef Boundary_recovery_3::internal::Simplex_index_3<3> Crossed_entities;
-
   Tr& m_tr;
   Constraints m_constraints;
   Boundary_recovery_3::internal::Steiner_points_3<Tr> m_steiner_points; // those on constraints
@@ -775,16 +531,13 @@ private:
   std::size_t m_number_of_constraint_points = 0;
   Boundary_recovery_3::internal::Vertex_predicates_3<Tr> m_predicates;
   Boundary_recovery_3::internal::Recovery_context<Visitor> m_context;
-  Boundary_recovery_3::internal::Edge_recovery_3<Tr> m_edge_recovery;
-  Boundary_recovery_3::internal::Facet_recovery_3<Tr> m_facet_recovery;
   Lost_constraints m_lost;
-  std::vector<std::pair<std::size_t, std::size_t> > m_edges_by_crossings; // the lost edges, in the order of treatment
   std::vector<std::size_t> m_treatable_facets; // lost facets whose edges are in the mesh
-  std::vector<std::size_t> m_hopeless_edges, m_hopeless_facets; // numbers of transformations, or never; see attempt()
   std::vector<Phase_report> m_phases;
   std::vector<Recursion_level_report> m_levels;
+  Boundary_recovery_3::internal::Recursive_recovery_3<Tr, 2, Visitor> m_edge_recovery;
+  Boundary_recovery_3::internal::Recursive_recovery_3<Tr, 3, Visitor> m_facet_recovery;
   std::size_t m_number_of_transformations = 0;
-  std::size_t m_max_number_of_shells = std::size_t(-1); // in one calling of Alg. 5
   int m_max_recursion_level = default_max_recursion_level;
 };
 

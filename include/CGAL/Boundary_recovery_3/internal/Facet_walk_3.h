@@ -15,6 +15,7 @@
 #include <CGAL/Boundary_recovery_3/Shell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Simplex_key_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
+#include <CGAL/Boundary_recovery_3/internal/walk_elements.h>
 
 #include <CGAL/assertions.h>
 
@@ -41,13 +42,7 @@ public:
   typedef typename Tr::Cell_handle     Cell_handle;
   typedef Vertex_predicates_3<Tr>      Predicates;
   typedef Shell_3<Tr>                  Shell;
-
-  // A mesh edge that pierces the triangle, and a cell that has it.
-  struct Crossing
-  {
-    std::array<Vertex_handle, 2> vertices;
-    Cell_handle cell;
-  };
+  typedef Crossing_3<Tr>               Crossing;
 
   enum Outcome
   {
@@ -73,6 +68,18 @@ public:
     return m_blocking_vertex == Vertex_handle() ? outcome : BLOCKED;
   }
 
+  // The same, where no such cell is known.
+  Outcome operator()(const std::array<Vertex_handle, 3>& uvw)
+  {
+    int i, j;
+    Cell_handle c;
+    CGAL_assertion_code(const bool is_edge =)
+    m_tr.is_edge(uvw[0], uvw[1], c, i, j);
+    CGAL_assertion(is_edge);
+    return (*this)(uvw[0], uvw[1], uvw[2], c);
+  }
+
+  // The mesh edges that pierce the triangle.
   const std::vector<Crossing>& crossings() const { return m_crossings; }
 
   // The vertex in the way, if the last walk was blocked.
@@ -83,32 +90,17 @@ private:
   Outcome find_first_crossing(const Cell_handle c)
   {
     m_shell.assign(m_tr, c, c->index(m_u), c->index(m_v));
-    if(m_shell.index(m_w) != Shell::none)
+    const Shell_wedge wedge = find_wedge(m_shell, m_predicates, m_w);
+    if(wedge.index == Shell::none)
       return IS_FACET;
-    const int m = m_shell.degree();
-    m_sides.resize(m);
-    for(int i = 0; i < m; ++i)
-      m_sides[i] = i == m_shell.infinite_index()
-                 ? ZERO : m_predicates.orientation(m_u, m_v, m_shell.vertex(i), m_w);
-    for(int i = 0; i < m; ++i)
+    const Vertex_handle p = m_shell.vertex(wedge.index), q = m_shell.vertex(m_shell.next(wedge.index));
+    if(wedge.is_facet)
     {
-      const int n = m_shell.next(i);
-      const Vertex_handle p = m_shell.vertex(i), q = m_shell.vertex(n);
-      if(i == m_shell.infinite_index())
-        continue;
-      if(m_sides[i] == COPLANAR && m_predicates.side_of_line(m_u, m_v, p, m_w) == POSITIVE)
-      {
-        // uvp would have to cut uw or vw, unless p is inside or on the rim of the triangle
-        m_blocking_vertex = p;
-        return BLOCKED;
-      }
-      if(n != m_shell.infinite_index() && m_sides[i] == POSITIVE && m_sides[n] == NEGATIVE)
-      {
-        check(p, q, m_shell.cell(i));
-        return CROSSED;
-      }
+      // uvp would have to cut uw or vw, unless p is inside or on the rim of the triangle
+      m_blocking_vertex = p;
+      return BLOCKED;
     }
-    CGAL_assertion(false);
+    check(p, q, m_shell.cell(wedge.index));
     return CROSSED;
   }
 
@@ -144,7 +136,7 @@ private:
     if(m_tr.is_infinite(p) || m_tr.is_infinite(q) || ! m_predicates.segment_pierces_triangle(p, q, m_u, m_v, m_w))
       return;
     if(m_crossed.insert(simplex_key(p, q)).second)
-      m_crossings.push_back({ {{ p, q }}, c });
+      m_crossings.push_back({ 1, {{ p, q, Vertex_handle() }}, c });
   }
 
   const Tr& m_tr;
@@ -154,7 +146,6 @@ private:
   std::unordered_set<Simplex_key_3<2>, Simplex_key_hash> m_crossed; // look-up only
   Vertex_handle m_blocking_vertex;
   Shell m_shell;
-  std::vector<Orientation> m_sides;
 };
 
 } // namespace internal

@@ -14,6 +14,7 @@
 
 #include <CGAL/Boundary_recovery_3/Shell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
+#include <CGAL/Boundary_recovery_3/internal/walk_elements.h>
 
 #include <CGAL/assertions.h>
 
@@ -42,14 +43,7 @@ public:
   typedef typename Tr::Cell_handle     Cell_handle;
   typedef Vertex_predicates_3<Tr>      Predicates;
   typedef Shell_3<Tr>                  Shell;
-
-  // A mesh edge (dimension 1) or facet (dimension 2) that is crossed, and a cell that has it.
-  struct Crossing
-  {
-    int dimension;
-    std::array<Vertex_handle, 3> vertices;
-    Cell_handle cell;
-  };
+  typedef Crossing_3<Tr>               Crossing;
 
   enum Outcome
   {
@@ -72,6 +66,8 @@ public:
       is_finished = m_crossings.back().dimension == 2 ? leave_facet(outcome) : leave_edge(outcome);
     return outcome;
   }
+
+  Outcome operator()(const std::array<Vertex_handle, 2>& uv) { return (*this)(uv[0], uv[1]); }
 
   const std::vector<Crossing>& crossings() const { return m_crossings; }
 
@@ -187,25 +183,12 @@ private:
     const Crossing from = m_crossings.back();
     const Vertex_handle p = from.vertices[0], q = from.vertices[1];
     m_shell.assign(m_tr, from.cell, from.cell->index(p), from.cell->index(q));
-    if(m_shell.index(m_v) != Shell::none)
+    const Shell_wedge wedge = find_wedge(m_shell, m_predicates, m_v);
+    if(wedge.index == Shell::none) // v is opposite to the edge
       return true;
-    const int m = m_shell.degree();
-    m_sides.resize(m);
-    for(int i = 0; i < m; ++i)
-      m_sides[i] = i == m_shell.infinite_index() ? ZERO : m_predicates.orientation(p, q, m_shell.vertex(i), m_v);
-    for(int i = 0; i < m; ++i)
-    {
-      const int n = m_shell.next(i);
-      const Vertex_handle r = m_shell.vertex(i), s = m_shell.vertex(n);
-      if(i == m_shell.infinite_index())
-        continue;
-      if(m_sides[i] == COPLANAR && m_predicates.side_of_line(p, q, r, m_v) == POSITIVE)
-        return leave_edge_in_facet(p, q, r, m_shell.cell(i), outcome);
-      if(n != m_shell.infinite_index() && m_sides[i] == POSITIVE && m_sides[n] == NEGATIVE)
-        return leave_edge_in_cell(p, q, r, s, m_shell.cell(i), outcome);
-    }
-    CGAL_assertion(false);
-    return true;
+    const Vertex_handle r = m_shell.vertex(wedge.index), s = m_shell.vertex(m_shell.next(wedge.index));
+    const Cell_handle c = m_shell.cell(wedge.index);
+    return wedge.is_facet ? leave_edge_in_facet(p, q, r, c, outcome) : leave_edge_in_cell(p, q, r, s, c, outcome);
   }
 
   // The segment runs inside the facet pqr: it crosses pr or qr, or runs into r.
@@ -259,7 +242,6 @@ private:
   std::vector<Crossing> m_crossings;
   Vertex_handle m_blocking_vertex;
   Shell m_shell;
-  std::vector<Orientation> m_sides;
   std::vector<Cell_handle> m_star;
 };
 
