@@ -129,16 +129,27 @@ public:
   /// \name Access to Function Objects
   /// @{
 
+  /// returns a function object of the type `Orientation_3`.
   Orientation_3 orientation_3_object() const;
+  /// returns a function object of the type `Coplanar_orientation_3`.
   Coplanar_orientation_3 coplanar_orientation_3_object() const;
+  /// returns a function object of the type `Compare_xyz_3`.
   Compare_xyz_3 compare_xyz_3_object() const;
+  /// returns a function object of the type `Equal_3`.
   Equal_3 equal_3_object() const;
+  /// returns a function object of the type `Collinear_3`.
   Collinear_3 collinear_3_object() const;
+  /// returns a function object of the type `Collinear_are_ordered_along_line_3`.
   Collinear_are_ordered_along_line_3 collinear_are_ordered_along_line_3_object() const;
+  /// returns a function object of the type `Has_on_3`.
   Has_on_3 has_on_3_object() const;
+  /// returns a function object of the type `Do_intersect_3`.
   Do_intersect_3 do_intersect_3_object() const;
+  /// returns a function object of the type `Construct_segment_3`.
   Construct_segment_3 construct_segment_3_object() const;
+  /// returns a function object of the type `Construct_triangle_3`.
   Construct_triangle_3 construct_triangle_3_object() const;
+  /// returns a function object of the type `Construct_bbox_3`.
   Construct_bbox_3 construct_bbox_3_object() const;
 
   /// @}
