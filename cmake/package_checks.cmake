@@ -63,6 +63,9 @@ if(Python3_FOUND)
            ${CMAKE_CURRENT_BINARY_DIR}/conventions_self_test ${CMAKE_CURRENT_SOURCE_DIR})
   add_test(NAME data_is_reproducible COMMAND Python3::Interpreter
            ${CMAKE_CURRENT_SOURCE_DIR}/data/generate_meshes.py --check ${CMAKE_CURRENT_SOURCE_DIR}/data/meshes)
+  set(br3_figures ${CMAKE_CURRENT_SOURCE_DIR}/doc/Boundary_recovery_3/fig)
+  add_test(NAME figures_are_reproducible COMMAND Python3::Interpreter
+           ${br3_figures}/draw_figures.py --check ${br3_figures})
   if(TARGET recover_boundary)
     add_test(NAME program_behaves_as_documented COMMAND Python3::Interpreter
              ${CMAKE_CURRENT_SOURCE_DIR}/test/Boundary_recovery_3/test_program_br3.py $<TARGET_FILE:recover_boundary>)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes the small closed surfaces of data/meshes, from geometry alone.
+"""Makes the small closed surfaces of data/meshes, from geometry alone; one of them as a faulty STL file.
 
 usage: generate_meshes.py FOLDER           write the files into FOLDER
        generate_meshes.py --check FOLDER   exit 1 unless FOLDER holds exactly what would be written
@@ -60,15 +60,29 @@ class Surface:
         assert len(set(map(frozenset, self.triangles))) == len(self.triangles)
         return self
 
-    def off(self):
+    def coordinates(self):
+        """The points as lines of text."""
         def decimal(x):
             text = "%.4f" % float(x)
             return text.rstrip("0").rstrip(".")
 
+        return [" ".join("0" if c == 0 else decimal(c) for c in p) for p in self.points]
+
+    def off(self):
         lines = ["OFF", "%d %d 0" % (len(self.points), len(self.triangles))]
-        lines += [" ".join("0" if c == 0 else decimal(c) for c in p) for p in self.points]
+        lines += self.coordinates()
         lines += ["3 %d %d %d" % t for t in self.triangles]
         return "\n".join(lines) + "\n"
+
+    def faulty_stl(self):
+        """STL as it comes from careless programs: one triangle is there twice, one has two equal corners."""
+        points, (a, b, _) = self.coordinates(), self.triangles[-1]
+        lines = ["solid nut"]
+        for t in self.triangles + [self.triangles[0], (a, b, b)]:
+            lines += ["facet normal 0 0 0", "outer loop"]
+            lines += ["vertex " + points[v] for v in t]
+            lines += ["endloop", "endfacet"]
+        return "\n".join(lines + ["endsolid nut"]) + "\n"
 
 
 def add_box(surface, low, high, outwards=True, without=()):
@@ -184,6 +198,12 @@ def washer():
     return extrude(outline, bore, strip(outline, bore), 0.25)
 
 
+def nut():
+    """A hexagon nut."""
+    outline, bore = circle(6, 2), circle(12, 1)
+    return extrude(outline, bore, strip(outline, bore), 0.8)
+
+
 def gear():
     """A gear cut as a CSG program would: a fine outline joined to a coarse bore by stretched triangles."""
     teeth, root, tip = 24, circle(48, 8, -0.5), []
@@ -207,7 +227,7 @@ def gear():
 
 
 SURFACES = {"cube_br3.off": cube, "nested_cubes_br3.off": nested_cubes, "two_cubes_br3.off": two_cubes,
-            "schoenhardt_br3.off": schoenhardt, "washer_br3.off": washer, "gear_br3.off": gear}
+            "schoenhardt_br3.off": schoenhardt, "washer_br3.off": washer, "gear_br3.off": gear, "nut_br3.stl": nut}
 
 
 def main(arguments):
@@ -217,7 +237,8 @@ def main(arguments):
         return 1
     folder, wrong = arguments[-1], 0
     for name, make in SURFACES.items():
-        path, text = os.path.join(folder, name), make().off()
+        path, surface = os.path.join(folder, name), make()
+        text = surface.off() if name.endswith(".off") else surface.faulty_stl()
         if not check:
             with open(path, "w", newline="\n") as file:
                 file.write(text)

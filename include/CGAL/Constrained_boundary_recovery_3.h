@@ -44,8 +44,9 @@ namespace CGAL {
  * It holds the constraints and runs the phases of [CZZ+17, Section 4]; each phase can be called on its own.
  * Constraints that are in the triangulation are never destroyed.
  *
- * \tparam Tr an instance of `CGAL::Triangulation_3`, or of a class derived from it
- * \tparam Visitor has the members of `Default_boundary_recovery_visitor_3`
+ * \tparam Tr an instance of `CGAL::Triangulation_3`, or of a class derived from it, with a model of
+ *         `BoundaryRecoveryTraits_3` as geometric traits
+ * \tparam Visitor a model of `BoundaryRecoveryVisitor_3`
  *
  * \sa `CGAL::recover_boundary()`
  */

@@ -52,8 +52,8 @@ namespace CGAL {
  * Nothing is printed, and nothing is thrown because of the input.
  *
  * \tparam Triangulation an instance of `Delaunay_triangulation_3`, or of `Triangulation_3`, or of a class derived from
- *         one of them, with an exact-predicates kernel as geometric traits. No points are inserted in a triangulation
- *         that is not Delaunay: it has to have them all.
+ *         one of them, with a model of `BoundaryRecoveryTraits_3` as geometric traits. No points are inserted in a
+ *         triangulation that is not Delaunay: it has to have them all.
  * \tparam PointRange a model of `ConstRange` whose value type is `Triangulation::Geom_traits::Point_3`, unless
  *         `point_map` is given
  * \tparam TriangleRange a model of `ConstRange` whose value type is a model of `RandomAccessContainer` of vertex
@@ -93,7 +93,7 @@ namespace CGAL {
  *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
  *     \cgalParamDescription{is told about phases, progress, and the cells that go and come, and can stop the recovery}
- *     \cgalParamType{a class with the members of `Default_boundary_recovery_visitor_3`}
+ *     \cgalParamType{a model of `BoundaryRecoveryVisitor_3`}
  *     \cgalParamDefault{`Default_boundary_recovery_visitor_3`}
  *     \cgalParamExtra{Pass `std::ref(visitor)` to have the object itself called and not a copy.}
  *   \cgalParamNEnd
@@ -110,7 +110,7 @@ namespace CGAL {
  *   \cgalParamNEnd
  *   \cgalParamNBegin{geom_traits}
  *     \cgalParamDescription{the traits for checking the input}
- *     \cgalParamType{a kernel with the point type of the triangulation}
+ *     \cgalParamType{a model of `BoundaryRecoveryTraits_3` with the point type of the triangulation}
  *     \cgalParamDefault{the traits of the triangulation}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd

@@ -24,6 +24,8 @@ namespace CGAL {
  * \brief a visitor that does nothing; derive from it to watch or to stop a boundary recovery.
  *
  * Pass it with `CGAL::parameters::visitor(std::ref(v))`, else a copy of it is called.
+ *
+ * \cgalModels{BoundaryRecoveryVisitor_3}
  */
 struct Default_boundary_recovery_visitor_3
 {
@@ -33,7 +35,8 @@ struct Default_boundary_recovery_visitor_3
   /// is called after a phase ended.
   void on_phase_end(const Boundary_recovery_3::Phase_report& /* report */) { }
 
-  /// is called at a steady rate inside a phase: `done` of `total` constraints of the current pass have been treated.
+  /// is called inside a phase whenever one more item was treated: `done` of `total` lost constraints of the current
+  /// pass, or of its Steiner points.
   void on_progress(Boundary_recovery_3::Recovery_phase /* phase */, std::size_t /* done */, std::size_t /* total */) { }
 
   /// is asked at a steady rate; once it returned `false`, the recovery stops soon, with a valid triangulation.

@@ -1,0 +1,87 @@
+/*!
+\ingroup PkgBoundaryRecovery3Concepts
+\cgalConcept
+
+The concept `BoundaryRecoveryVisitor_3` describes what is told about a boundary recovery while it runs, and asked:
+progress, the cells that go and come, and whether to go on. All calls come from the thread that called the recovery.
+
+A visitor must not change the triangulation. It may look at it, and it sees a valid data structure, in which the
+coordinates of Steiner points may be rounded ones until the end, and cells may be inverted by that. It may write to
+the cells that came.
+
+A model that cares for few of the members is derived from `CGAL::Default_boundary_recovery_visitor_3`, and hides
+those.
+
+A visitor that is given as `std::ref(v)` is called itself, else a copy of it is.
+
+\cgalRefines{CopyConstructible}
+
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::Default_boundary_recovery_visitor_3}
+\cgalHasModelsEnd
+
+\sa `CGAL::recover_boundary()`
+\sa `CGAL::Constrained_boundary_recovery_3`
+*/
+class BoundaryRecoveryVisitor_3
+{
+public:
+  /// \name Phases
+  /// @{
+
+  /*!
+  is called before a phase starts. Phases that have nothing to do are left out.
+  */
+  void on_phase_begin(CGAL::Boundary_recovery_3::Recovery_phase phase);
+
+  /*!
+  is called after a phase ended, with its duration and with what was lost then.
+  */
+  void on_phase_end(const CGAL::Boundary_recovery_3::Phase_report& report);
+
+  /*!
+  is called inside a phase whenever one more item of a pass was treated: `done` of `total`. An item is a lost
+  constraint, or a Steiner point in the phases `steiner_splitting` and `steiner_suppression`; in the latter, `done`
+  counts the points that are gone, which may be none. Most phases have several passes. The phases `insertion`,
+  `search` and `recount` do not call it.
+  */
+  void on_progress(CGAL::Boundary_recovery_3::Recovery_phase phase, std::size_t done, std::size_t total);
+
+  /// @}
+
+  /// \name Stopping
+  /// @{
+
+  /*!
+  is asked again and again between attempts. Once it returned `false`, it is not asked again, and the recovery stops
+  soon, with a valid triangulation.
+  */
+  bool go_further();
+
+  /// @}
+
+  /// \name Cells
+  /// For data that is attached to cells. What the insertion of input points replaces is not announced.
+  /// @{
+
+  /*!
+  is called before cells are removed from the triangulation by a replacement.
+
+  \tparam CellRange a model of `ConstRange` whose value type is the cell handle of the triangulation. Infinite cells
+  may be in it.
+  */
+  template <typename CellRange>
+  void before_cells_removal(const CellRange& cells);
+
+  /*!
+  is called after cells came into the triangulation. They cover what the cells of the last `before_cells_removal()`
+  covered.
+
+  \tparam CellRange a model of `ConstRange` whose value type is the cell handle of the triangulation. Infinite cells
+  may be in it.
+  */
+  template <typename CellRange>
+  void after_cells_creation(const CellRange& cells);
+
+  /// @}
+};

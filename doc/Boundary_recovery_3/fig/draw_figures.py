@@ -1,0 +1,336 @@
+#!/usr/bin/env python3
+"""Draws the figures of the user manual that explain notions: shell, recursion, conditions, Steiner points.
+
+usage: draw_figures.py FOLDER           write the SVG files into FOLDER
+       draw_figures.py --check FOLDER   exit 1 unless FOLDER holds exactly what would be written
+
+Only Python's standard library is used.
+"""
+import math
+import os
+import sys
+
+BLACK, GREY, RED, BLUE, ORANGE = "#222", "#999", "#c0392b", "#2e6da4", "#f0a34a"
+LIGHT_BLUE, LIGHT_ORANGE, LIGHT_RED, LIGHT_GREEN = "#d5e3f0", "#fbe3c4", "#f3c9c3", "#dcefdc"
+
+
+def between(p, q, t=0.5):
+    return (p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1]))
+
+
+def ring(center, radius, degree, turn=0.0, flat=1.0):
+    """The corners of a regular polygon, clockwise from the top as one sees it."""
+    angles = [2 * math.pi * (i + turn) / degree - math.pi / 2 for i in range(degree)]
+    return [(center[0] + radius * math.cos(a), center[1] + flat * radius * math.sin(a)) for a in angles]
+
+
+class Drawing:
+    def __init__(self, width, height):
+        self.size, self.items = (width, height), []
+
+    def number(self, x):
+        return ("%.1f" % x).rstrip("0").rstrip(".")
+
+    def path(self, points, close=False, stroke=BLACK, width=1.3, fill="none", dash=None, opacity=None):
+        d = "M" + "L".join("%s %s" % (self.number(x), self.number(y)) for x, y in points) + ("Z" if close else "")
+        style = "".join(' %s="%s"' % (k, v) for k, v in (("stroke-dasharray", dash), ("fill-opacity", opacity)) if v)
+        self.items.append('<path d="%s" fill="%s" stroke="%s" stroke-width="%s" stroke-linejoin="round"%s/>'
+                          % (d, fill, stroke, width, style))
+
+    def polygon(self, points, fill="none", **options):
+        self.path(points, close=True, fill=fill, **options)
+
+    def line(self, p, q, **options):
+        self.path([p, q], **options)
+
+    def dot(self, p, color=BLACK, radius=3):
+        self.items.append('<circle cx="%s" cy="%s" r="%s" fill="%s"/>'
+                          % (self.number(p[0]), self.number(p[1]), radius, color))
+
+    def cross(self, p, color=RED, size=5):
+        for s in (-1, 1):
+            self.line((p[0] - size, p[1] - s * size), (p[0] + size, p[1] + s * size), stroke=color, width=2)
+
+    def arrow(self, p, q, color=BLACK):
+        self.line(p, q, stroke=color, width=1.6)
+        a = math.atan2(q[1] - p[1], q[0] - p[0])
+        self.path([(q[0] + 9 * math.cos(a + s), q[1] + 9 * math.sin(a + s)) for s in (2.7, -2.7)] + [q],
+                  close=True, stroke=color, fill=color, width=1)
+
+    def label(self, p, text, dx=0, dy=0, color=BLACK, size=15):
+        """Mathematics, in italics; what follows an underscore is the subscript."""
+        name, _, index = text.partition("_")
+        words = '<tspan font-style="italic">%s</tspan>' % name
+        if index:
+            words += ('<tspan font-style="italic" font-size="%d" dy="4">%s</tspan>'
+                      % (round(0.72 * size), index.replace("-", "\u2212")))
+        self.text(p, words, dx, dy, color, size)
+
+    def text(self, p, text, dx=0, dy=0, color=BLACK, size=13):
+        """Words, centered at a point."""
+        self.items.append('<text x="%s" y="%s" font-size="%d" fill="%s">%s</text>'
+                          % (self.number(p[0] + dx), self.number(p[1] + dy + size / 3), size, color, text))
+
+    def svg(self):
+        head = ('<svg xmlns="http://www.w3.org/2000/svg" width="%d" height="%d" viewBox="0 0 %d %d" '
+                'font-family="DejaVu Sans,Helvetica,Arial,sans-serif" text-anchor="middle" xml:space="preserve">'
+                % (self.size + self.size))
+        white = '<rect width="%d" height="%d" fill="#fff"/>' % self.size
+        return "\n".join([head, white] + self.items + ["</svg>"]) + "\n"
+
+
+def spindle(x, y):
+    """The ends of a supporting edge and its skirt polygon, seen from the side; p_0 and p_1 are behind."""
+    skirt = [(x - 40, y - 22), (x + 48, y - 26), (x + 92, y + 8), (x + 14, y + 34), (x - 88, y + 10)]
+    return (x, y - 120), (x, y + 120), skirt
+
+
+def shell():
+    """The shell of an edge, and two covering meshes of it: from the side, and the skirt polygon from above."""
+    d = Drawing(760, 490)
+    titles = ["the shell of ab", "complete reduction", "partial reduction"]
+    triangles = [[], [(0, 1, 3), (1, 2, 3), (0, 3, 4)], [(1, 2, 3)]]
+    cores = [[0, 1, 2, 3, 4], [], [0, 1, 3, 4]]
+    for panel in range(3):
+        x = 130 + 250 * panel
+        a, b, p = spindle(x, 145)
+        for t in triangles[panel]:
+            d.polygon([p[i] for i in t], fill=LIGHT_ORANGE, stroke=ORANGE)
+        for i in range(5):
+            behind = i in (0, 1)
+            dash = "4 3" if behind else None
+            d.line(a, p[i], stroke=BLACK, dash=dash, width=1)
+            d.line(b, p[i], stroke=BLACK, dash=dash, width=1)
+            j = (i + 1) % 5
+            d.line(p[i], p[j], stroke=BLUE, width=2, dash="4 3" if i in (0, 4) and j in (0, 1) else None)
+        if cores[panel]:
+            d.line(a, b, stroke=RED, width=2.6)
+        for q in p + [a, b]:
+            d.dot(q)
+        d.label(a, "a", dx=-12)
+        d.label(b, "b", dx=-12)
+        for i, (dx, dy) in enumerate([(-12, -9), (12, -9), (17, 4), (10, 16), (-17, 4)]):
+            d.label(p[i], "p_%d" % i, dx=dx, dy=dy)
+        q = ring((x, 370), 62, 5, -0.5)
+        for t in triangles[panel]:
+            d.polygon([q[i] for i in t], fill=LIGHT_ORANGE, stroke=ORANGE, width=2)
+        for i in cores[panel]:
+            d.line((x, 370), q[i], width=1)
+        d.polygon(q, stroke=BLUE, width=2)
+        for i in range(5):
+            d.dot(q[i])
+            d.label(between((x, 370), q[i], 1.22), "p_%d" % i)
+        if cores[panel]:
+            d.dot((x, 370), RED, 4)
+            d.label((x, 370), "ab", dx=0, dy=14 if panel else 15, color=RED)
+        d.text((x, 474), titles[panel], size=14)
+    return d
+
+
+def recursion():
+    """A link edge is the supporting edge of the next level: its shell loses b, so the first shell loses p_i."""
+    d = Drawing(760, 300)
+    y, r = 135, 78
+    names = ["p_i", "p_i+1", "", "", "", "p_i-1"]
+    q = ring((120, y), r, 6)
+    d.polygon([(120, y), q[0], q[1]], fill=LIGHT_ORANGE, stroke="none")
+    d.polygon([(120, y), q[5], q[0]], fill=LIGHT_ORANGE, stroke="none")
+    draw_ring(d, (120, y), q, names, "ab")
+    d.line((120, y), q[0], stroke=ORANGE, width=4)
+    d.text((120, 250), "level l: the shell of ab,", size=14)
+    d.text((120, 270), "and its face a b p\u1d62", size=14)
+
+    center = (375, y)
+    q = ring(center, r, 5)
+    d.polygon([q[4], q[0], q[1]], fill=LIGHT_ORANGE, stroke=ORANGE, width=2)
+    draw_ring(d, center, q, ["b", "p_i+1", "", "", "p_i-1"], "a p_i", without=(0,))
+    d.line(center, q[0], stroke=ORANGE, width=2, dash="4 3")
+    d.text((375, 250), "level l + 1: the shell of the link edge a p\u1d62", size=14)
+    d.text((375, 270), "loses the vertex b, and so that face", size=14)
+
+    q = ring((635, y), r, 6)[1:]
+    draw_ring(d, (635, y), q, ["p_i+1", "", "", "", "p_i-1"], "ab")
+    d.text((635, 250), "level l: the shell of ab is", size=14)
+    d.text((635, 270), "smaller, and is tried again", size=14)
+    d.arrow((220, y), (265, y))
+    d.arrow((483, y), (528, y))
+    return d
+
+
+def draw_ring(d, center, q, names, middle, without=()):
+    for i, p in enumerate(q):
+        if i not in without:
+            d.line(center, p, width=1)
+    d.polygon(q, stroke=BLUE, width=2)
+    for p, name in zip(q, names):
+        d.dot(p)
+        if name:
+            d.label(between(center, p, 1.25), name)
+    d.dot(center, RED, 4)
+    d.label(center, middle, dy=16, color=RED)
+
+
+def conditions():
+    """BRC1 to BRC4: the new entities are orange, the lost constraints red."""
+    d = Drawing(760, 250)
+    t = [(30, 140), (165, 150), (110, 60)]
+    u, v, m = (75, 25), (125, 195), (98, 110)
+    d.line(m, v, stroke=RED, width=2.2, dash="5 3")
+    d.polygon(t, fill=LIGHT_ORANGE, stroke=ORANGE, width=2, opacity=0.85)
+    d.line(u, m, stroke=RED, width=2.2)
+    label_points(d, [(u, "u", -11, 0), (v, "v", 11, 2)], RED)
+    label_points(d, [(t[0], "p_i", -6, 15), (t[1], "p_j", 8, 15), (t[2], "p_k", 14, -6)])
+    d.cross(m)
+    d.text((98, 232), "BRC1: refused", size=14)
+
+    t = [(220, 140), (355, 150), (300, 60)]
+    u, v, m = (265, 25), (315, 195), (288, 110)
+    d.line(m, v, stroke=ORANGE, width=2.2, dash="5 3")
+    d.polygon(t, fill=LIGHT_RED, stroke=RED, width=2, opacity=0.85)
+    d.line(u, m, stroke=ORANGE, width=2.2)
+    label_points(d, [(u, "p_i", -13, 0), (v, "p_j", 14, 2)])
+    label_points(d, [(t[0], "u", -4, 14), (t[1], "v", 8, 13), (t[2], "w", 14, -4)], RED)
+    d.cross(m)
+    d.text((288, 232), "BRC2: refused", size=14)
+
+    for k, x in enumerate((478, 668)):
+        q = ring((x, 105), 66, 4)
+        d.polygon(q, stroke=BLUE, width=2)
+        d.line(q[0], q[2], stroke=GREY, width=2.2)
+        d.line(q[1], q[3], stroke=ORANGE, width=2.2)
+        if k == 0:
+            d.line((x - 58, 66), (x + 52, 60), stroke=RED, width=2.2, dash="5 3")
+            d.line((x - 60, 72), (x + 62, 118), stroke=RED, width=2.2, dash="5 3")
+            crossings = [(x, 63), (x, 94.6), (x + 27.5, 105)]
+        else:
+            d.polygon([(x - 32, 76), (x + 26, 64), (x + 10, 86)], fill=LIGHT_RED, stroke=RED, width=1.6, opacity=0.6)
+            d.polygon([(x - 20, 127), (x + 42, 120), (x + 30, 90)], fill=LIGHT_RED, stroke=RED, width=1.6, opacity=0.6)
+            crossings = [(x, 76), (x, 118), (x + 22, 105)]
+        for p in crossings:
+            d.dot(p, RED, 3.5)
+        for p in q:
+            d.dot(p)
+        d.text((x, 192), "from 2 to 1", color=GREY)
+        d.text((x, 232), "BRC%d: allowed" % (k + 3), size=14)
+    return d
+
+
+def label_points(d, points, color=BLACK):
+    for p, name, dx, dy in points:
+        d.dot(p, color)
+        d.label(p, name, dx=dx, dy=dy, color=color)
+
+
+def conforming():
+    """A lost edge becomes a chain of mesh edges, a lost facet a union of mesh facets."""
+    d = Drawing(760, 260)
+    for k, x in enumerate((20, 215)):
+        u, v = (x + 10, 130), (x + 165, 110)
+        top, low = [(x + 45, 60), (x + 100, 45)], [(x + 60, 190), (x + 120, 180)]
+        for p, q in ((u, top[0]), (top[0], top[1]), (top[1], v), (u, low[0]), (low[0], low[1]), (low[1], v)):
+            d.line(p, q)
+        crossed = [(top[0], low[0]), (top[1], low[0]), (top[1], low[1])]
+        points = [u] + [between(*pq, t=crossing(u, v, pq)) for pq in crossed] + [v]
+        for p, q in crossed:
+            d.line(p, q)
+        if k == 0:
+            d.line(u, v, stroke=RED, width=2.2, dash="5 3")
+        else:
+            d.path(points, stroke=BLUE, width=2.6)
+            extra = [(points[1], top[1]), (points[2], low[1])]
+            for p, q in extra:
+                d.line(p, q, stroke=ORANGE, width=1.6)
+            for p in points[1:-1]:
+                d.dot(p, BLUE, 4)
+        for p in top + low:
+            d.dot(p)
+        label_points(d, [(u, "u", -2, 16), (v, "v", 4, 16)], RED if k == 0 else BLUE)
+    d.text((202, 240), "a lost edge, and its parts", size=14)
+    for k, x in enumerate((410, 590)):
+        t = [(x + 10, 165), (x + 150, 175), (x + 92, 70)]
+        e, m, f = (x + 70, 25), (x + 86, 140), (x + 98, 215)
+        d.line(m, f, dash="4 3", width=1.6)
+        d.polygon(t, fill=LIGHT_RED if k == 0 else LIGHT_BLUE, stroke=RED if k == 0 else BLUE, width=2, opacity=0.85)
+        if k == 0:
+            d.cross(m)
+        else:
+            for p in t:
+                d.line(m, p, stroke=BLUE, width=2)
+            d.dot(m, BLUE, 4)
+        d.line(e, m, width=1.6)
+        d.dot(e)
+        d.dot(f)
+    d.text((582, 240), "a lost facet, and its parts", size=14)
+    d.arrow((192, 75), (222, 75))
+    d.arrow((568, 130), (591, 130))
+    return d
+
+
+def crossing(u, v, pq):
+    """Where the line uv divides the segment pq."""
+    def side(p):
+        return (v[0] - u[0]) * (p[1] - u[1]) - (v[1] - u[1]) * (p[0] - u[0])
+    return side(pq[0]) / (side(pq[0]) - side(pq[1]))
+
+
+def splitting():
+    """A Steiner point s comes off a facet, a manifold edge, a non-manifold edge."""
+    d = Drawing(760, 300)
+    y, r = 125, 88
+    panels = [(125, [0, 4], "s inside a facet: one fan", "seen from the side"),
+              (380, [0, 3], "s on an edge of two facets", "seen along the edge"),
+              (635, [0, 3, 5], "s on an edge of three facets", "seen along the edge")]
+    for x, fans, title, subtitle in panels:
+        center = (x, y)
+        q = ring(center, r, 8, turn=-2)
+        middles = []
+        for k, first in enumerate(fans):
+            last = fans[(k + 1) % len(fans)]
+            arc = [(first + i) % 8 for i in range((last - first) % 8 + 1)]
+            angle = 2 * math.pi * (first + (len(arc) - 1) / 2 - 2) / 8 - math.pi / 2
+            m = (x + 0.5 * r * math.cos(angle), y + 0.5 * r * math.sin(angle))
+            d.polygon([center] + [q[i] for i in arc], fill=(LIGHT_ORANGE, LIGHT_BLUE, LIGHT_GREEN)[k], stroke="none")
+            for i in arc:
+                d.line(m, q[i], width=1, stroke=GREY)
+            if x != 125: # in the view along the edge, the ends of the edge are where s is
+                d.line(m, center, width=1, stroke=GREY)
+            middles.append(m)
+        d.polygon(q, width=1.6)
+        for i in fans:
+            d.line(center, q[i], stroke=RED, width=3)
+        for i in range(8):
+            d.dot(q[i])
+        d.dot(center, RED, 4)
+        d.label(center, "s", dx=-10 if len(fans) == 3 else 0, dy=12 if len(fans) == 2 else 10, color=RED)
+        for k, m in enumerate(middles):
+            d.dot(m, BLUE, 4)
+            away = (m[0] - x, m[1] - y)
+            d.label(m, "s_%d" % (k + 1), dx=0.34 * away[0] + 2, dy=0.42 * away[1], color=BLUE)
+        d.text((x, 245), title, size=14)
+        d.text((x, 266), subtitle, size=12, color=GREY)
+    return d
+
+
+FIGURES = {"shell.svg": shell, "recursion.svg": recursion, "conditions.svg": conditions,
+           "conforming.svg": conforming, "splitting.svg": splitting}
+
+
+def main(arguments):
+    check = arguments[:1] == ["--check"]
+    if len(arguments) != 1 + check:
+        print(__doc__)
+        return 1
+    wrong = 0
+    for name, draw in FIGURES.items():
+        path, text = os.path.join(arguments[-1], name), draw().svg()
+        if not check:
+            with open(path, "w", encoding="utf-8", newline="\n") as file:
+                file.write(text)
+        elif not os.path.exists(path) or open(path, encoding="utf-8", newline="").read() != text:
+            wrong += 1
+            print("%s: missing, or not what is drawn" % path)
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
