@@ -362,7 +362,7 @@ public:
         while(suppress.remove_points(suppression_recursion_level, m_context))
           suppress.relocate_points(m_context);
       }
-      while(suppress.merge_points(m_context));
+      while(suppress.merge_points(m_context) || suppress.reconnect_points(m_context));
     });
     const bool is_storable = suppress.round_points(m_context); // also if the recovery was stopped before
     m_number_of_transformations += suppress.number_of_transformations();

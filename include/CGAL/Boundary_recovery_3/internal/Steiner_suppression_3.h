@@ -96,6 +96,16 @@ public:
     });
   }
 
+  // Tries to remove each of the points by reconnection of ever larger cavities around it. Returns whether one is gone.
+  template <typename Context>
+  bool reconnect_points(Context& context)
+  {
+    return for_each_point(context, [&](const Vertex_handle v)
+    {
+      return collect_ball(v) && reconnect_larger_cavities(v, context);
+    });
+  }
+
   // Makes one point of two neighbors, where one can star both balls. Returns whether there were such.
   template <typename Context>
   bool merge_points(Context& context)
@@ -365,10 +375,7 @@ private:
     });
   }
 
-  bool reconnect_ball(const Vertex_handle v)
-  {
-    return reconnect(m_ball, v);
-  }
+  bool reconnect_ball(const Vertex_handle v) { return reconnect(m_ball, v) == Reconnection::FOUND; }
 
   bool reconnect_with_layer(const Vertex_handle v)
   {
@@ -379,20 +386,82 @@ private:
       if(! m_tr.is_infinite(n) && ! contains(cells, n))
         cells.push_back(n);
     }
-    return reconnect(cells, v);
+    return reconnect(cells, v) == Reconnection::FOUND;
   }
 
-  bool reconnect(const std::vector<Cell_handle>& cells, const Vertex_handle v)
+  // The cavity grows by one vertex at a time, with all the cells that this brings, until there are too many of them.
+  template <typename Context>
+  bool reconnect_larger_cavities(const Vertex_handle v, Context& context)
+  {
+    std::vector<Cell_handle> cavity = m_ball;
+    collect_neighbors(v);
+    std::vector<Vertex_handle> vertices = m_neighbors;
+    for(int step = 0; step < max_number_of_added_vertices && context.go_further(); ++step)
+    {
+      add_cells(cavity, vertices);
+      const typename Reconnection::Outcome outcome = reconnect(cavity, v);
+      if(outcome != Reconnection::NONE)
+        return outcome == Reconnection::FOUND;
+      const Vertex_handle x = most_adjacent_vertex(cavity);
+      if(x == Vertex_handle())
+        return false;
+      vertices.push_back(x);
+    }
+    return false;
+  }
+
+  // Adds the cells around the cavity that have no other vertices than these.
+  void add_cells(std::vector<Cell_handle>& cavity, const std::vector<Vertex_handle>& vertices) const
+  {
+    for(std::size_t k = 0; k < cavity.size(); ++k) // it grows
+      for(int i = 0; i < 4; ++i)
+      {
+        const Cell_handle c = cavity[k], n = c->neighbor(i);
+        if(! contains(cavity, n) && contains(vertices, n->vertex(n->index(c))))
+          cavity.push_back(n);
+      }
+  }
+
+  // The vertex behind the largest number of faces of the cavity; none if there is only the exterior behind them.
+  // A face that is constrained stays, whatever is behind it, so it counts less.
+  Vertex_handle most_adjacent_vertex(const std::vector<Cell_handle>& cavity) const
+  {
+    std::vector<Vertex_handle> vertices;
+    std::vector<int> counts;
+    for(const Cell_handle c : cavity)
+      for(int i = 0; i < 4; ++i)
+      {
+        const Cell_handle n = c->neighbor(i);
+        if(m_tr.is_infinite(n) || contains(cavity, n))
+          continue;
+        const std::array<Vertex_handle, 3> f = facet_vertices(c, i);
+        const Vertex_handle x = n->vertex(n->index(c));
+        const std::size_t k = std::find(vertices.begin(), vertices.end(), x) - vertices.begin();
+        if(k == vertices.size())
+        {
+          vertices.push_back(x);
+          counts.push_back(0);
+        }
+        counts[k] += m_constraints.is_constrained(f[0], f[1], f[2]) ? 1 : 4;
+      }
+    return vertices.empty() ? Vertex_handle()
+                            : vertices[std::max_element(counts.begin(), counts.end()) - counts.begin()];
+  }
+
+  // Fills the cavity without v, if this is possible.
+  typename Reconnection::Outcome reconnect(const std::vector<Cell_handle>& cells, const Vertex_handle v)
   {
     std::vector<std::array<Vertex_handle, 2> > edges;
     std::vector<std::array<Vertex_handle, 3> > facets;
     m_constraints.collect(cells, edges, facets);
     m_reconnection.forget(); // vertices may have moved
-    if(m_reconnection(cells, edges, facets, v) != Reconnection::FOUND)
-      return false;
-    m_replacement(m_tr, cells, m_reconnection.tetrahedra(), m_visitor);
-    drop(v);
-    return true;
+    const typename Reconnection::Outcome outcome = m_reconnection(cells, edges, facets, v);
+    if(outcome == Reconnection::FOUND)
+    {
+      m_replacement(m_tr, cells, m_reconnection.tetrahedra(), m_visitor);
+      drop(v);
+    }
+    return outcome;
   }
 
   // Removes edges at v, as long as this succeeds and v cannot be dropped. Returns whether it could.
@@ -433,6 +502,7 @@ private:
   }
 
   static constexpr int max_number_of_added_cells = 30;
+  static constexpr int max_number_of_added_vertices = 12;
 
   Tr& m_tr;
   const Predicates& m_predicates;
