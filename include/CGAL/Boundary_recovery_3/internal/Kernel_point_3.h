@@ -83,7 +83,7 @@ public:
   }
 
   // The distance of the deepest point, computed last, from the planes of the faces; negative if there is no kernel.
-  double depth() const { return m_depth; }
+  double depth() const { return m_unit * m_depth; }
 
   // Whether v sees all the faces.
   bool is_kernel_point(const Vertex_handle v, const std::vector<Triangle>& faces) const
@@ -303,7 +303,7 @@ private:
   const Predicates& m_predicates;
   Positions& m_positions;
   Vector m_origin;
-  double m_unit;     // of the half spaces and the diameter
+  double m_unit;     // of the half spaces, the diameter, and the depth
   double m_diameter;
   double m_depth;
   std::vector<Half_space> m_half_spaces;
