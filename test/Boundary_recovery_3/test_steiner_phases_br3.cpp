@@ -286,16 +286,25 @@ void test_phases()
   assert(totals.on_edges > 20 && totals.on_facets > 3 && totals.removed > 50);
 }
 
-// Counts the questions of each phase, and answers no to one of them.
+// Counts the questions of each phase, and answers no to one of them, or to the first one after a phase.
 template <typename Tr>
 struct Stopping_visitor
   : public Cell_mirror<Tr>
 {
+  static constexpr std::size_t after_the_phase = 0;
+
   explicit Stopping_visitor(const Tr& tr) : Cell_mirror<Tr>(tr) { }
 
   void on_phase_begin(const Phase phase) { current = phase; }
-  bool go_further() { return ++questions[current] != last_question || current != last_phase; }
 
+  void on_phase_end(const CGAL::Boundary_recovery_3::Phase_report& report)
+  {
+    is_over = is_over || (report.phase == last_phase && last_question == after_the_phase);
+  }
+
+  bool go_further() { return ! is_over && (++questions[current] != last_question || current != last_phase); }
+
+  bool is_over = false;
   Phase current = Phase::insertion, last_phase = Phase::insertion;
   std::size_t last_question = (std::numeric_limits<std::size_t>::max)();
   std::map<Phase, std::size_t> questions;
@@ -318,13 +327,41 @@ public:
     std::size_t result = 0;
     for(const std::size_t i : std::set<std::size_t>{ 1, 2, 3, n / 4, n / 2, n - 1, n })
       if(i > 0 && i <= n)
-        result += recover(phase, i, std::numeric_limits<double>::infinity()) == Status::stopped;
+        result += recover(phase, i, std::numeric_limits<double>::infinity()).status == Status::stopped;
     return result;
   }
 
-  std::size_t after(const double seconds) const { return recover(Phase::insertion, 0, seconds) == Status::stopped; }
+  std::size_t after(const double seconds) const
+  {
+    return recover(Phase::insertion, never, seconds).status == Status::stopped;
+  }
+
+  // The later suppression is stopped, the fewer points are left. Stopped before it begins, it leaves all of them.
+  void check_suppression() const
+  {
+    const double for_ever = std::numeric_limits<double>::infinity();
+    const Result at_once = recover(Phase::steiner_splitting, Visitor::after_the_phase, for_ever);
+    require(at_once.status == Status::recovered, "a stop between splitting and suppression loses something");
+    require(at_once.steiner_vertices.size() == at_once.number_of_steiner_points, "a point is gone, or is too many");
+    const std::size_t n = questions(Phase::steiner_suppression), step = 1 + n / 40;
+    require(at_once.number_of_steiner_points == 0 || n > 0, "suppression cannot be stopped");
+    std::size_t left = at_once.steiner_vertices.size();
+    for(std::size_t i = 1; i <= n + 1; i += step)
+    {
+      const Result result = recover(Phase::steiner_suppression, i, for_ever);
+      require(result.steiner_vertices.size() <= left, "a later stop leaves more points");
+      left = result.steiner_vertices.size();
+    }
+    const Result unstopped = recover(Phase::insertion, never, for_ever);
+    require(unstopped.status == Status::recovered && unstopped.steiner_vertices.size() <= left,
+            "a stop leaves fewer points");
+  }
 
 private:
+  typedef CGAL::Boundary_recovery_result_3<Tr> Result;
+
+  static constexpr std::size_t never = (std::numeric_limits<std::size_t>::max)();
+
   std::size_t questions(const Phase phase) const
   {
     Tr tr;
@@ -338,7 +375,7 @@ private:
     return visitor.questions[phase];
   }
 
-  Status recover(const Phase phase, const std::size_t last_question, const double seconds) const
+  Result recover(const Phase phase, const std::size_t last_question, const double seconds) const
   {
     Tr tr;
     const auto earlier = insert(tr);
@@ -349,6 +386,7 @@ private:
                                          CGAL::parameters::constrained_edges(m_plc.edges)
                                            .visitor(std::ref(visitor)).maximum_running_time(seconds));
     visitor.check(tr);
+    const Result given = result;
     const Status status = result.status;
     require(status == Status::recovered || status == Status::stopped, "a wrong status after a stop");
     require(phase != Phase::steiner_suppression || status == Status::recovered,
@@ -358,7 +396,7 @@ private:
       result.status = Status::incomplete;
     const Recovery_mode mode = status == Status::stopped ? Recovery_mode::flips_only : m_mode;
     br3_test::Brute_force_checker<Tr>(m_plc, m_expectation, mode, tr, earlier, result)();
-    return status;
+    return given;
   }
 
   typename br3_test::Brute_force_checker<Tr>::Earlier_vertices insert(Tr& tr) const
@@ -392,6 +430,8 @@ void test_stops()
         for(const Phase phase : { Phase::conforming_edge_recovery, Phase::conforming_facet_recovery,
                                   Phase::steiner_splitting, Phase::steiner_suppression })
           stopped[phase] += stops(phase);
+        if(mode == Recovery_mode::constrained)
+          stops.check_suppression();
         for(double seconds = 0; seconds < 1; seconds = 3 * seconds + 1e-6)
           stops.after(seconds);
         assert(stops.after(0) == 1);
