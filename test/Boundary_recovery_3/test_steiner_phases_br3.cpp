@@ -8,7 +8,7 @@
 // Author(s)     : The Boundary_recovery_3 authors
 
 // The phases with Steiner points, one by one and without any flips before, so that every lost constraint is full of
-// points; what the visitor is told of them; and what is left when they are stopped.
+// points; what the visitor is told of them; what is left when they are stopped; and inputs of all sizes.
 
 #undef NDEBUG
 
@@ -24,6 +24,7 @@
 
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <cstddef>
 #include <exception>
 #include <functional>
@@ -439,9 +440,67 @@ void test_stops()
   assert(stopped[Phase::conforming_edge_recovery] > 0 && stopped[Phase::steiner_splitting] > 0);
 }
 
+Plc moved(Plc plc, const int exponent, const double shift)
+{
+  for(Coordinates& c : plc.points)
+    for(double& x : c)
+      x = std::ldexp(x + shift, exponent);
+  return plc;
+}
+
+// What a recovery did, in numbers.
+struct Counts
+{
+  std::size_t transformations, on_constraints, off_constraints, left;
+
+  bool operator==(const Counts& other) const
+  {
+    return transformations == other.transformations && on_constraints == other.on_constraints
+        && off_constraints == other.off_constraints && left == other.left;
+  }
+};
+
+template <typename K>
+Counts recover_and_count(const Plc& plc, const Recovery_mode mode)
+{
+  typedef CGAL::Delaunay_triangulation_3<K> Tr;
+  std::vector<typename K::Point_3> points;
+  for(const Coordinates& c : plc.points)
+    points.emplace_back(c[0], c[1], c[2]);
+  Tr tr;
+  const auto result = CGAL::recover_boundary(tr, points, plc.triangles, CGAL::parameters::recovery_mode(mode),
+                                             CGAL::parameters::constrained_edges(plc.edges));
+  require(mode == Recovery_mode::flips_only || result.status == Status::recovered, "not recovered");
+  br3_test::Brute_force_checker<Tr>(plc, br3_test::Expectation(plc), mode, tr, {}, result)();
+  return { result.number_of_shell_transformations, result.number_of_constraint_points,
+           result.number_of_steiner_points, result.steiner_vertices.size() };
+}
+
+// Powers of two multiply without rounding, so nothing at all may change. Moving changes only how points are rounded.
+void test_scales()
+{
+  std::size_t number_of_points = 0;
+  for(const Plc& plc : { br3_test::twisted_prism(3, .3, 1000, 1000), br3_test::twisted_prism(7, .3, 1000, 1000),
+                         br3_test::Notched_box(1, 1).plc(), br3_test::Random_constraints(3)(14, 40, 60, 40) })
+    for(const Recovery_mode mode : { Recovery_mode::constrained, Recovery_mode::conforming,
+                                     Recovery_mode::flips_only })
+      catch_complaints("a scaled input", [&]
+      {
+        const Counts expected = recover_and_count<Epick>(plc, mode);
+        number_of_points += expected.on_constraints;
+        for(const int exponent : { 30, -30, 300, -300 })
+          require(recover_and_count<Epick>(moved(plc, exponent, 0), mode) == expected, "the scale makes a difference");
+        const Counts shifted = recover_and_count<Epick>(moved(plc, 0, 1 << 20), mode);
+        require(mode != Recovery_mode::flips_only || shifted == expected, "the origin makes a difference to flips");
+        recover_and_count<Epeck>(moved(plc, 300, 1 << 20), mode);
+      });
+  assert(number_of_points > 0);
+}
+
 int main()
 {
   test_phases();
+  test_scales();
   test_stops<Epick>();
   test_stops<Epeck>();
   assert(number_of_failures == 0);
