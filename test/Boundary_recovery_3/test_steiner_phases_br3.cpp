@@ -497,7 +497,7 @@ void test_scales()
       {
         const Counts expected = recover_and_count<Epick>(plc, mode);
         number_of_points += expected.on_constraints;
-        for(const int exponent : { 30, -30, 300, -300 })
+        for(const int exponent : { 30, -30, 300, -300, 1013 })
           require(recover_and_count<Epick>(moved(plc, exponent, 0), mode) == expected, "the scale makes a difference");
         const Counts shifted = recover_and_count<Epick>(moved(plc, 0, 1 << 20), mode);
         require(mode != Recovery_mode::flips_only || shifted == expected, "the origin makes a difference to flips");
