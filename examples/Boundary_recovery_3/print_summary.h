@@ -127,7 +127,7 @@ void print_summary(std::ostream& os, const Result& result, const Domain& domain,
      << "Steiner points: " << result.number_of_constraint_points << " put on constraints, "
      << result.number_of_steiner_points << " after splitting, " << result.steiner_vertices.size() << " left, "
      << domain.number_of_steiner_points << " of them in the domain\n"
-     << "written: " << count(domain.points.size(), "point") << ", " << domain.tetrahedra.size() << " tetrahedra in "
+     << "mesh: " << count(domain.points.size(), "point") << ", " << domain.tetrahedra.size() << " tetrahedra in "
      << count(static_cast<std::size_t>(domain.number_of_regions), "region") << '\n';
   if(domain.is_convex_hull)
     os << "no region can be told from the outside: the tetrahedra are those of the convex hull\n";

@@ -11,7 +11,10 @@ int main(int argc, char* argv[])
 {
   CGAL::Surface_mesh<Kernel::Point_3> surface;
   if(! CGAL::IO::read_polygon_mesh(argc > 1 ? argv[1] : CGAL::data_file_path("meshes/gear_br3.off"), surface))
+  {
+    std::cerr << "Pass a file with a surface." << std::endl;
     return EXIT_FAILURE;
+  }
 
   Triangulation tr;
   const auto result = CGAL::recover_boundary(tr, surface);

@@ -1,4 +1,5 @@
 // Runs recover_boundary() on an input in all the modes with both kernels, each twice, and has the outcome judged.
+// With BR3_TEST_EPICK_ONLY, one kernel has to do, to save time where compiling is slow.
 
 #ifndef BR3_TEST_RECOVER_AND_JUDGE_H
 #define BR3_TEST_RECOVER_AND_JUDGE_H
@@ -116,7 +117,9 @@ Recovery_status recover_twice(const Fuzz_case& fuzz_case, const Expectation& exp
 inline Recovery_status recover_and_judge(const Fuzz_case& fuzz_case)
 {
   typedef CGAL::Exact_predicates_inexact_constructions_kernel Epick;
+#ifndef BR3_TEST_EPICK_ONLY
   typedef CGAL::Exact_predicates_exact_constructions_kernel   Epeck;
+#endif
   const Expectation expectation(fuzz_case.plc);
   Recovery_status status = Recovery_status::stopped;
   const char* names[] = { "constrained", "conforming", "flips_only" };
@@ -125,8 +128,10 @@ inline Recovery_status recover_and_judge(const Fuzz_case& fuzz_case)
     const char* kernel = "Epick";
     try {
       status = recover_twice<Epick>(fuzz_case, expectation, mode);
+#ifndef BR3_TEST_EPICK_ONLY
       kernel = "Epeck";
       recover_twice<Epeck>(fuzz_case, expectation, mode);
+#endif
     } catch(const std::exception& e) {
       throw Complaint(std::string(kernel) + ", " + names[static_cast<int>(mode)] + ": " + e.what());
     }

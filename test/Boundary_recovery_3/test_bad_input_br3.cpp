@@ -10,6 +10,8 @@
 // Bad input through recover_boundary(): the defects are named, and the triangulation stays as it was.
 
 #undef NDEBUG
+#define CGAL_NDEBUG // as most programs have it: assertions must not be what finds bad input, and with them, numbers of
+                    // exact constructions cannot be infinite
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -118,12 +120,25 @@ struct Test
 
   void not_finite()
   {
-    for(const double bad : { std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity() })
+    const double inf = std::numeric_limits<double>::infinity();
+    for(const double bad : { std::numeric_limits<double>::quiet_NaN(), inf, -inf })
     {
       Points p = tet;
       p[2] = P(0, bad, 0);
       refused(p, tet_faces, Kind::non_finite_coordinate, {{{0,2}}});
+      p[2] = P(0, 0, typename K::FT(bad) * typename K::FT(0)); // not known to be NaN, with exact constructions
+      refused(p, tet_faces, Kind::non_finite_coordinate, {{{0,2}}});
     }
+  }
+
+  // With exact constructions, numbers beyond the range of double are finite.
+  void huge()
+  {
+    typedef typename K::FT FT;
+    const FT huge = FT(1e308) * FT(1e308);
+    Dt tr;
+    const auto result = CGAL::recover_boundary(tr, Points{ P(0,0,0), P(huge,0,0), P(0,4,0), P(0,0,-huge) }, tet_faces);
+    assert(result && result.number_of_facets == 4);
   }
 
   void crossing(const Points& p, const Faces& f, const Pairs& e, const Edges& edges = Edges())
@@ -177,6 +192,37 @@ struct Test
     }
   }
 
+  // On an edge that belongs to no facet, and inside a facet that stands alone: in all the modes, looked for at once or
+  // in the end. Beside them it is no harm.
+  void foreign_vertices_on_single_constraints()
+  {
+    using CGAL::Boundary_recovery_3::Recovery_mode;
+    const Points p = { P(0,0,0), P(4,4,0), P(0,4,0), P(4,0,0), P(1,2,7) };
+    for(const bool is_edge : { true, false })
+      for(const P& foreign : { P(2,2,0), P(1,3,0), P(2,2,1) })
+        for(const Recovery_mode mode : { Recovery_mode::constrained, Recovery_mode::conforming,
+                                         Recovery_mode::flips_only })
+          for(const bool is_first : { true, false })
+          {
+            Dt tr(five.begin(), five.end());
+            const auto v = tr.insert(foreign);
+            const auto r = CGAL::recover_boundary(tr, p, is_edge ? Faces() : Faces{{0,1,2}},
+                                                  params::recovery_mode(mode), params::list_defects(is_first),
+                                                  params::constrained_edges(is_edge ? Edges{{{0,1}}} : Edges()));
+            const bool is_on_edge = foreign == P(2,2,0), is_on_facet = ! is_edge && foreign != P(2,2,1);
+            assert(v->point() == foreign && tr.tds().is_valid());
+            Pairs expected;
+            if(is_on_edge)
+              expected.insert({{0,std::size_t(-1)}, {1, is_edge ? 0 : std::size_t(-1)}});
+            if(is_on_facet)
+              expected.insert({{0,std::size_t(-1)}, {2,0}});
+            if(expected.empty())
+              assert(r && r.defects.empty());
+            else
+              assert(defects(r, Kind::intersecting_constraints) == expected);
+          }
+  }
+
   void handles()
   {
     typedef typename Dt::Vertex_handle V;
@@ -212,13 +258,15 @@ struct Test
                   Kind::unknown_vertex, {{{0,4}}});
   }
 
-  void run(const bool with_nan)
+  void run()
   {
     simple();
-    if(with_nan)
-      not_finite();
+    not_finite();
+    if(CGAL::Algebraic_structure_traits<typename K::FT>::Is_exact::value)
+      huge();
     intersections();
     foreign_vertices();
+    foreign_vertices_on_single_constraints();
     handles();
     other_types();
   }
@@ -226,7 +274,7 @@ struct Test
 
 int main()
 {
-  Test<CGAL::Exact_predicates_inexact_constructions_kernel>().run(true);
-  Test<CGAL::Exact_predicates_exact_constructions_kernel>().run(false);
+  Test<CGAL::Exact_predicates_inexact_constructions_kernel>().run();
+  Test<CGAL::Exact_predicates_exact_constructions_kernel>().run();
   std::cout << "done" << std::endl;
 }

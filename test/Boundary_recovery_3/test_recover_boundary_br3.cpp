@@ -373,13 +373,15 @@ void test_visitor()
 
 int main()
 {
-  typedef CGAL::Exact_predicates_exact_constructions_kernel EK;
   test_surfaces<K>();
-  test_surfaces<EK>();
   test_overloads<K>();
-  test_overloads<EK>();
   test_parameters<K>();
+#ifndef BR3_TEST_EPICK_ONLY // to save time where compiling is slow
+  typedef CGAL::Exact_predicates_exact_constructions_kernel EK;
+  test_surfaces<EK>();
+  test_overloads<EK>();
   test_parameters<EK>();
+#endif
   test_custom_base();
   test_determinism();
   test_visitor();

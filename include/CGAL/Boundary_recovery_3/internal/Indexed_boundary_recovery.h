@@ -21,9 +21,11 @@
 #include <CGAL/Boundary_recovery_3/internal/Vertex_location.h>
 #include <CGAL/Constrained_boundary_recovery_3.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -167,13 +169,23 @@ private:
       m_result.vertices.clear(); // as for input that is refused at once
   }
 
+  // The facets, then the edges, those of the facets included, each once.
   std::vector<Simplex> all_constraints() const
   {
     std::vector<Simplex> constraints;
     for(std::size_t f = 0; f < m_input.facets.size(); ++f)
       constraints.push_back(describe_facet(m_input, f));
+    std::set<std::pair<std::size_t, std::size_t> > edges;
     for(std::size_t e = 0; e < m_input.edges.size(); ++e)
-      constraints.push_back(describe_edge(m_input, e));
+      if(edges.insert(std::minmax({ m_input.edges[e][0], m_input.edges[e][1] })).second)
+        constraints.push_back(describe_edge(m_input, e));
+    for(const auto& f : m_input.facets)
+      for(int i = 0; i < 3; ++i)
+      {
+        const std::array<std::size_t, 2> e = {{ f[i], f[(i + 1) % 3] }};
+        if(edges.insert(std::minmax({ e[0], e[1] })).second)
+          constraints.push_back(describe_simplex(m_input, Simplex::no_index, e));
+      }
     return constraints;
   }
 

@@ -44,7 +44,8 @@ struct Indexed_input_3
 
 /// returns `true` iff no coordinate of `p` is NaN or infinite.
 /// Looks at enclosures only: the exact value of a lazy number that was made from a NaN must never be asked for
-/// (GMP ends the program). An enclosure that is unbounded on one side only is that of a huge, but finite number.
+/// (GMP ends the program). An enclosure that is unbounded on one side only is that of a huge, but finite number; one
+/// that is unbounded on both sides may come from a NaN, so it is refused, though huge numbers may cancel out in it.
 template <typename Point_3>
 bool has_finite_coordinates(const Point_3& p)
 {

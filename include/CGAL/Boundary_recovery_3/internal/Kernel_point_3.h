@@ -83,7 +83,7 @@ public:
   }
 
   // The distance of the deepest point, computed last, from the planes of the faces; negative if there is no kernel.
-  double depth() const { return m_depth; }
+  double depth() const { return m_unit * m_depth; }
 
   // Whether v sees all the faces.
   bool is_kernel_point(const Vertex_handle v, const std::vector<Triangle>& faces) const
@@ -185,9 +185,7 @@ private:
     for(int i = 0; i < max_number_of_bisections; ++i)
     {
       s /= 2;
-      v->set_point(Point_3(m_origin[0] + m_unit * (s * d[0]), m_origin[1] + m_unit * (s * d[1]),
-                           m_origin[2] + m_unit * (s * d[2])));
-      if(is_kernel_point(v, faces))
+      if(move(v, {{ s * d[0], s * d[1], s * d[2] }}) && is_kernel_point(v, faces))
         return true;
     }
     return false;
@@ -223,8 +221,7 @@ private:
     m_depth = - m_diameter;
     if(! maximize(objective, 1, x))
       return false;
-    v->set_point(point(x));
-    return is_kernel_point(v, faces) || (m_depth > 0 && sample(v, faces, x));
+    return (move(v, scaled(x)) && is_kernel_point(v, faces)) || (m_depth > 0 && sample(v, faces, x));
   }
 
   // A kernel thinner than the distance of floating point numbers contains many of them nevertheless, if it is wide and
@@ -251,17 +248,27 @@ private:
         for(int i = 0; i < 3; ++i)
           x[i] += t * (e[i] - x[i]);
       }
-      v->set_point(point(x));
-      if(is_kernel_point(v, faces))
+      if(move(v, scaled(x)) && is_kernel_point(v, faces))
         return true;
     }
     return false;
   }
 
-  Point_3 point(const Vector& x) const
+  // From units of the diameter to those of the half spaces.
+  Vector scaled(const Vector& x) const { return {{ m_diameter * x[0], m_diameter * x[1], m_diameter * x[2] }}; }
+
+  // Moves v to a point, relative to the origin and in the unit. Returns false if that has no finite coordinates.
+  bool move(const Vertex_handle v, const Vector& x) const
   {
-    const double unit = m_diameter * m_unit;
-    return Point_3(m_origin[0] + unit * x[0], m_origin[1] + unit * x[1], m_origin[2] + unit * x[2]);
+    Vector p;
+    for(int i = 0; i < 3; ++i)
+    {
+      p[i] = m_origin[i] + m_unit * x[i];
+      if(! std::isfinite(p[i]))
+        return false;
+    }
+    v->set_point(Point_3(p[0], p[1], p[2]));
+    return true;
   }
 
   // Maximizes objective * x + r_max * r over the points x that are at least as deep as r, 0 <= r <= r_max, in units of
@@ -303,7 +310,7 @@ private:
   const Predicates& m_predicates;
   Positions& m_positions;
   Vector m_origin;
-  double m_unit;     // of the half spaces and the diameter
+  double m_unit;     // of the half spaces, the diameter, and the depth
   double m_diameter;
   double m_depth;
   std::vector<Half_space> m_half_spaces;

@@ -1,0 +1,289 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+// The small tools of the recovery, each on its own: the hash table of simplices, the snapshot of a mesh, and the search
+// for points in the kernel of a polyhedron.
+
+#undef NDEBUG
+
+#include "brute_force_checker_br3.h"
+#include "random_triangulations_br3.h"
+#include "steiner_inputs_br3.h"
+
+#include <CGAL/Boundary_recovery_3/Boundary_recovery_visitor_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Exact_positions_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Kernel_point_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Mesh_snapshot_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Simplex_key_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <iostream>
+#include <map>
+#include <random>
+#include <set>
+#include <vector>
+
+namespace internal = CGAL::Boundary_recovery_3::internal;
+typedef CGAL::Exact_predicates_inexact_constructions_kernel K;
+typedef CGAL::Delaunay_triangulation_3<K>                   Tr;
+typedef Tr::Vertex_handle                                   Vertex_handle;
+typedef K::Point_3                                          Point_3;
+
+// Against std::map, with keys that come again, and with reserve() in between.
+template <std::size_t N>
+void test_simplex_index(const unsigned seed, const int number_of_vertices)
+{
+  std::vector<Point_3> vertices(static_cast<std::size_t>(number_of_vertices)); // any addresses will do
+  std::mt19937 rng(seed);
+  internal::Simplex_index_3<N> index;
+  std::map<internal::Simplex_key_3<N>, std::size_t> expected;
+  for(int i = 0; i < 4000; ++i)
+  {
+    std::array<const Point_3*, N> s;
+    for(const Point_3*& p : s)
+      p = &vertices[static_cast<std::size_t>(br3_test::random_int(rng, number_of_vertices))];
+    internal::Simplex_key_3<N> key;
+    if constexpr(N == 2)
+      key = internal::simplex_key(s[0], s[1]);
+    else
+      key = internal::simplex_key(s[0], s[1], s[2]);
+    assert(std::is_sorted(key.begin(), key.end(), std::less<const void*>()));
+    assert(std::is_permutation(key.begin(), key.end(), s.begin()));
+
+    const auto it = expected.find(key);
+    assert(index[key] == (it == expected.end() ? internal::Simplex_index_3<N>::none : it->second));
+    if(br3_test::random_int(rng, 3) == 0)
+    {
+      const auto inserted = index.insert(key);
+      assert(inserted.second == (it == expected.end()));
+      assert(inserted.first == expected.emplace(key, expected.size()).first->second);
+    }
+    if(br3_test::random_int(rng, 500) == 0)
+      index.reserve(static_cast<std::size_t>(br3_test::random_int(rng, 3000)));
+    assert(index.size() == expected.size());
+  }
+  for(const auto& e : expected)
+    assert(index[e.first] == e.second);
+}
+
+// The vertices of all the cells in their order, and the coordinates, by the addresses of the vertices.
+struct Mesh_portrait
+{
+  explicit Mesh_portrait(const Tr& tr)
+  {
+    for(const auto c : tr.all_cell_handles())
+      cells.insert({{ &*c->vertex(0), &*c->vertex(1), &*c->vertex(2), &*c->vertex(3) }});
+    for(const Vertex_handle v : tr.finite_vertex_handles())
+      points[&*v] = {{ v->point().x(), v->point().y(), v->point().z() }};
+  }
+
+  bool operator==(const Mesh_portrait& other) const { return cells == other.cells && points == other.points; }
+
+  std::multiset<std::array<const void*, 4> > cells;
+  std::map<const void*, br3_test::Coordinates> points;
+};
+
+struct Counting_visitor
+  : public CGAL::Default_boundary_recovery_visitor_3
+{
+  template <typename CellRange>
+  void before_cells_removal(const CellRange& cells) { removed += cells.size(); }
+
+  template <typename CellRange>
+  void after_cells_creation(const CellRange& cells) { created += cells.size(); }
+
+  std::size_t removed = 0, created = 0;
+};
+
+void test_snapshot(const br3_test::Lattice_points& points, const int number_of_new_points, std::mt19937& rng)
+{
+  Tr tr;
+  for(const auto& p : points)
+    tr.insert(Point_3(static_cast<double>(p.x) / 3, static_cast<double>(p.y) / 3, static_cast<double>(p.z) / 3));
+  assert(tr.dimension() == 3);
+  const std::size_t number_of_cells = tr.number_of_cells(), number_of_vertices = tr.number_of_vertices();
+  const Mesh_portrait before(tr);
+  const internal::Mesh_snapshot_3<Tr> snapshot(tr);
+
+  std::set<Vertex_handle> inserted; // the order does not matter
+  for(int i = 0; i < number_of_new_points; ++i)
+  {
+    const double x = br3_test::random_int(rng, 100), y = br3_test::random_int(rng, 100);
+    const std::size_t n = tr.number_of_vertices();
+    const Vertex_handle v = tr.insert(Point_3(x / 20 - 1, y / 20 - 1, (x + y) / 30 - 1));
+    if(tr.number_of_vertices() > n)
+      inserted.insert(v);
+  }
+  int number_of_flips = 0;
+  for(int k = 0; k < 50; ++k)
+  {
+    std::vector<Tr::Facet> facets(tr.finite_facets_begin(), tr.finite_facets_end());
+    const Tr::Facet f = facets[static_cast<std::size_t>(br3_test::random_int(rng, static_cast<int>(facets.size())))];
+    number_of_flips += tr.flip(f.first, f.second);
+  }
+  assert((number_of_flips > 0 || ! inserted.empty()) && ! (before == Mesh_portrait(tr)));
+
+  Counting_visitor visitor;
+  const std::size_t number_of_changed_cells = tr.number_of_cells();
+  snapshot.restore(tr, inserted, visitor);
+  assert(visitor.removed == number_of_changed_cells && visitor.created == number_of_cells);
+  assert(tr.number_of_cells() == number_of_cells && tr.number_of_vertices() == number_of_vertices);
+  assert(before == Mesh_portrait(tr));
+  assert(tr.is_valid()); // with the neighbors of the cells, and Delaunay again
+}
+
+void test_snapshots()
+{
+  std::mt19937 rng(7);
+  for(int i = 0; i < 8; ++i)
+  {
+    test_snapshot(br3_test::random_points(20, 12, rng), i % 3 == 0 ? 0 : 10, rng);
+    test_snapshot(br3_test::grid_points(3, 3, 3, 90, rng), 10, rng);
+  }
+}
+
+// A polyhedron, given by triangles that are counterclockwise from outside, and a vertex for the point in its kernel.
+class Polyhedron
+{
+public:
+  typedef internal::Kernel_point_3<Tr> Kernel_point;
+
+  Polyhedron(const std::vector<br3_test::Coordinates>& points, const std::vector<br3_test::Simplex>& triangles)
+    : m_predicates(m_tr, &m_positions), m_kernel_point(m_predicates, m_positions), m_v(m_tr.tds().create_vertex())
+  {
+    for(const auto& p : points)
+    {
+      vertices.push_back(m_tr.tds().create_vertex());
+      vertices.back()->set_point(Point_3(p[0], p[1], p[2]));
+    }
+    m_v->set_point(vertices[0]->point());
+    for(const auto& t : triangles)
+      m_faces.push_back({{ vertices[t[0]], vertices[t[2]], vertices[t[1]] }});
+  }
+
+  // What the tool says about the deepest point, judged by rational numbers.
+  bool has_deepest_point()
+  {
+    const bool result = m_kernel_point(m_v, m_faces);
+    assert(result == is_in_kernel() || ! result);
+    assert(m_positions.empty());
+    return result;
+  }
+
+  // The same from a vertex of the polyhedron on, in one direction.
+  bool has_point_on_ray(const std::size_t origin, const Kernel_point::Exact_vector& direction)
+  {
+    m_positions.erase(m_v);
+    const bool result = m_kernel_point(m_v, m_faces, vertices[origin], { direction });
+    assert(result == is_in_kernel());
+    return result;
+  }
+
+  bool has_exact_position() const { return m_positions.contains(m_v); }
+  double depth() const { return m_kernel_point.depth(); }
+  Point_3 point() const { return m_v->point(); }
+
+  std::vector<Vertex_handle> vertices;
+
+private:
+  bool is_in_kernel() const
+  {
+    const br3_test::Rational_point x = br3_test::to_rational(m_positions(m_v));
+    return std::all_of(m_faces.begin(), m_faces.end(), [&](const Kernel_point::Triangle& f)
+    {
+      return br3_test::volume(br3_test::to_rational(f[0]->point()), br3_test::to_rational(f[1]->point()),
+                              br3_test::to_rational(f[2]->point()), x) > 0;
+    });
+  }
+
+  Tr m_tr;
+  internal::Exact_positions_3<Tr> m_positions;
+  const internal::Vertex_predicates_3<Tr> m_predicates;
+  Kernel_point m_kernel_point;
+  const Vertex_handle m_v;
+  std::vector<Kernel_point::Triangle> m_faces;
+};
+
+std::vector<br3_test::Coordinates> scaled(std::vector<br3_test::Coordinates> points, const int exponent)
+{
+  for(auto& p : points)
+    for(double& x : p)
+      x = std::ldexp(x, exponent);
+  return points;
+}
+
+const std::vector<br3_test::Simplex> tetrahedron = { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } };
+
+// The center and the radius of the ball in a corner of a cube, at all the scales.
+void test_deepest_point()
+{
+  for(const int exponent : { 0, 1, 5, -5, 300, -300, 1000, -1000, 1023 }) // there, twice the size overflows
+  {
+    Polyhedron p(scaled({ {{ 0, 0, 0 }}, {{ 1, 0, 0 }}, {{ 0, 1, 0 }}, {{ 0, 0, 1 }} }, exponent), tetrahedron);
+    assert(p.has_deepest_point());
+    const double radius = std::ldexp(1 / (3 + std::sqrt(3.)), exponent);
+    assert(std::abs(p.depth() / radius - 1) < 1e-9);
+    for(int i = 0; i < 3; ++i)
+      assert(std::abs(p.point()[i] / radius - 1) < 1e-9);
+  }
+}
+
+// The polyhedron of Schoenhardt is seen from its center, the notched box from nowhere.
+void test_empty_kernel()
+{
+  const br3_test::Plc schoenhardt = br3_test::twisted_prism(3, .3, 1000, 1000);
+  Polyhedron with_kernel(schoenhardt.points, schoenhardt.triangles);
+  assert(with_kernel.has_deepest_point() && with_kernel.depth() > 0);
+  const br3_test::Plc box = br3_test::Notched_box(2, 1).plc();
+  Polyhedron without_kernel(box.points, box.triangles);
+  assert(! without_kernel.has_deepest_point() && without_kernel.depth() < 0);
+  for(const double z : { 1., .5, -1. })
+    assert(! without_kernel.has_point_on_ray(0, Polyhedron::Kernel_point::Exact_vector(1, .1, z)));
+}
+
+void test_ray()
+{
+  typedef Polyhedron::Kernel_point::Exact_vector Vector;
+  for(const int exponent : { 0, 300, -300 })
+  {
+    const std::vector<br3_test::Coordinates> points = { {{ 0, 0, 0 }}, {{ 1, 0, 0 }}, {{ 0, 1, 0 }}, {{ 0, 0, 1 }} };
+    Polyhedron p(scaled(points, exponent), tetrahedron);
+    assert(p.has_point_on_ray(0, Vector(1, 2, 3)) && ! p.has_exact_position());
+    assert(p.point().y() == 2 * p.point().x()); // on the ray, for these numbers are few digits long
+    assert(p.has_point_on_ray(0, Vector(-1, 0, 0)) && ! p.has_exact_position()); // not on the ray, but inside
+  }
+  // Between two neighboring numbers there is none: the exact position on the ray remains.
+  const double next = std::nextafter(1., 2.);
+  Polyhedron flat({ {{ 0, 0, 1 }}, {{ 1, 0, 1 }}, {{ 0, 1, 1 }}, {{ .25, .25, next }} }, tetrahedron);
+  assert(! flat.has_deepest_point());
+  assert(flat.has_point_on_ray(0, Vector(1, 1, std::ldexp(1., -52))) && flat.has_exact_position());
+  assert(! flat.has_point_on_ray(0, Vector(-1, -1, 0)) && ! flat.has_exact_position());
+}
+
+int main()
+{
+  for(const unsigned seed : { 1u, 2u, 3u })
+    for(const int n : { 5, 40, 1000 })
+    {
+      test_simplex_index<2>(seed, n);
+      test_simplex_index<3>(seed, n);
+    }
+  test_snapshots();
+  test_deepest_point();
+  test_empty_kernel();
+  test_ray();
+  std::cout << "done" << std::endl;
+}
