@@ -165,6 +165,7 @@ private:
   {
     if(! collect_ball(v))
       return;
+    m_reconnection.forget(); // what it knows of v
     const std::vector<Triangle> faces = faces_of_ball(m_ball, v);
     const typename Positions::Exact_point_3 exact = m_positions(v);
     const typename Positions::Point_3 before = v->point();
@@ -256,6 +257,7 @@ private:
     if(! collect_ball(v))
       return false;
     collect_neighbors(v);
+    m_reconnection.forget(); // what it knows of v
     const std::vector<Cell_handle> ball = m_ball;
     const typename Positions::Point_3 before = v->point();
     for(const Vertex_handle w : m_neighbors)
@@ -454,7 +456,6 @@ private:
     std::vector<std::array<Vertex_handle, 2> > edges;
     std::vector<std::array<Vertex_handle, 3> > facets;
     m_constraints.collect(cells, edges, facets);
-    m_reconnection.forget(); // vertices may have moved
     const typename Reconnection::Outcome outcome = m_reconnection(cells, edges, facets, v);
     if(outcome == Reconnection::FOUND)
     {
