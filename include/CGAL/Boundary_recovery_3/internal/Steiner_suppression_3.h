@@ -391,25 +391,28 @@ private:
     return reconnect(cells, v) == Reconnection::FOUND;
   }
 
-  // The cavity grows by one vertex at a time, with all the cells that this brings, until there are too many of them.
+  // The cavity grows by some vertices at a time, with all the cells that these bring, until there are too many.
   template <typename Context>
   bool reconnect_larger_cavities(const Vertex_handle v, Context& context)
   {
     std::vector<Cell_handle> cavity = m_ball;
     collect_neighbors(v);
     std::vector<Vertex_handle> vertices = m_neighbors;
-    for(int step = 0; step < max_number_of_added_vertices && context.go_further(); ++step)
+    typename Reconnection::Outcome outcome = Reconnection::NONE;
+    for(int step = 0; step < max_number_of_enlargements && outcome == Reconnection::NONE && context.go_further(); ++step)
     {
       add_cells(cavity, vertices);
-      const typename Reconnection::Outcome outcome = reconnect(cavity, v);
-      if(outcome != Reconnection::NONE)
-        return outcome == Reconnection::FOUND;
-      const Vertex_handle x = most_adjacent_vertex(cavity);
-      if(x == Vertex_handle())
-        return false;
-      vertices.push_back(x);
+      for(int i = 0; i < number_of_added_vertices; ++i)
+      {
+        const Vertex_handle x = most_adjacent_vertex(cavity);
+        if(x == Vertex_handle())
+          break;
+        vertices.push_back(x);
+        add_cells(cavity, vertices);
+      }
+      outcome = reconnect(cavity, v);
     }
-    return false;
+    return outcome == Reconnection::FOUND;
   }
 
   // Adds the cells around the cavity that have no other vertices than these.
@@ -503,7 +506,8 @@ private:
   }
 
   static constexpr int max_number_of_added_cells = 30;
-  static constexpr int max_number_of_added_vertices = 12;
+  static constexpr int max_number_of_enlargements = 3;
+  static constexpr int number_of_added_vertices = 4; // in each of them
 
   Tr& m_tr;
   const Predicates& m_predicates;
