@@ -259,8 +259,9 @@ public:
   /// recovers what is lost by Steiner points: the main procedure and the postprocessing of [CZZ+17, Section 4]. In the
   /// mode `constrained`, they are taken off the constraints again, and as many of them as possible are removed; in the
   /// mode `conforming`, they stay there and get the nearest positions that the triangulation can store. In the mode
-  /// `flips_only`, they are tried for a few lost edges, and accepted only if all of them could be removed. Returns
-  /// whether this worked for all constraints; if not, the triangulation is as it was before.
+  /// `flips_only`, they are tried for a few lost edges, and accepted only if all of them could be removed. If this
+  /// fails, the triangulation is put back and other points are tried, three times in all. Returns whether this worked
+  /// for all constraints; if not, the triangulation is as it was before.
   ///
   /// \pre the constraints do not intersect, and no other vertex is on them.
   bool recover_by_points(const Mode mode)
@@ -270,17 +271,15 @@ public:
     if(! m_context.go_further())
       return false;
     const Snapshot snapshot(m_tr);
-    recover_conforming();
-    bool is_done = m_lost.edges.empty() && m_lost.facets.empty();
-    if(is_done && mode == Mode::conforming)
-      is_done = round_steiner_points();
-    else if(is_done)
-      is_done = split_steiner_points() && suppress_steiner_points();
-    if(mode == Mode::flips_only && ! m_free_steiner_vertices.empty())
-      is_done = false;
-    if(! is_done)
-      take_back(snapshot);
-    recount();
+    for(const int l_max : conforming_recursion_levels)
+    {
+      const bool is_done = try_points(mode, l_max);
+      if(! is_done)
+        take_back(snapshot);
+      recount();
+      if(is_done || ! m_context.go_further())
+        break;
+    }
     return m_lost.edges.empty() && m_lost.facets.empty();
   }
 
@@ -290,21 +289,23 @@ public:
   /// Until `round_steiner_points()`, or `split_steiner_points()` and `suppress_steiner_points()`, returned `true`,
   /// exact positions of Steiner points are known to this object only, and cells may be inverted by the rounded
   /// positions in the triangulation.
-  void recover_conforming()
+  ///
+  /// \param l_max the maximal recursion level of the flips that are tried for each part of an edge
+  void recover_conforming(const int l_max = conforming_recursion_levels[0])
   {
     Boundary_recovery_3::internal::Conforming_recovery_3<Tr, Visitor>
       conform(m_tr, m_predicates, m_constraints, m_steiner_points, m_context.visitor());
     run(Phase::conforming_edge_recovery, [&]
     {
       remove_done(Phase::conforming_edge_recovery, m_lost.edges,
-                  [&](const std::size_t e) { return conform.recover_edge(e, conforming_recursion_level, m_context); });
+                  [&](const std::size_t e) { return conform.recover_edge(e, l_max, m_context); });
     });
     if(m_lost.edges.empty())
       run(Phase::conforming_facet_recovery, [&]
       {
         remove_done(Phase::conforming_facet_recovery, m_lost.facets, [&](const std::size_t f)
         {
-          return conform.recover_facet(f, conforming_recursion_level, m_context);
+          return conform.recover_facet(f, l_max, m_context);
         });
       });
     m_number_of_constraint_points = m_steiner_points.vertices().size();
@@ -413,7 +414,21 @@ private:
 
   // Raising the level from 0, as for lost edges, left a few more points in twice the time.
   static constexpr int suppression_recursion_level = 4;
-  static constexpr int conforming_recursion_level = 3;
+
+  // Where no number can be stored for some Steiner point, those that come with another recursion level may do.
+  static constexpr int conforming_recursion_levels[] = { 3, 6, 1 };
+
+  // Returns whether Steiner points recovered all that is lost, as the mode wants it.
+  bool try_points(const Mode mode, const int l_max)
+  {
+    recover_conforming(l_max);
+    if(! m_lost.edges.empty() || ! m_lost.facets.empty())
+      return false;
+    if(mode == Mode::conforming)
+      return round_steiner_points();
+    return split_steiner_points() && suppress_steiner_points()
+        && (mode == Mode::constrained || m_free_steiner_vertices.empty());
+  }
 
   // Does something with each item of a list, and keeps those for which it failed.
   template <typename Item, typename Work>
