@@ -399,7 +399,7 @@ private:
     collect_neighbors(v);
     std::vector<Vertex_handle> vertices = m_neighbors;
     typename Reconnection::Outcome outcome = Reconnection::NONE;
-    for(int step = 0; step < max_number_of_enlargements && outcome == Reconnection::NONE && context.go_further(); ++step)
+    for(int n = 0; n < max_number_of_enlargements && outcome == Reconnection::NONE && context.go_further(); ++n)
     {
       add_cells(cavity, vertices);
       for(int i = 0; i < number_of_added_vertices; ++i)
