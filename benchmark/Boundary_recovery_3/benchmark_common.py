@@ -8,7 +8,6 @@ import re
 import signal
 import subprocess
 import sys
-import tarfile
 import tempfile
 import time
 
@@ -16,14 +15,14 @@ ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)
 PROGRAMS = os.path.join(ROOT, "build", "benchmark", "benchmark", "Boundary_recovery_3")
 BUILD = ("  cmake -S %s -B %s -DBUILD_TESTING=OFF -DBR3_BUILD_BENCHMARK=ON && cmake --build %s --target benchmark_recovery\n"
          "  cmake --build %s --target benchmark_tetgen   # where TetGen's library is")
-CGAL_DEMO_DATA = "/usr/share/doc/libcgal-dev/data.tar.gz"  # of Debian's package libcgal-demo
+CGAL_DEMO_DATA = os.path.join(ROOT, "build", "cgal_demo_meshes")  # see get_cgal_demo_data
 FORMATS = (".off", ".ply", ".stl", ".obj")
 
 
 def parser_of(doc, timeout):
     parser = argparse.ArgumentParser(description=doc.splitlines()[0])
     parser.add_argument("places", nargs="*", metavar="FOLDER_OR_FILE",
-                        help="surfaces: .off .ply .stl .obj; default: data/meshes and those of Debian's libcgal-demo")
+                        help="surfaces: .off .ply .stl .obj; default: data/meshes, and what get_cgal_demo_data has unpacked")
     parser.add_argument("--out", default="benchmark_results", metavar="FOLDER", help="for the figures; %(default)s")
     parser.add_argument("--fresh", action="store_true", help="forget what an earlier run has left in the folder")
     parser.add_argument("--timeout", type=float, default=timeout,
@@ -38,13 +37,10 @@ def surfaces_of(arguments):
     places = list(arguments.places)
     if not places:
         places = [os.path.join(ROOT, "data", "meshes")]
-        if os.path.exists(CGAL_DEMO_DATA):
-            folder = os.path.join(arguments.out, "libcgal-demo")
-            if not os.path.isdir(folder):
-                extract_demo(folder)
-            places.append(folder)
+        if os.path.isdir(CGAL_DEMO_DATA):
+            places.append(CGAL_DEMO_DATA)
         else:
-            print("libcgal-demo is not installed: only data/meshes is run", file=sys.stderr)
+            print("only data/meshes is run: get_cgal_demo_data beside this script brings CGAL's surfaces", file=sys.stderr)
     files = []
     for place in places:
         if os.path.isdir(place):
@@ -54,17 +50,6 @@ def surfaces_of(arguments):
         else:
             sys.exit("no such file: " + place)
     return sorted(set(files), key=lambda file: (os.path.getsize(file), file))
-
-
-def extract_demo(folder):
-    os.makedirs(folder + ".part", exist_ok=True)
-    with tarfile.open(CGAL_DEMO_DATA) as tar:
-        for member in tar:
-            name = os.path.basename(member.name)
-            if member.isfile() and "meshes" in member.name and name.lower().endswith(FORMATS):
-                with open(os.path.join(folder + ".part", name), "wb") as file:
-                    file.write(tar.extractfile(member).read())
-    os.rename(folder + ".part", folder)
 
 
 def model_of(file):

@@ -3,7 +3,7 @@
 
 usage: refined_surface.py knot|plate TRIANGLES FILE.off
 
-`knot`: a tube along a trefoil knot; its points are moved along it pseudo-randomly, so no four are cocircular by design.
+`knot`: a tube along a trefoil knot; its points are moved pseudo-randomly, and its quads are long, so many edges are lost.
 `plate`: a plate with a round hole as a CAD program would mesh it: flat sides, walls of triangles four times as high as wide.
 """
 import math
