@@ -100,8 +100,10 @@ class Programs:
         result["wall_seconds"] = seconds
         return result
 
-    def mesh_by_tetgen(self, surface, switches):
-        """TetGen's figures, with the seconds of its steps"""
+    def mesh_by_tetgen(self, surface, switches, ours):
+        """TetGen's figures, with the seconds of its steps; a surface that bounds nothing is meshed in its hull by both"""
+        if ours.get("domain_is_hull"):
+            switches += "c"
         if not self.has_tetgen:
             return {"outcome": "skipped"}
         status, output, errors, seconds = run([self.tetgen, switches + "V", surface], self.timeout)

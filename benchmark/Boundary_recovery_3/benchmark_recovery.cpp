@@ -555,6 +555,7 @@ void print_checks(std::ostream& os, const Triangulation& tr, const Result& resul
   std::snprintf(text, sizeof(text), "%016llx", static_cast<unsigned long long>(checksum(cells)));
   const auto domain = cells_of_domain(tr, result, surface);
   os << ", \"steiner_points_in_domain\": " << number_of_steiner_points(result, domain);
+  os << ", \"domain_is_hull\": " << (domain.size() == tr.number_of_finite_cells());
   print_kinds_of_steiner_points(os, result, domain);
   print_quality(os, domain);
   os << ", \"recount_agrees\": " << recount_agrees(result, surface, cells, number)

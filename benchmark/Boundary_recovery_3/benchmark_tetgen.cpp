@@ -116,6 +116,11 @@ int main(int argc, char* argv[])
     std::cerr << "TetGen's error " << e << std::endl;
     return 2;
   }
+  if(out.numberoftetrahedra == 0)
+  {
+    std::cerr << "nothing is left" << std::endl;
+    return 2;
+  }
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
   const double memory = br3_benchmark::peak_memory();
 

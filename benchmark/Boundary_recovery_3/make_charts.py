@@ -33,8 +33,8 @@ class Table:
     def html(self):
         def line(tag, cells):
             return "<tr>%s</tr>" % "".join(
-                "<%s%s>%s</%s>" % (tag, ' align="right"' if i else "", html.escape(c), tag) for i, c in enumerate(cells))
-        return "\n".join(["<b>%s</b>" % html.escape(self.title), '<table border="1" cellspacing="0" cellpadding="3">',
+                "<%s%s>%s</%s>" % (tag, ' align="right"' if i else "", html.escape(c, quote=False), tag) for i, c in enumerate(cells))
+        return "\n".join(["<b>%s</b>" % html.escape(self.title, quote=False), '<table border="1" cellspacing="0" cellpadding="3">',
                           line("th", self.header)] + [line("td", row) for row in self.rows] + ["</table>"]) + "\n"
 
 
@@ -88,7 +88,7 @@ def models_of_table_1(quality, limit):
 
 def table_1(models):
     return Table("Table 1. Steiner points inserted in constrained boundary recovery; in parentheses, those outside of the domain",
-                 ["Examples", "#Boundary faces", "#Boundary nodes", "Our algorithm", "TetGen 1.5"],
+                 ["Examples", "Boundary faces", "Boundary nodes", "Our algorithm", "TetGen 1.5"],
                  [[r["model"], r["ours"].get("facets", "-"), r["ours"].get("vertices", "-")] + list(points_of(r))
                   for r in models])
 
@@ -151,19 +151,19 @@ def table_of_quality(quality):
     for mode, switches in (("constrained", "-pY"), ("conforming", "-p")):
         both = [r for r in quality if r["mode"] == mode and r["ours"]["outcome"] == "recovered" and r["tetgen"]["outcome"] == "ok"]
         for name, who, prefix in (("Ours, " + mode, "ours", "steiner_points_"), ("TetGen 1.5 " + switches, "tetgen", "points_")):
-            angles = [sorted(r[who][k] for r in both) for k in ("smallest_angle", "largest_angle")]
+            angles = [sorted(r[who]["smallest_angle"] for r in both), sorted(180 - r[who]["largest_angle"] for r in both)]
             lines.append([name, len(both)] + [sum(r[who][prefix + kind] for r in both)
                                               for kind in ("inside", "on_edges", "on_facets")]
                          + [sum(r[who].get("steiner_points_outside", 0) for r in both)]
                          + [float(a[len(a) // 2]) if a else "-" for a in angles])
     return Table("Steiner points by kind and dihedral angles, on the surfaces where both succeed",
-                 ["Program", "Surfaces", "In the domain", "On edges", "On facets", "Outside", "Median of the smallest angle",
-                  "Median of the largest angle"], lines)
+                 ["Program", "Surfaces", "In the domain", "On edges", "On facets", "Outside", "Smallest angle, median",
+                  "180 - largest angle, median"], lines)
 
 
-def gnuplot(folder, name, title, commands, data):
+def gnuplot(folder, name, title, commands, data, width=620):
     """draws one chart; `data` are blocks that the commands name as $NAME"""
-    lines = ["set encoding utf8", "set terminal svg size 620,400 font 'DejaVu Sans,13' background '#ffffff'",
+    lines = ["set encoding utf8", "set terminal svg size %d,400 font 'DejaVu Sans,13' background '#ffffff'" % width,
              "set output '%s'" % os.path.join(folder, name + ".svg"), "set title '%s'" % title, "set border 3",
              "set tics nomirror", 'set datafile separator "\t"', "set grid linecolor '#dddddd'"]
     for block, rows in data.items():
@@ -211,7 +211,7 @@ def chart_growth(folder, performance):
                              % (family, i, dash, COLORS[i], family, name))
     if plots:
         gnuplot(folder, "benchmark_growth", "One shape refined",
-                LOG + ["set xlabel 'triangles'", "set ylabel 'seconds'", "plot " + ", ".join(plots)], data)
+                LOG + ["set key outside right center", "set xlabel 'triangles'", "set ylabel 'seconds'", "plot " + ", ".join(plots)], data, width=800)
 
 
 def chart_points(folder, quality):
@@ -227,7 +227,7 @@ def chart_points(folder, quality):
         none = [sum(domain_points(r["ours"]) == 0 for r in both), sum(r["tetgen"]["points"] == 0 for r in both)]
         gnuplot(folder, "benchmark_points", "Surfaces that need Steiner points in the domain",
                 ["set style data histogram", "set style histogram clustered gap 1", "set style fill solid 0.9 border -1",
-                 "set xlabel 'Steiner points'", "set ylabel 'surfaces'", "set yrange [0:*]", "set key right top",
+                 "set xlabel 'Steiner points'", "set ylabel 'surfaces'", "set yrange [0:*]", "set key above",
                  "plot $rows using 2:xtic(1) lc rgb '%s' title 'recover\\_boundary(); none: %d', "
                  "$rows using 3 lc rgb '%s' title 'TetGen 1.5 -pY; none: %d'" % (COLORS[0], none[0], COLORS[1], none[1])],
                 {"rows": rows})
@@ -240,9 +240,10 @@ def chart_phases(folder, performance):
             for phase in r["ours"]["phases"]:
                 totals[phase["phase"]] = totals.get(phase["phase"], 0) + phase["seconds"]
     if totals:
+        totals["recount"] = totals.pop("recount", 0)  # it runs after the flips, too; shown in the end
         rows = [(name.replace("_", " ").replace("brc", "BRC"), "%.6g" % seconds) for name, seconds in totals.items()]
         gnuplot(folder, "benchmark_phases", "Seconds per phase, sum over the surfaces",
-                ["set style data histogram", "set style fill solid 0.9 border -1", "set boxwidth 0.8", "unset key",
+                ["set style data histogram", "set style fill solid 0.9 border -1", "set style histogram clustered gap 0.3", "unset key",
                  "set xtics rotate by -35", "set rmargin 8", "set yrange [0:*]",
                  "plot $rows using 2:xtic(1) lc rgb '%s'" % COLORS[0]], {"rows": rows})
 

@@ -25,7 +25,7 @@ def measure(programs, arguments, file):
                                          limit=arguments.time_limit))
             if ours[0]["outcome"] in ("unreadable", "invalid_input") or not os.path.exists(surface):
                 break
-            theirs.append(programs.mesh_by_tetgen(surface, "pY"))
+            theirs.append(programs.mesh_by_tetgen(surface, "pY", ours[0]))
             if ours[-1]["wall_seconds"] + theirs[-1]["wall_seconds"] > arguments.once if programs.has_tetgen \
                     else ours[-1]["wall_seconds"] > arguments.once:
                 break

@@ -22,7 +22,7 @@ def measure(programs, arguments, task):
         ours = programs.recover(file, "--table", "--mode", mode, "--write-surface", surface, limit=arguments.time_limit)
         theirs = {"outcome": "skipped"}
         if ours["outcome"] not in ("unreadable", "invalid_input") and os.path.exists(surface):
-            theirs = programs.mesh_by_tetgen(surface, SWITCHES[mode])
+            theirs = programs.mesh_by_tetgen(surface, SWITCHES[mode], ours)
     for useless in ("phases", "checksum"):
         ours.pop(useless, None)
     theirs.pop("steps", None)
