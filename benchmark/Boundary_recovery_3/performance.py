@@ -12,6 +12,7 @@ import tempfile
 import refined_surface
 from benchmark_common import Programs, Records, model_of, parser_of, surfaces_of, wanted
 
+LARGE, FEW = 50000, 0.01  # triangles, part of the edges: a surface that needs little beside the insertion
 SIZES = (1000, 3000, 10000, 30000, 100000, 300000, 1000000)
 
 
@@ -69,6 +70,12 @@ def ratios(rows):
                    o["peak_memory_mb"] / t["peak_memory_mb"])
 
 
+def names(pairs, i):
+    """the models with the largest i-th ratio"""
+    worst = sorted(pairs, key=lambda p: -p[i])
+    return ": " * bool(worst) + ", ".join("%s %.2f" % (p[0]["model"], p[i]) for p in worst[:12]) + ", ..." * (len(worst) > 12)
+
+
 def print_summary(rows):
     models = [r for r in rows if r["family"] == ""]
     done = [r for r in models if r["ours"]["outcome"] == "recovered"]
@@ -78,9 +85,16 @@ def print_summary(rows):
         print("ours / TetGen -pY on %d surfaces: recovery %.3f, insertion and recovery %.3f, memory %.3f (geometric means)"
               % ((len(pairs),) + tuple(geometric_mean([p[i] for p in pairs]) for i in (1, 2, 3))))
         long = [p for p in pairs if p[0]["tetgen"]["recovery_seconds"] >= 0.01]
-        print("  where TetGen's recovery takes 0.01 s or more (%d): recovery %.3f; above 3: %s"
-              % (len(long), geometric_mean([p[1] for p in long]),
-                 ", ".join("%s %.1f" % (p[0]["model"], p[1]) for p in sorted(pairs, key=lambda p: -p[1]) if p[1] > 3)))
+        print("  where TetGen's recovery takes 0.01 s or more (%d): recovery %.3f; above 3, of all: %d%s"
+              % (len(long), geometric_mean([p[1] for p in long]), sum(p[1] > 3 for p in pairs),
+                 names([p for p in pairs if p[1] > 3], 1)))
+        more = [p for p in pairs if p[3] > 1]
+        print("  more memory than TetGen: %d%s" % (len(more), names(more, 3)))
+    large = sorted(r["ours"]["recovery_seconds"] / r["ours"]["insertion_seconds"] for r in done
+                   if r["ours"]["facets"] > LARGE and r["ours"]["lost_edges_at_start"] < FEW * r["ours"]["edges"])
+    if large:
+        print("over %d triangles, less than %g %% of the edges lost (%d): recovery / insertion: median %.2f, largest %.2f"
+              % (LARGE, 100 * FEW, len(large), large[len(large) // 2], large[-1]))
     totals = {}
     for r in done:
         for phase in r["ours"]["phases"]:
