@@ -320,9 +320,10 @@ void print_quality(std::ostream& os, const Cells& cells)
 }
 
 // What the exact checker says: `exact`; `rounded`, if points on constraints are beside them but all is connected as it
-// has to be; else its complaint.
+// has to be; else its complaint. `deviation` is how far they are beside them.
 template <typename Triangulation, typename Result>
-std::string verdict(const Triangulation& tr, const Result& result, const Surface& surface, const Mode mode)
+std::string verdict(const Triangulation& tr, const Result& result, const Surface& surface, const Mode mode,
+                    double& deviation)
 {
   typedef br3_test::Recovered_mesh<Triangulation, Result> Mesh;
   std::vector<br3_test::Coordinates> points;
@@ -339,7 +340,9 @@ std::string verdict(const Triangulation& tr, const Result& result, const Surface
     br3_test::require((result.status == Status::recovered) == (result.missing_edges.empty()
                                                                 && result.missing_facets.empty()),
                       "the status contradicts the lists");
-    br3_test::Exact_mesh_checker(mesh.mesh(), kind)();
+    br3_test::Exact_mesh_checker checker(mesh.mesh(), kind);
+    checker();
+    deviation = checker.deviation();
     return kind == br3_test::Exact_mesh_checker::conforming_rounded ? "rounded" : "exact";
   } catch(const br3_test::Complaint& complaint) {
     return complaint.what();
@@ -593,7 +596,11 @@ bool measure(const Options& options, const Surface& surface)
   os << ", \"peak_memory_mb\": " << memory;
   print_checks(os, tr, result, surface);
   if(options.check && result.status != Status::invalid_input)
-    os << ", \"verdict\": " << quoted(verdict(tr, result, surface, options.mode));
+  {
+    double deviation = 0;
+    os << ", \"verdict\": " << quoted(verdict(tr, result, surface, options.mode, deviation));
+    os << ", \"deviation\": " << deviation;
+  }
   if(options.table)
     print_levels(os, result);
   os << '}' << std::endl;

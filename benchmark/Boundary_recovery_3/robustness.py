@@ -17,7 +17,7 @@ GOOD = ("exact", "rounded")
 def measure(programs, arguments, task):
     file, mode, kernel = task
     result = programs.recover(file, "--check", "--mode", mode, "--kernel", kernel, limit=arguments.time_limit)
-    keep = ("outcome", "verdict", "note", "vertices", "facets", "lost_edges", "lost_facets", "steiner_points", "defects",
+    keep = ("outcome", "verdict", "note", "vertices", "facets", "lost_edges", "lost_facets", "steiner_points", "defects", "deviation",
             "is_valid", "tds_is_valid", "recount_agrees", "recovery_seconds", "wall_seconds")
     row = {"model": model_of(file), "mode": mode, "kernel": kernel}
     row.update((k, result[k]) for k in keep if k in result)
