@@ -114,7 +114,8 @@ class Programs:
         steps = {}
         for name, number in re.findall(r"^ *([A-Z][A-Za-z ]+?) seconds:\s+([0-9.eE+-]+)", output, re.M):
             steps[name] = float(number)
-        result.update(outcome="ok", wall_seconds=seconds, steps=steps)
+        kept = "Y" not in switches or result["split_triangles"] == 0
+        result.update(outcome="ok" if kept else "split", wall_seconds=seconds, steps=steps)
         recovery = steps.get("Boundary recovery", steps.get("Constrained Delaunay", 0.0))
         result["recovery_seconds"] = recovery + steps.get("Steiner suppression", 0.0)
         result["total_seconds"] = steps.get("Delaunay", 0.0) + steps.get("Surface mesh", 0.0) + result["recovery_seconds"]

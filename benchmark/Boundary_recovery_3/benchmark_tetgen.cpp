@@ -5,7 +5,9 @@
 #include "peak_memory_br3.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -83,6 +85,30 @@ std::set<int> new_points(const int* list, const int number, const int size, cons
   return points;
 }
 
+// How many triangles of the surface are no faces of tetrahedra. TetGen splits some in spite of its switch Y.
+std::size_t number_of_split_triangles(const Surface& surface, const tetgenio& out)
+{
+  typedef std::array<int, 3> Facet;
+  std::vector<Facet> faces;
+  faces.reserve(4 * static_cast<std::size_t>(out.numberoftetrahedra));
+  for(int i = 0; i < out.numberoftetrahedra; ++i)
+    for(int j = 0; j < 4; ++j)
+    {
+      const int* t = out.tetrahedronlist + static_cast<std::ptrdiff_t>(i) * out.numberofcorners;
+      faces.push_back({{ t[(j + 1) % 4], t[(j + 2) % 4], t[(j + 3) % 4] }});
+      std::sort(faces.back().begin(), faces.back().end());
+    }
+  std::sort(faces.begin(), faces.end());
+  std::size_t number = 0;
+  for(std::size_t i = 0; i < surface.triangles.size(); i += 3)
+  {
+    Facet f = {{ surface.triangles[i], surface.triangles[i + 1], surface.triangles[i + 2] }};
+    std::sort(f.begin(), f.end());
+    number += std::binary_search(faces.begin(), faces.end(), f) ? 0 : 1;
+  }
+  return number;
+}
+
 br3_benchmark::Dihedral_angles angles_of(const tetgenio& out)
 {
   br3_benchmark::Dihedral_angles angles;
@@ -132,8 +158,10 @@ int main(int argc, char* argv[])
   const auto angles = angles_of(out);
   std::printf("\n{\"seconds\": %.6f, \"peak_memory_mb\": %.3f, \"points\": %zu, \"points_on_edges\": %zu, "
               "\"points_on_facets\": %zu, \"points_inside\": %zu, \"tetrahedra\": %d, \"smallest_angle\": %.9g, "
-              "\"largest_angle\": %.9g}\n", seconds, memory, all, on_edges.size(), on_facets.size(),
-              all - on_edges.size() - on_facets.size(), out.numberoftetrahedra, angles.smallest(), angles.largest());
+              "\"largest_angle\": %.9g, "
+              "\"split_triangles\": %zu}\n", seconds, memory, all, on_edges.size(), on_facets.size(),
+              all - on_edges.size() - on_facets.size(), out.numberoftetrahedra, angles.smallest(), angles.largest(),
+              number_of_split_triangles(surface, out));
   std::fflush(stdout);
   std::_Exit(0); // TetGen's destructors take long, and there is nothing to keep
 }
