@@ -16,6 +16,7 @@ PROGRAMS = os.path.join(ROOT, "build", "benchmark", "benchmark", "Boundary_recov
 BUILD = ("  cmake -S %s -B %s -DBUILD_TESTING=OFF -DBR3_BUILD_BENCHMARK=ON && cmake --build %s --target benchmark_recovery\n"
          "  cmake --build %s --target benchmark_tetgen   # where TetGen's library is")
 CGAL_DEMO_DATA = os.path.join(ROOT, "build", "cgal_demo_meshes")  # see get_cgal_demo_data
+RESULTS = os.path.join(ROOT, "build", "benchmark_results")
 FORMATS = (".off", ".ply", ".stl", ".obj")
 
 
@@ -23,7 +24,7 @@ def parser_of(doc, timeout):
     parser = argparse.ArgumentParser(description=doc.splitlines()[0])
     parser.add_argument("places", nargs="*", metavar="FOLDER_OR_FILE",
                         help="surfaces: .off .ply .stl .obj; default: data/meshes, and what get_cgal_demo_data has unpacked")
-    parser.add_argument("--out", default="benchmark_results", metavar="FOLDER", help="for the figures; %(default)s")
+    parser.add_argument("--out", default=RESULTS, metavar="FOLDER", help="for the figures; build/benchmark_results")
     parser.add_argument("--fresh", action="store_true", help="forget what an earlier run has left in the folder")
     parser.add_argument("--timeout", type=float, default=timeout,
                         help="seconds after which a program is stopped, default %(default)g")

@@ -12,7 +12,7 @@ import shutil
 import subprocess
 import sys
 
-from benchmark_common import read_records
+from benchmark_common import RESULTS, read_records
 from performance import exponent, geometric_mean, ratios
 from quality import domain_points
 from robustness import GOOD, KERNELS, MODES
@@ -285,7 +285,8 @@ def tables_of(robustness, quality, performance, models_for_table_3, limit):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("results", help="the folder that the drivers got as --out")
+    parser.add_argument("results", nargs="?", default=RESULTS,
+                        help="the folder that the drivers got as --out; default: theirs, build/benchmark_results")
     parser.add_argument("--figures", metavar="FOLDER", help="for the charts; default: the folder of the results")
     parser.add_argument("--manual", metavar="FILE", help="put the tables between the comments there that name them")
     parser.add_argument("--tables-only", action="store_true", help="no charts, so no gnuplot")
