@@ -1,6 +1,10 @@
 // Recovers one surface and prints what that took as one line of JSON; README.md tells what the entries mean. Nothing
 // that the library reports is taken on trust: the final triangulation is looked through.
 
+#include "mesh_quality_br3.h"
+#include "peak_memory_br3.h"
+#include "recovered_mesh_br3.h" // of the tests
+
 #include <CGAL/recover_boundary.h>
 
 #include <CGAL/Boundary_recovery_3/label_regions.h>
@@ -27,10 +31,6 @@
 #include <unordered_map>
 #include <vector>
 
-#if defined(__unix__) || defined(__APPLE__)
-#include <sys/resource.h>
-#endif
-
 typedef CGAL::Exact_predicates_inexact_constructions_kernel   Epick;
 typedef CGAL::Exact_predicates_exact_constructions_kernel     Epeck;
 typedef CGAL::Boundary_recovery_3::Recovery_phase             Phase;
@@ -48,6 +48,7 @@ constexpr const char* usage =
   "  --mode MODE            constrained (default), conforming or flips_only\n"
   "  --kernel epick|epeck   the kernel; default: epick\n"
   "  --time-limit SECONDS   stop the recovery after that time; default: never\n"
+  "  --check                have the result judged by the exact checker of the tests; may take long\n"
   "  --table                add the numbers n1 to n4 of each recursion level\n"
   "  --write-surface FILE   write the surface as it is recovered, in OFF, for other programs\n"
   "  --write-mesh FILE      write the tetrahedra of the domain, in MEDIT's format\n"
@@ -62,6 +63,7 @@ struct Options
   Mode mode = Mode::constrained;
   bool is_exact = false;
   bool table = false;
+  bool check = false;
   double time_limit = (std::numeric_limits<double>::infinity)();
 };
 
@@ -92,6 +94,8 @@ bool parse(const int argc, const char* const argv[], Options& options)
     const std::string value = i + 1 < argc ? argv[i + 1] : "";
     if(argument == "--table")
       options.table = true;
+    else if(argument == "--check")
+      options.check = true;
     else if(argument == "--kernel" && (value == "epick" || value == "epeck"))
       options.is_exact = argv[++i] == std::string("epeck");
     else if(argument == "--mode" && parse_mode(value, options.mode))
@@ -277,6 +281,74 @@ std::size_t number_of_steiner_points(const Result& result, const Cells& cells)
                                                 [&](const auto v) { return is_there[v]; }));
 }
 
+// Steiner points by where they are: on a split edge, else on a split facet, else in the domain or outside of it.
+template <typename Result, typename Cells>
+void print_kinds_of_steiner_points(std::ostream& os, const Result& result, const Cells& cells)
+{
+  enum Place { outside, inside, on_facet, on_edge };
+  CGAL::Unique_hash_map<typename Result::Vertex_handle, Place> place(outside);
+  for(const auto c : cells)
+    for(int i = 0; i < 4; ++i)
+      place[c->vertex(i)] = inside;
+  for(const auto& part : result.parts_of_facets)
+    for(const auto v : part.vertices)
+      place[v] = on_facet;
+  for(const auto& part : result.parts_of_edges)
+    for(const auto v : part.vertices)
+      place[v] = on_edge;
+  std::array<std::size_t, 4> number = {{ 0, 0, 0, 0 }};
+  for(const auto v : result.steiner_vertices)
+    ++number[place[v]];
+  os << ", \"steiner_points_on_edges\": " << number[on_edge] << ", \"steiner_points_on_facets\": " << number[on_facet]
+     << ", \"steiner_points_inside\": " << number[inside] << ", \"steiner_points_outside\": " << number[outside];
+}
+
+template <typename Cells>
+void print_quality(std::ostream& os, const Cells& cells)
+{
+  br3_benchmark::Dihedral_angles angles;
+  for(const auto c : cells)
+  {
+    std::array<br3_benchmark::Point, 4> p;
+    for(int i = 0; i < 4; ++i)
+      for(int k = 0; k < 3; ++k)
+        p[i][k] = CGAL::to_double(c->vertex(i)->point()[k]);
+    angles.add(p);
+  }
+  os << ", \"tetrahedra\": " << cells.size() << ", \"smallest_angle\": " << angles.smallest()
+     << ", \"largest_angle\": " << angles.largest();
+}
+
+// What the exact checker says: `exact`; `rounded`, if points on constraints are beside them but all is connected as it
+// has to be; else its complaint. `deviation` is how far they are beside them.
+template <typename Triangulation, typename Result>
+std::string verdict(const Triangulation& tr, const Result& result, const Surface& surface, const Mode mode,
+                    double& deviation)
+{
+  typedef br3_test::Recovered_mesh<Triangulation, Result> Mesh;
+  std::vector<br3_test::Coordinates> points;
+  std::vector<Facet> faces;
+  for(const Epick::Point_3& p : surface.points)
+    points.push_back({{ p.x(), p.y(), p.z() }});
+  for(const auto& face : surface.faces)
+    faces.push_back({{ face[0], face[1], face[2] }});
+  try {
+    const Mesh mesh(tr, result, points, faces);
+    const auto kind = Mesh::kind(mode, result);
+    br3_test::require(mode != Mode::flips_only || result.steiner_vertices.empty(),
+                      "a Steiner point without permission");
+    br3_test::require((result.status == Status::recovered) == (result.missing_edges.empty()
+                                                                && result.missing_facets.empty()),
+                      "the status contradicts the lists");
+    br3_test::Exact_mesh_checker checker(mesh.mesh(), kind);
+    checker();
+    deviation = checker.deviation();
+    return kind == br3_test::Exact_mesh_checker::conforming_rounded ? "rounded" : "exact";
+  } catch(const br3_test::Complaint& complaint) {
+    return complaint.what();
+  }
+}
+
 template <typename Result, typename Cells>
 bool write_mesh(const std::string& file, const Result& result, const Cells& cells)
 {
@@ -398,20 +470,6 @@ bool hull_is_convex(const Triangulation& tr)
   return true;
 }
 
-// The largest memory of the process so far, in MB; negative where the system does not tell.
-double peak_memory()
-{
-#if defined(__APPLE__)
-  struct rusage u;
-  return getrusage(RUSAGE_SELF, &u) == 0 ? u.ru_maxrss / (1024. * 1024.) : -1;
-#elif defined(__unix__)
-  struct rusage u;
-  return getrusage(RUSAGE_SELF, &u) == 0 ? u.ru_maxrss / 1024. : -1;
-#else
-  return -1;
-#endif
-}
-
 std::string quoted(const std::string& text)
 {
   std::string s = "\"";
@@ -498,9 +556,12 @@ void print_checks(std::ostream& os, const Triangulation& tr, const Result& resul
   const std::vector<Cell> cells = indexed_cells(tr, number);
   char text[24];
   std::snprintf(text, sizeof(text), "%016llx", static_cast<unsigned long long>(checksum(cells)));
-  os << ", \"steiner_points_in_domain\": "
-     << number_of_steiner_points(result, cells_of_domain(tr, result, surface))
-     << ", \"recount_agrees\": " << recount_agrees(result, surface, cells, number)
+  const auto domain = cells_of_domain(tr, result, surface);
+  os << ", \"steiner_points_in_domain\": " << number_of_steiner_points(result, domain);
+  os << ", \"domain_is_hull\": " << (domain.size() == tr.number_of_finite_cells());
+  print_kinds_of_steiner_points(os, result, domain);
+  print_quality(os, domain);
+  os << ", \"recount_agrees\": " << recount_agrees(result, surface, cells, number)
      << ", \"checksum\": \"" << text << '"';
 }
 
@@ -522,7 +583,7 @@ bool measure(const Options& options, const Surface& surface)
     CGAL::parameters::maximum_running_time(options.time_limit),
     CGAL::parameters::recovery_mode(options.mode));
   timer.stop();
-  const double memory = peak_memory(); // before the checks take some
+  const double memory = br3_benchmark::peak_memory(); // before the checks take some
 
   std::ostream& os = std::cout;
   os.precision(9);
@@ -534,6 +595,12 @@ bool measure(const Options& options, const Surface& surface)
   print_account(os, result, timer.time());
   os << ", \"peak_memory_mb\": " << memory;
   print_checks(os, tr, result, surface);
+  if(options.check && result.status != Status::invalid_input)
+  {
+    double deviation = 0;
+    os << ", \"verdict\": " << quoted(verdict(tr, result, surface, options.mode, deviation));
+    os << ", \"deviation\": " << deviation;
+  }
   if(options.table)
     print_levels(os, result);
   os << '}' << std::endl;

@@ -186,6 +186,7 @@ private:
     m_small.back().push_back(fits ? Small(m_big.back().back()) : Small(0));
     m_is_small = m_is_small && fits;
     assert(i + 1 == static_cast<int>(m_big.back().size()));
+    static_cast<void>(i); // with NDEBUG
   }
 
   template <typename Integer>

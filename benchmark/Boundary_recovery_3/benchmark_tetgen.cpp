@@ -1,0 +1,167 @@
+// Meshes the domain of a surface with TetGen and prints what that took as one line of JSON, after TetGen's own log.
+// Only built where TetGen's library is found (Debian: libtet1.5-dev).
+
+#include "mesh_quality_br3.h"
+#include "peak_memory_br3.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <set>
+#include <string>
+#include <vector>
+
+#define TETLIBRARY // else its header expects to be the program
+#include <tetgen.h>
+
+struct Surface
+{
+  std::vector<double> coordinates;
+  std::vector<int> triangles;
+};
+
+// OFF as `benchmark_recovery --write-surface` writes it: triangles, no comments.
+bool read_surface(const char* file, Surface& surface)
+{
+  std::ifstream is(file);
+  std::string word;
+  std::size_t points = 0, faces = 0, edges = 0;
+  if(! (is >> word >> points >> faces >> edges) || word != "OFF")
+    return false;
+  surface.coordinates.resize(3 * points);
+  for(double& x : surface.coordinates)
+    is >> x;
+  for(std::size_t i = 0; i < faces; ++i)
+  {
+    int size = 0, v = 0;
+    if(! (is >> size) || size != 3)
+      return false;
+    for(int k = 0; k < 3; ++k)
+    {
+      if(! (is >> v) || v < 0 || static_cast<std::size_t>(v) >= points)
+        return false;
+      surface.triangles.push_back(v);
+    }
+  }
+  return true;
+}
+
+// Each triangle is a facet with a marker of its own: coplanar ones are not merged.
+void set_input(tetgenio& in, const Surface& surface)
+{
+  in.firstnumber = 0;
+  in.numberofpoints = static_cast<int>(surface.coordinates.size() / 3);
+  in.pointlist = new REAL[surface.coordinates.size()];
+  std::copy(surface.coordinates.begin(), surface.coordinates.end(), in.pointlist);
+  in.numberoffacets = static_cast<int>(surface.triangles.size() / 3);
+  in.facetlist = new tetgenio::facet[in.numberoffacets];
+  in.facetmarkerlist = new int[in.numberoffacets];
+  for(int i = 0; i < in.numberoffacets; ++i)
+  {
+    tetgenio::facet& f = in.facetlist[i];
+    tetgenio::init(&f);
+    f.numberofpolygons = 1;
+    f.polygonlist = new tetgenio::polygon[1];
+    tetgenio::init(f.polygonlist);
+    f.polygonlist->numberofvertices = 3;
+    f.polygonlist->vertexlist = new int[3];
+    std::copy_n(&surface.triangles[3 * i], 3, f.polygonlist->vertexlist);
+    in.facetmarkerlist[i] = i + 1;
+  }
+}
+
+// How many points beyond the input ones are vertices of the first `number` simplices of a list.
+std::set<int> new_points(const int* list, const int number, const int size, const int number_of_inputs)
+{
+  std::set<int> points;
+  for(int i = 0; list != nullptr && i < number * size; ++i)
+    if(list[i] >= number_of_inputs)
+      points.insert(list[i]);
+  return points;
+}
+
+// How many triangles of the surface are no faces of tetrahedra. TetGen splits some in spite of its switch Y.
+std::size_t number_of_split_triangles(const Surface& surface, const tetgenio& out)
+{
+  typedef std::array<int, 3> Facet;
+  std::vector<Facet> faces;
+  faces.reserve(4 * static_cast<std::size_t>(out.numberoftetrahedra));
+  for(int i = 0; i < out.numberoftetrahedra; ++i)
+    for(int j = 0; j < 4; ++j)
+    {
+      const int* t = out.tetrahedronlist + static_cast<std::ptrdiff_t>(i) * out.numberofcorners;
+      faces.push_back({{ t[(j + 1) % 4], t[(j + 2) % 4], t[(j + 3) % 4] }});
+      std::sort(faces.back().begin(), faces.back().end());
+    }
+  std::sort(faces.begin(), faces.end());
+  std::size_t number = 0;
+  for(std::size_t i = 0; i < surface.triangles.size(); i += 3)
+  {
+    Facet f = {{ surface.triangles[i], surface.triangles[i + 1], surface.triangles[i + 2] }};
+    std::sort(f.begin(), f.end());
+    number += std::binary_search(faces.begin(), faces.end(), f) ? 0 : 1;
+  }
+  return number;
+}
+
+br3_benchmark::Dihedral_angles angles_of(const tetgenio& out)
+{
+  br3_benchmark::Dihedral_angles angles;
+  for(int i = 0; i < out.numberoftetrahedra; ++i)
+  {
+    std::array<br3_benchmark::Point, 4> p;
+    for(int j = 0; j < 4; ++j)
+      std::copy_n(out.pointlist + 3 * out.tetrahedronlist[i * out.numberofcorners + j], 3, p[j].begin());
+    angles.add(p);
+  }
+  return angles;
+}
+
+int main(int argc, char* argv[])
+{
+  Surface surface;
+  if(argc != 3 || ! read_surface(argv[2], surface))
+  {
+    std::cerr << "usage: benchmark_tetgen SWITCHES SURFACE.off, e.g. pYVe; exit status: 0 done, 1 no such surface,\n"
+                 "2 TetGen failed\n";
+    return 1;
+  }
+  tetgenio in, out;
+  set_input(in, surface);
+  typedef std::chrono::steady_clock Clock;
+  const Clock::time_point start = Clock::now();
+  std::vector<char> switches(argv[1], argv[1] + std::string(argv[1]).size() + 1);
+  try {
+    tetrahedralize(switches.data(), &in, &out);
+  } catch(const int e) {
+    std::cerr << "TetGen's error " << e << std::endl;
+    return 2;
+  }
+  if(out.numberoftetrahedra == 0)
+  {
+    std::cerr << "nothing is left" << std::endl;
+    return 2;
+  }
+  const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  const double memory = br3_benchmark::peak_memory();
+
+  const std::set<int> on_edges = new_points(out.edgelist, out.numberofedges, 2, in.numberofpoints);
+  std::set<int> on_facets = new_points(out.trifacelist, out.numberoftrifaces, 3, in.numberofpoints);
+  for(const int v : on_edges)
+    on_facets.erase(v);
+  const std::size_t all = static_cast<std::size_t>(out.numberofpoints - in.numberofpoints);
+  const auto angles = angles_of(out);
+  std::printf("\n{\"seconds\": %.6f, \"peak_memory_mb\": %.3f, \"points\": %zu, \"points_on_edges\": %zu, "
+              "\"points_on_facets\": %zu, \"points_inside\": %zu, \"tetrahedra\": %d, \"smallest_angle\": %.9g, "
+              "\"largest_angle\": %.9g, "
+              "\"split_triangles\": %zu}\n", seconds, memory, all, on_edges.size(), on_facets.size(),
+              all - on_edges.size() - on_facets.size(), out.numberoftetrahedra, angles.smallest(), angles.largest(),
+              number_of_split_triangles(surface, out));
+  std::fflush(stdout);
+  std::_Exit(0); // TetGen's destructors take long, and there is nothing to keep
+}
