@@ -62,8 +62,11 @@ public:
   typedef Boundary_recovery_3::Phase_report Phase_report; ///< the counts of a phase
   typedef Boundary_recovery_3::Recursion_level_report Recursion_level_report; ///< the counts of a pass
 
-  /// the maximal recursion level if none is set; no corpus surface made progress beyond 20.
+  /// the maximal recursion level if none is set.
   static constexpr int default_max_recursion_level = 30;
+
+  /// the maximal recursion level of the flips while Steiner points are put on constraints.
+  static constexpr int default_conforming_recursion_level = 3;
 
   /*!
    * \param tr the triangulation to change
@@ -135,14 +138,21 @@ public:
   /// @{
 
   /// sets the maximal recursion level.
-  void set_max_recursion_level(const int l_max) { m_max_recursion_level = l_max; }
+  ///
+  /// \pre `l_max >= 0`
+  void set_max_recursion_level(const int l_max)
+  {
+    CGAL_precondition(l_max >= 0);
+    m_max_recursion_level = l_max;
+  }
 
   /// sets the time after which the recovery stops, in seconds from the construction of this object.
   void set_maximum_running_time(const double seconds) { m_context.set_maximum_running_time(seconds); }
   /// @}
 
   /// \name Phases
-  /// Each may be called on its own, after `search()`.
+  /// Each may be called on its own, after `search()`. Those without points must not be called while there are Steiner
+  /// points on constraints.
   /// @{
 
   /// runs all the phases of a mode. Returns whether every constraint is in the triangulation: as one simplex, or, in
@@ -166,7 +176,7 @@ public:
     recover_facets_brc4();
     reconnect_facets();
     recount();
-    return m_lost.edges.empty() && m_lost.facets.empty();
+    return is_nothing_lost();
   }
 
   /// looks up every constraint.
@@ -178,7 +188,7 @@ public:
   {
     if(m_lost.edges.empty())
       return;
-    run(Phase::plain_removal, [&]
+    run_flips(Phase::plain_removal, [&]
     {
       m_number_of_transformations += m_edge_recovery.remove_plainly(Phase::plain_removal);
     });
@@ -189,7 +199,7 @@ public:
   {
     if(m_lost.edges.empty())
       return;
-    run(Phase::edge_recovery_brc1, [&]
+    run_flips(Phase::edge_recovery_brc1, [&]
     {
       m_number_of_transformations += m_edge_recovery.first_calling(Phase::edge_recovery_brc1, m_max_recursion_level);
     });
@@ -200,7 +210,7 @@ public:
   {
     if(m_lost.edges.empty())
       return;
-    run(Phase::edge_recovery_brc3, [&]
+    run_flips(Phase::edge_recovery_brc3, [&]
     {
       m_number_of_transformations += m_edge_recovery.second_calling(Phase::edge_recovery_brc3, m_max_recursion_level);
     });
@@ -211,7 +221,10 @@ public:
   {
     if(m_lost.edges.empty())
       return;
-    run(Phase::edge_reconnection, [&] { reconnect(Phase::edge_reconnection, m_lost.edges, m_constraints.edges()); });
+    run_flips(Phase::edge_reconnection, [&]
+    {
+      reconnect(Phase::edge_reconnection, m_lost.edges, m_constraints.edges());
+    });
   }
 
   /// tries small polyhedron reconnection on the cells around each lost facet that has its edges, as long as this helps.
@@ -220,10 +233,9 @@ public:
     find_treatable_facets();
     if(m_treatable_facets.empty())
       return;
-    run(Phase::facet_reconnection, [&]
+    run_flips(Phase::facet_reconnection, [&]
     {
       reconnect(Phase::facet_reconnection, m_treatable_facets, m_constraints.facets());
-      look_up_lost();
     });
   }
 
@@ -231,16 +243,12 @@ public:
   /// Facets are treated if their edges are in the triangulation.
   void recover_facets_brc2()
   {
-    if(m_lost.facets.empty())
+    find_treatable_facets();
+    if(m_treatable_facets.empty())
       return;
-    run(Phase::facet_recovery_brc2, [&]
+    run_flips(Phase::facet_recovery_brc2, [&]
     {
-      look_up_lost(); // most facets came back with their edges
-      find_treatable_facets();
-      if(m_treatable_facets.empty())
-        return;
       m_number_of_transformations += m_facet_recovery.first_calling(Phase::facet_recovery_brc2, m_max_recursion_level);
-      look_up_lost();
     });
   }
 
@@ -250,7 +258,7 @@ public:
     find_treatable_facets();
     if(m_treatable_facets.empty())
       return;
-    run(Phase::facet_recovery_brc4, [&]
+    run_flips(Phase::facet_recovery_brc4, [&]
     {
       m_number_of_transformations += m_facet_recovery.second_calling(Phase::facet_recovery_brc4, m_max_recursion_level);
     });
@@ -259,28 +267,37 @@ public:
   /// recovers what is lost by Steiner points: the main procedure and the postprocessing of [CZZ+17, Section 4]. In the
   /// mode `constrained`, they are taken off the constraints again, and as many of them as possible are removed; in the
   /// mode `conforming`, they stay there and get the nearest positions that the triangulation can store. In the mode
-  /// `flips_only`, they are tried for a few lost edges, and accepted only if all of them could be removed. If this
-  /// fails, the triangulation is put back and other points are tried, three times in all. Returns whether this worked
-  /// for all constraints; if not, the triangulation is as it was before.
+  /// `flips_only`, they are tried for a few lost edges, and accepted only if all of them could be removed. If some
+  /// position cannot be stored, or points are left that must not be, the triangulation is put back and other points are
+  /// tried, three times in all. Steiner points that were there before stay. Returns whether this worked for all
+  /// constraints; if not, the triangulation is as it was before.
   ///
-  /// \pre the constraints do not intersect, and no other vertex is on them.
+  /// \pre the constraints do not intersect, no other vertex is on them, and no Steiner point is on a constraint.
   bool recover_by_points(const Mode mode)
   {
+    CGAL_precondition(m_steiner_points.vertices().empty());
+    if(is_nothing_lost())
+      return true;
     if(mode == Mode::flips_only && m_lost.edges.size() > max_number_of_edges_for_temporary_points)
       return false;
     if(! m_context.go_further())
       return false;
     const Snapshot snapshot(m_tr);
+    std::vector<Vertex_handle> earlier_points;
+    earlier_points.swap(m_free_steiner_vertices);
     for(const int l_max : conforming_recursion_levels)
     {
-      const bool is_done = try_points(mode, l_max);
+      recover_conforming(l_max);
+      const bool is_conforming = is_nothing_lost();
+      const bool is_done = is_conforming && finish_points(mode);
       if(! is_done)
         take_back(snapshot);
       recount();
-      if(is_done || ! m_context.go_further())
+      if(is_done || ! is_conforming || ! m_context.go_further())
         break;
     }
-    return m_lost.edges.empty() && m_lost.facets.empty();
+    m_free_steiner_vertices.insert(m_free_steiner_vertices.begin(), earlier_points.begin(), earlier_points.end());
+    return is_nothing_lost();
   }
 
   /// is the first half of the main procedure of [CZZ+17, Section 4]: lost edges become chains of mesh edges, lost
@@ -291,8 +308,9 @@ public:
   /// positions in the triangulation.
   ///
   /// \param l_max the maximal recursion level of the flips that are tried for each part of an edge
-  void recover_conforming(const int l_max = conforming_recursion_levels[0])
+  void recover_conforming(const int l_max = default_conforming_recursion_level)
   {
+    const std::size_t before = m_steiner_points.vertices().size();
     Boundary_recovery_3::internal::Conforming_recovery_3<Tr, Visitor>
       conform(m_tr, m_predicates, m_constraints, m_steiner_points, m_context.visitor());
     run(Phase::conforming_edge_recovery, [&]
@@ -308,7 +326,7 @@ public:
           return conform.recover_facet(f, l_max, m_context);
         });
       });
-    m_number_of_constraint_points = m_steiner_points.vertices().size();
+    m_number_of_constraint_points += m_steiner_points.vertices().size() - before;
     m_number_of_transformations += conform.number_of_transformations();
   }
 
@@ -351,8 +369,11 @@ public:
 
   /// is the postprocessing of [CZZ+17, Section 4.3]: removes Steiner points that are on no constraint, as long as it
   /// can. Returns whether the others have positions that the triangulation can store.
+  ///
+  /// \pre no Steiner point is on a constraint
   bool suppress_steiner_points()
   {
+    CGAL_precondition(m_steiner_points.vertices().empty());
     Boundary_recovery_3::internal::Steiner_suppression_3<Tr, Visitor>
       suppress(m_tr, m_predicates, m_constraints, m_steiner_points.positions(), m_free_steiner_vertices,
                m_context.visitor());
@@ -415,15 +436,14 @@ private:
   // Raising the level from 0, as for lost edges, left a few more points in twice the time.
   static constexpr int suppression_recursion_level = 4;
 
-  // Where no number can be stored for some Steiner point, those that come with another recursion level may do.
-  static constexpr int conforming_recursion_levels[] = { 3, 6, 1 };
+  // Where one level leads to Steiner points that do not do, another may lead to some that do.
+  static constexpr int conforming_recursion_levels[] = { default_conforming_recursion_level, 6, 1 };
 
-  // Returns whether Steiner points recovered all that is lost, as the mode wants it.
-  bool try_points(const Mode mode, const int l_max)
+  bool is_nothing_lost() const { return m_lost.edges.empty() && m_lost.facets.empty(); }
+
+  // Makes of the Steiner points on constraints what the mode wants. Returns whether this was possible.
+  bool finish_points(const Mode mode)
   {
-    recover_conforming(l_max);
-    if(! m_lost.edges.empty() || ! m_lost.facets.empty())
-      return false;
     if(mode == Mode::conforming)
       return round_steiner_points();
     return split_steiner_points() && suppress_steiner_points()
@@ -445,6 +465,7 @@ private:
     items.resize(kept);
   }
 
+  // The free Steiner points are new ones here.
   void take_back(const Snapshot& snapshot)
   {
     std::vector<Vertex_handle> vertices = m_steiner_points.vertices();
@@ -458,13 +479,21 @@ private:
     snapshot.restore(m_tr, vertices, m_context.visitor());
   }
 
+  // A phase that adds no points: what it recovered is looked up at its end.
+  template <typename Work>
+  void run_flips(const Phase phase, const Work& work)
+  {
+    run(phase, [&] { work(); look_up_lost(); });
+  }
+
   template <typename Work>
   void run(const Phase phase, const Work& work)
   {
+    if(phase != Phase::recount && phase != Phase::search && ! m_context.go_further())
+      return;
     const double start = m_context.seconds();
     m_context.visitor().on_phase_begin(phase);
-    if(m_context.go_further() || phase == Phase::recount || phase == Phase::search)
-      work();
+    work();
     Phase_report report;
     report.phase = phase;
     report.lost_edges = m_lost.edges.size();

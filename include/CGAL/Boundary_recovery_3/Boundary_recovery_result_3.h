@@ -42,7 +42,7 @@ enum class Recovery_status
 };
 
 /// \ingroup PkgBoundaryRecovery3Classes
-/// the phases of a boundary recovery, in the order in which they run and by the names of [CZZ+17, Section 4].
+/// the phases of a boundary recovery, in the order in which they run first and by the names of [CZZ+17, Section 4].
 enum class Recovery_phase
 {
   insertion,             ///< surface points that are not in the triangulation are inserted
@@ -188,7 +188,8 @@ struct Boundary_recovery_result_3
   std::size_t number_of_inserted_vertices = 0; ///< number of input points that were not in the triangulation before
   std::size_t number_of_shell_transformations = 0; ///< number of covering meshes that were replaced
 
-  std::vector<Phase_report> phases;           ///< one entry for each phase that ran
+  std::vector<Phase_report> phases;           ///< one entry for each run of a phase; those with Steiner points run
+                                              ///< again if other points have to be tried, up to three times
   std::vector<Recursion_level_report> levels; ///< one entry for each pass of [CZZ+17, Alg. 5]
 
   /// returns `true` iff every constraint is in the triangulation.

@@ -17,7 +17,7 @@
 #include <CGAL/Boundary_recovery_3/Shell_validity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Cell_replacement.h>
 #include <CGAL/Boundary_recovery_3/internal/Constraints_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Edge_recovery_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Constraint_recovery_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Segment_walk_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Steiner_points_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
@@ -331,7 +331,7 @@ private:
   Steiner_points& m_steiner_points;
   Visitor& m_visitor;
   Walk m_walk;
-  Edge_recovery_3<Tr> m_edge_recovery;
+  Constraint_recovery_3<Tr, 2> m_edge_recovery;
   Shell_transformation_3<Tr, Quality, Edge_validity, Visitor> m_edge_transformation;
   Shell_transformation_3<Tr, Quality, Facet_validity, Visitor> m_facet_transformation;
   Cell_replacement<Tr> m_replacement;

@@ -142,7 +142,8 @@ private:
       const Vector p = from_origin(f[0]), q = from_origin(f[1]), r = from_origin(f[2]);
       Vector normal = cross(difference(q, p), difference(r, p));
       const double length = std::sqrt(dot(normal, normal));
-      m_diameter = (std::max)(m_diameter, 2 * std::sqrt(dot(p, p)));
+      for(const Vector& v : { p, q, r })
+        m_diameter = (std::max)(m_diameter, 2 * std::sqrt(dot(v, v)));
       if(! (length > 0))
         continue; // too thin for floating point numbers; the exact test knows it
       for(double& x : normal)

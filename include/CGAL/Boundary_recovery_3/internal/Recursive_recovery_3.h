@@ -143,7 +143,7 @@ private:
 
   void start(const std::size_t max_number_of_shells)
   {
-    m_hopeless_since.assign(all().size(), std::size_t(never));
+    m_hopeless_since.assign(all().size(), never);
     m_max_number_of_shells = max_number_of_shells;
   }
 
@@ -168,7 +168,7 @@ private:
 
   static int next_recursion_level(const int l, const int max_recursion_level)
   {
-    return l < max_recursion_level / recursion_level_factor ? recursion_level_factor * l : max_recursion_level;
+    return l <= max_recursion_level / recursion_level_factor ? recursion_level_factor * l : max_recursion_level;
   }
 
   const Report& add_level(const Phase phase, const int l_max)

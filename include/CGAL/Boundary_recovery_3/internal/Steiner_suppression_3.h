@@ -61,8 +61,8 @@ private:
  * A vertex is dropped when its ball can be covered without it: by starring the ball from one of its neighbors (this is
  * collapsing an edge; it contains the 4-1 flip), or by small polyhedron reconnection of the ball. Until that works, the
  * edges at the vertex are removed one after the other by recursive shell transformations. Then the ball and one layer
- * more is tried. Two neighbors become one where one point sees the boundary of both balls. In between, points move to
- * the deepest point of their kernel.
+ * more is tried, and in the end ever larger cavities around the ball. Two neighbors become one where one point sees the
+ * boundary of both balls. In between, points move to the deepest point of their kernel.
  */
 template <typename Tr, typename Visitor>
 class Steiner_suppression_3
@@ -110,7 +110,7 @@ public:
   template <typename Context>
   bool merge_points(Context& context)
   {
-    return for_each_point(context, [this](const Vertex_handle v) { return merge(v); });
+    return for_each_point(context, [&](const Vertex_handle v) { return merge(v, context); });
   }
 
   // Moves each of the points to the deepest point of the kernel of its ball, from where more may be possible.
@@ -152,6 +152,7 @@ private:
     {
       if(! context.go_further())
         break;
+      m_reconnection.forget(); // work moves points
       if(contains(m_points, v))
         result = work(v) || result;
       context.visitor().on_progress(Recovery_phase::steiner_suppression,
@@ -165,7 +166,6 @@ private:
   {
     if(! collect_ball(v))
       return;
-    m_reconnection.forget(); // what it knows of v
     const std::vector<Triangle> faces = faces_of_ball(m_ball, v);
     const typename Positions::Exact_point_3 exact = m_positions(v);
     const typename Positions::Point_3 before = v->point();
@@ -184,12 +184,13 @@ private:
   {
     if(! m_positions.contains(v))
       return true;
+    m_reconnection.forget(); // v moves
     collect_ball(v);
     const std::vector<Triangle> faces = faces_of_ball(m_ball, v);
     const typename Positions::Exact_point_3 exact = m_positions(v);
     m_positions.erase(v);
     if(m_kernel_point.is_kernel_point(v, faces) || m_kernel_point(v, faces)
-       || (context.go_further() && enlarge_ball(v)))
+       || enlarge_ball(v, context))
       return true;
     m_positions.set(v, exact);
     return false;
@@ -205,7 +206,8 @@ private:
 
   // Where no number fits into the kernel of the ball of v: adds the cell behind a face of it, and so on, always the one
   // that makes the kernel deepest. Returns whether v got a position and all the cells around it are new.
-  bool enlarge_ball(const Vertex_handle v)
+  template <typename Context>
+  bool enlarge_ball(const Vertex_handle v, Context& context)
   {
     std::vector<Cell_handle> cavity = m_ball;
     for(int step = 0; step < max_number_of_added_cells; ++step)
@@ -214,6 +216,8 @@ private:
       double depth = 0;
       for(const Cell_handle n : cells_around(cavity))
       {
+        if(! context.go_further())
+          return false;
         std::vector<Cell_handle> larger = cavity;
         larger.push_back(n);
         std::vector<Triangle> faces;
@@ -252,18 +256,20 @@ private:
   }
 
   // Stars the balls of v and of another Steiner point, its neighbor, from one point.
-  bool merge(const Vertex_handle v)
+  template <typename Context>
+  bool merge(const Vertex_handle v, Context& context)
   {
     if(! collect_ball(v))
       return false;
     collect_neighbors(v);
-    m_reconnection.forget(); // what it knows of v
     const std::vector<Cell_handle> ball = m_ball;
     const typename Positions::Point_3 before = v->point();
     for(const Vertex_handle w : m_neighbors)
     {
       if(! contains(m_points, w) || ! collect_ball(w))
         continue;
+      if(! context.go_further())
+        return false;
       std::vector<Cell_handle> cavity = ball;
       for(const Cell_handle c : m_ball)
         if(! contains(cavity, c))

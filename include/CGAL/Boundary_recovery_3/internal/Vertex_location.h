@@ -12,7 +12,6 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/internal/Recovery_context.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Spatial_sort_traits_adapter_3.h>
@@ -29,11 +28,21 @@ namespace CGAL {
 namespace Boundary_recovery_3 {
 namespace internal {
 
-// Only a triangulation that is Delaunay by type and in fact can take new points by Delaunay insertion.
+// Only a triangulation that is Delaunay by type and in fact can take new points by Delaunay insertion. Not asked by
+// is_valid(), where an assertion fails if it is not.
 template <typename GT, typename TDS, typename Lp, typename SLDS>
 bool can_insert(const Delaunay_triangulation_3<GT, TDS, Lp, SLDS>& tr)
 {
-  return tr.number_of_vertices() == 0 || tr.is_valid();
+  if(tr.dimension() < 3)
+    return true;
+  for(const auto c : tr.finite_cell_handles())
+    for(int i = 0; i < 4; ++i)
+    {
+      const auto v = tr.mirror_vertex(c, i);
+      if(! tr.is_infinite(v) && tr.side_of_sphere(c, v->point()) == ON_BOUNDED_SIDE)
+        return false;
+    }
+  return true;
 }
 
 template <typename GT, typename TDS, typename SLDS>
