@@ -378,7 +378,11 @@ void test_predicates_of_exact_positions(const unsigned seed, const int range, co
 void test_mixed_scales(const unsigned seed)
 {
   typedef Mixed_vertices::EK EK;
+#ifdef CGAL_USE_GMP
   const std::array<int, 7> exponents = {{ -1074, -1030, -300, 0, 20, 300, 980 }};
+#else // the conversion of numbers that small is beyond the kernel with exact constructions, the reference
+  const std::array<int, 7> exponents = {{ -900, -600, -300, 0, 20, 300, 980 }};
+#endif
   std::mt19937 rng(seed);
   Mixed_vertices vertices;
   std::map<CGAL::Orientation, int> found;
@@ -412,7 +416,7 @@ int main()
   test_ray();
   for(const unsigned seed : { 1u, 2u })
   {
-    for(const int exponent : { 0, 300, -300, 900, -1000 })
+    for(const int exponent : { 0, 300, -300, 900, -900 })
       for(const int range : { 3, 1000000 })
         test_predicates_of_exact_positions(seed, range, exponent);
     test_mixed_scales(seed);

@@ -13,6 +13,7 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Fraction_traits.h>
+#include <CGAL/MP_Float.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/predicates/sign_of_determinant.h>
@@ -21,6 +22,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace CGAL {
 namespace Boundary_recovery_3 {
@@ -38,6 +40,8 @@ class Homogeneous_point_3
 public:
   typedef Fraction_traits<Rational>                Fractions;
   typedef typename Fractions::Numerator_type       Integer;
+
+  Homogeneous_point_3() { }
 
   // The point (x, y, z) of rational numbers.
   static Homogeneous_point_3 from_rationals(const Rational& x, const Rational& y, const Rational& z)
@@ -60,22 +64,10 @@ public:
   // The point (x, y, z) of finite numbers. The denominator is a power of two.
   static Homogeneous_point_3 from_doubles(const double x, const double y, const double z)
   {
-    constexpr int bits = std::numeric_limits<double>::digits;
-    Homogeneous_point_3 p;
-    const std::array<double, 3> coordinates = {{ x, y, z }};
-    std::array<int, 3> exponents;
-    int smallest = 0;
-    for(int i = 0; i < 3; ++i)
-    {
-      p.m_xyz[i] = Integer(std::ldexp(std::frexp(coordinates[i], &exponents[i]), bits)); // an integer, even if tiny
-      exponents[i] = coordinates[i] == 0 ? 0 : exponents[i] - bits;
-      smallest = (std::min)(smallest, exponents[i]);
-    }
-    for(int i = 0; i < 3; ++i)
-      p.m_xyz[i] <<= static_cast<unsigned long>(exponents[i] - smallest);
-    p.m_w = Integer(1);
-    p.m_w <<= static_cast<unsigned long>(- smallest);
-    return p;
+    if constexpr(std::is_same<Integer, MP_Float>::value) // without other libraries; these have exponents themselves
+      return Homogeneous_point_3({{ Integer(x), Integer(y), Integer(z) }}, Integer(1));
+    else
+      return from_mantissas(x, y, z);
   }
 
   // Sign of the volume of the tetrahedron pqrs.
@@ -96,6 +88,28 @@ public:
   }
 
 private:
+  Homogeneous_point_3(const std::array<Integer, 3>& xyz, const Integer& w) : m_xyz(xyz), m_w(w) { }
+
+  static Homogeneous_point_3 from_mantissas(const double x, const double y, const double z)
+  {
+    constexpr int bits = std::numeric_limits<double>::digits;
+    Homogeneous_point_3 p;
+    const std::array<double, 3> coordinates = {{ x, y, z }};
+    std::array<int, 3> exponents;
+    int smallest = 0;
+    for(int i = 0; i < 3; ++i)
+    {
+      p.m_xyz[i] = Integer(std::ldexp(std::frexp(coordinates[i], &exponents[i]), bits)); // an integer, even if tiny
+      exponents[i] = coordinates[i] == 0 ? 0 : exponents[i] - bits;
+      smallest = (std::min)(smallest, exponents[i]);
+    }
+    for(int i = 0; i < 3; ++i)
+      p.m_xyz[i] <<= static_cast<unsigned long>(exponents[i] - smallest);
+    p.m_w = Integer(1);
+    p.m_w <<= static_cast<unsigned long>(- smallest);
+    return p;
+  }
+
   // A positive multiple of q - p.
   static std::array<Integer, 3> direction(const Homogeneous_point_3& p, const Homogeneous_point_3& q)
   {
