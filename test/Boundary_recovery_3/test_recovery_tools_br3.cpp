@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Boundary_recovery_3 authors
 
-// The small tools of the recovery, each on its own: the hash table of simplices, the snapshot of a mesh, and the search
-// for points in the kernel of a polyhedron.
+// The small tools of the recovery, each on its own: the hash table of simplices, the snapshot of a mesh, the search for
+// points in the kernel of a polyhedron, and predicates for vertices with exact positions.
 
 #undef NDEBUG
 
@@ -23,6 +23,7 @@
 #include <CGAL/Boundary_recovery_3/internal/Simplex_key_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
 #include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
@@ -273,6 +274,134 @@ void test_ray()
   assert(! flat.has_point_on_ray(0, Vector(-1, -1, 0)) && ! flat.has_exact_position());
 }
 
+// Vertices, some of them with exact positions, and the predicates for them against the kernel with exact constructions.
+class Mixed_vertices
+{
+public:
+  typedef internal::Exact_positions_3<Tr>                     Positions;
+  typedef CGAL::Exact_predicates_exact_constructions_kernel   EK;
+
+  Mixed_vertices() : m_predicates(m_tr, &m_positions)
+  {
+    for(Vertex_handle& v : m_vertices)
+      v = m_tr.tds().create_vertex();
+  }
+
+  void set(const int i, const EK::Point_3& p)
+  {
+    m_positions.set(m_vertices[static_cast<std::size_t>(i)], p);
+    m_points[static_cast<std::size_t>(i)] = p;
+  }
+
+  void set(const int i, const Point_3& p)
+  {
+    m_positions.erase(m_vertices[static_cast<std::size_t>(i)]);
+    m_vertices[static_cast<std::size_t>(i)]->set_point(p);
+    m_points[static_cast<std::size_t>(i)] = EK::Point_3(p.x(), p.y(), p.z());
+  }
+
+  // Checks all the orders of the four vertices, and returns the orientation in the given one.
+  CGAL::Orientation check() const
+  {
+    std::array<std::size_t, 4> i = {{ 0, 1, 2, 3 }};
+    const CGAL::Orientation expected = CGAL::orientation(m_points[0], m_points[1], m_points[2], m_points[3]);
+    do
+    {
+      const Vertex_handle p = m_vertices[i[0]], q = m_vertices[i[1]], r = m_vertices[i[2]], s = m_vertices[i[3]];
+      const EK::Point_3 &ep = m_points[i[0]], &eq = m_points[i[1]], &er = m_points[i[2]], &es = m_points[i[3]];
+      const CGAL::Orientation o = CGAL::orientation(ep, eq, er, es);
+      assert(m_predicates.orientation(p, q, r, s) == o);
+      // Also if there is no exact position, and where filters suffice.
+      assert(Positions::Homogeneous_point::orientation(m_positions.homogeneous(p), m_positions.homogeneous(q),
+                                                       m_positions.homogeneous(r), m_positions.homogeneous(s)) == o);
+      const bool collinear = CGAL::collinear(ep, eq, er);
+      assert(m_predicates.are_collinear(p, q, r) == collinear);
+      if(o == CGAL::COPLANAR)
+        assert(m_predicates.side_of_line(p, q, r, s)
+               == (collinear ? CGAL::COLLINEAR : CGAL::coplanar_orientation(ep, eq, er, es)));
+    }
+    while(std::next_permutation(i.begin(), i.end()));
+    return expected;
+  }
+
+private:
+  Tr m_tr;
+  Positions m_positions;
+  const internal::Vertex_predicates_3<Tr> m_predicates;
+  std::array<Vertex_handle, 4> m_vertices;
+  std::array<EK::Point_3, 4> m_points;
+};
+
+// In the unit 2^exponent; `range` below 2^10 makes coincidences likely.
+Point_3 random_point(std::mt19937& rng, const int range, const int exponent)
+{
+  std::array<double, 3> c;
+  for(double& x : c)
+    x = std::ldexp(static_cast<double>(br3_test::random_int(rng, 2 * range) - range), exponent);
+  return Point_3(c[0], c[1], c[2]);
+}
+
+// Exact positions on segments, on planes, and a little off them.
+void test_predicates_of_exact_positions(const unsigned seed, const int range, const int exponent)
+{
+  typedef Mixed_vertices::EK EK;
+  std::mt19937 rng(seed);
+  Mixed_vertices vertices;
+  std::map<CGAL::Orientation, int> found;
+  for(int k = 0; k < 200; ++k)
+  {
+    std::array<EK::Point_3, 4> p;
+    for(int i = 0; i < 4; ++i)
+    {
+      const Point_3 q = random_point(rng, range, exponent);
+      p[static_cast<std::size_t>(i)] = EK::Point_3(q.x(), q.y(), q.z());
+      vertices.set(i, q);
+    }
+    const int first = br3_test::random_int(rng, 5); // those from here on get exact positions; 4: none
+    for(int i = first; i < 4; ++i)
+    {
+      const std::size_t a = static_cast<std::size_t>(i), b = static_cast<std::size_t>((i + 1) % 4);
+      const std::size_t c = static_cast<std::size_t>((i + 2) % 4);
+      const EK::FT s = EK::FT(br3_test::random_int(rng, 20) - 5) / EK::FT(7);
+      const EK::FT t = EK::FT(br3_test::random_int(rng, 4)) / EK::FT(3);
+      p[a] = p[b] + s * (p[c] - p[b]) + t * (p[(a + 3) % 4] - p[b]);
+      if(br3_test::random_int(rng, 3) == 0)
+        p[a] = p[a] + (p[c] - p[b]) / EK::FT(std::ldexp(1., 200)) + EK::Vector_3(0, 0, std::ldexp(1., exponent - 70));
+      vertices.set(i, p[a]);
+    }
+    ++found[vertices.check()];
+  }
+  assert(found.size() == 3);
+}
+
+// Points of all scales, in one tetrahedron: subnormal, ordinary and huge numbers.
+void test_mixed_scales(const unsigned seed)
+{
+  typedef Mixed_vertices::EK EK;
+#ifdef CGAL_USE_GMP
+  const std::array<int, 7> exponents = {{ -1074, -1030, -300, 0, 20, 300, 980 }};
+#else // the conversion of numbers that small is beyond the kernel with exact constructions, the reference
+  const std::array<int, 7> exponents = {{ -900, -600, -300, 0, 20, 300, 980 }};
+#endif
+  std::mt19937 rng(seed);
+  Mixed_vertices vertices;
+  std::map<CGAL::Orientation, int> found;
+  for(int k = 0; k < 100; ++k)
+  {
+    for(int i = 0; i < 4; ++i)
+    {
+      const int e = exponents[static_cast<std::size_t>(br3_test::random_int(rng, 7))];
+      const Point_3 p = random_point(rng, 3, e);
+      if(br3_test::random_int(rng, 2) == 0)
+        vertices.set(i, p);
+      else
+        vertices.set(i, EK::Point_3(p.x(), EK::FT(p.y()) / 3, p.z()));
+    }
+    ++found[vertices.check()];
+  }
+  assert(found.size() == 3);
+}
+
 int main()
 {
   for(const unsigned seed : { 1u, 2u, 3u })
@@ -285,5 +414,12 @@ int main()
   test_deepest_point();
   test_empty_kernel();
   test_ray();
+  for(const unsigned seed : { 1u, 2u })
+  {
+    for(const int exponent : { 0, 300, -300, 900, -900 })
+      for(const int range : { 3, 1000000 })
+        test_predicates_of_exact_positions(seed, range, exponent);
+    test_mixed_scales(seed);
+  }
   std::cout << "done" << std::endl;
 }

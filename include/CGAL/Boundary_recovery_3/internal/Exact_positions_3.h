@@ -12,6 +12,8 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <CGAL/Boundary_recovery_3/internal/Homogeneous_point_3.h>
+
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Cartesian_converter.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -22,6 +24,7 @@
 
 #include <type_traits>
 #include <unordered_map>
+#include <utility>
 
 namespace CGAL {
 namespace Boundary_recovery_3 {
@@ -53,6 +56,11 @@ public:
   typedef Simple_cartesian<Interval>         Interval_kernel;
   typedef Interval_kernel::Point_3           Interval_point_3;
 
+  // The numbers behind the lazy ones of the exact kernel. Not for exact kernels, which may have no such thing.
+  typedef std::decay_t<decltype(CGAL::exact(
+    std::declval<const Exact_predicates_exact_constructions_kernel::FT&>()))> Rational;
+  typedef Homogeneous_point_3<Rational>      Homogeneous_point;
+
   // Whether every vertex is where the triangulation says.
   bool empty() const { return m_positions.empty(); }
 
@@ -76,6 +84,16 @@ public:
     return it == m_positions.end() ? box(v->point()) : it->second.box;
   }
 
+  // The position in integers, for orientations when filters fail. Not to be called with exact kernels.
+  Homogeneous_point homogeneous(const Vertex_handle v) const
+  {
+    const auto it = m_positions.find(&*v);
+    if(it != m_positions.end())
+      return it->second.homogeneous;
+    const Point_3& p = v->point();
+    return Homogeneous_point::from_doubles(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+  }
+
   void set(const Vertex_handle v, const Exact_point_3& p)
   {
     if constexpr(is_kernel_exact)
@@ -84,7 +102,8 @@ public:
     {
       CGAL::exact(p); // or it would remember all the points that it was computed from, and be rounded badly
       v->set_point(Point_3(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())));
-      m_positions[&*v] = { p, box(p) };
+      m_positions[&*v] = { p, box(p), Homogeneous_point::from_rationals(CGAL::exact(p.x()), CGAL::exact(p.y()),
+                                                                         CGAL::exact(p.z())) };
     }
   }
 
@@ -96,6 +115,7 @@ private:
   {
     Exact_point_3 exact;
     Interval_point_3 box;
+    Homogeneous_point homogeneous;
   };
 
   template <typename Point>

@@ -125,6 +125,7 @@ private:
     return m_positions != nullptr && ! m_positions->empty() && (m_positions->contains(v) || ...);
   }
 
+  // Only kernels with inexact constructions have such positions.
   Orientation exact_orientation(const Vertex_handle p, const Vertex_handle q,
                                 const Vertex_handle r, const Vertex_handle s) const
   {
@@ -135,8 +136,8 @@ private:
       if(is_certain(o))
         return get_certain(o);
     }
-    return typename Exact_kernel::Orientation_3()((*m_positions)(p), (*m_positions)(q),
-                                                  (*m_positions)(r), (*m_positions)(s));
+    return Positions::Homogeneous_point::orientation(m_positions->homogeneous(p), m_positions->homogeneous(q),
+                                                     m_positions->homogeneous(r), m_positions->homogeneous(s));
   }
 
   const Tr* m_tr;
