@@ -404,10 +404,10 @@ private:
     std::vector<Cell_handle> cavity = m_ball;
     collect_neighbors(v);
     std::vector<Vertex_handle> vertices = m_neighbors;
+    add_cells(cavity, vertices);
     typename Reconnection::Outcome outcome = Reconnection::NONE;
     for(int n = 0; n < max_number_of_enlargements && outcome == Reconnection::NONE && context.go_further(); ++n)
     {
-      add_cells(cavity, vertices);
       for(int i = 0; i < number_of_added_vertices; ++i)
       {
         const Vertex_handle x = most_adjacent_vertex(cavity);

@@ -35,13 +35,12 @@ bool can_insert(const Delaunay_triangulation_3<GT, TDS, Lp, SLDS>& tr)
 {
   if(tr.dimension() < 3)
     return true;
-  for(const auto c : tr.finite_cell_handles())
-    for(int i = 0; i < 4; ++i)
-    {
-      const auto v = tr.mirror_vertex(c, i);
-      if(! tr.is_infinite(v) && tr.side_of_sphere(c, v->point()) == ON_BOUNDED_SIDE)
-        return false;
-    }
+  for(const auto& f : tr.finite_facets()) // from one side, which tells the same as from the other
+  {
+    const auto v = tr.mirror_vertex(f.first, f.second);
+    if(! tr.is_infinite(f.first) && ! tr.is_infinite(v) && tr.side_of_sphere(f.first, v->point()) == ON_BOUNDED_SIDE)
+      return false;
+  }
   return true;
 }
 
