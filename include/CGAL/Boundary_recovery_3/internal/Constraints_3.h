@@ -20,6 +20,7 @@
 #include <functional>
 #include <iterator>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -192,6 +193,7 @@ private:
   void find_facets(std::vector<char>& is_edge_found, std::vector<char>& is_facet_found)
   {
     fill_in_filter();
+    std::vector<std::pair<Cell_handle, int> > facets; // looked up some at a time, so that the waits for memory overlap
     for(auto c = m_tr.all_cells_begin(); c != m_tr.all_cells_end(); ++c)
     {
       std::array<std::uint64_t, 4> h;
@@ -199,17 +201,29 @@ private:
         h[i] = mix(c->vertex(i));
       const std::uint64_t sum = h[0] + h[1] + h[2] + h[3];
       for(int i = 0; i < 4; ++i)
-      {
-        if(! m_filter[filter_position(sum - h[i])] || std::less<const void*>()(&*c->neighbor(i), &*c))
-          continue; // no constraint, or its other side is looked at
-        const std::size_t f = m_constraints.index(c->vertex((i + 1) & 3), c->vertex((i + 2) & 3),
-                                                  c->vertex((i + 3) & 3));
-        if(f == Constraints::none)
-          continue;
-        is_facet_found[f] = true;
-        for(const std::size_t e : m_constraints.edges_of_facet(f))
-          is_edge_found[e] = true;
-      }
+        if(m_filter[filter_position(sum - h[i])] && std::less<const void*>()(&*c, &*c->neighbor(i)))
+          facets.emplace_back(c, i); // may be a constraint, and is seen from this side only
+      if(facets.size() < number_of_facets_at_a_time)
+        continue;
+      look_up(facets, is_edge_found, is_facet_found);
+      facets.clear();
+    }
+    look_up(facets, is_edge_found, is_facet_found);
+  }
+
+  void look_up(const std::vector<std::pair<Cell_handle, int> >& facets,
+               std::vector<char>& is_edge_found, std::vector<char>& is_facet_found) const
+  {
+    for(const std::pair<Cell_handle, int>& facet : facets)
+    {
+      const Cell_handle c = facet.first;
+      const int i = facet.second;
+      const std::size_t f = m_constraints.index(c->vertex((i + 1) & 3), c->vertex((i + 2) & 3), c->vertex((i + 3) & 3));
+      if(f == Constraints::none)
+        continue;
+      is_facet_found[f] = true;
+      for(const std::size_t e : m_constraints.edges_of_facet(f))
+        is_edge_found[e] = true;
     }
   }
 
@@ -286,6 +300,8 @@ private:
     for(std::size_t i = 0; i < buckets.size(); ++i)
       sorted[next[buckets[i]]++] = i;
   }
+
+  static constexpr std::size_t number_of_facets_at_a_time = 64;
 
   const Tr& m_tr;
   const Constraints& m_constraints;

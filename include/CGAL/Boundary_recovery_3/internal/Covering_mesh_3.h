@@ -18,6 +18,7 @@
 
 #include <boost/container/small_vector.hpp>
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -112,8 +113,7 @@ public:
     m_kept.resize(m);
     for(int i = 0; i < m; ++i)
       m_kept[i] = is_kept(i);
-    fill_in_matrices();
-    choose_core(only_if_done);
+    choose_covering_mesh(only_if_done);
     if(m_best.core_size < 0 || m_best.core_size == m)
       return false;
     build_partial_triangulation();
@@ -138,27 +138,52 @@ private:
   int at(const int i, const int j) const { return i * m + j; }
   bool has_ring(const int i, const int j) const { return m_apex[at(i, j)] != invalid; }
 
-  // [CZZ+17, Alg. 2]
-  void fill_in_matrices()
+  // [CZZ+17, Alg. 2] in two parts. A complete reduction is made of rings that do not contain the arc from the last
+  // position to the first, so the first part tells whether there is one; in most cases it also is the end.
+  void choose_covering_mesh(const bool only_if_done)
+  {
+    m_best = Candidate();
+    start_matrices();
+    for(int d = 2; d < m; ++d)
+      for(int i = 0; i + d < m; ++i)
+        fill_in_ring(i, i + d);
+    if(! m_keeps_edge && has_ring(0, m - 1))
+    {
+      m_best.core_size = 0;
+      m_best.avoids = true;
+      m_best.value = m_value[at(0, m - 1)];
+      if(! Quality::is_first_in_vector)
+        return; // [1, N_big, Q] cannot be beaten
+    }
+    if(only_if_done && m_f == none)
+      return;
+    for(int d = 2; d < m; ++d)
+      for(int i = m - d; i < m; ++i)
+        fill_in_ring(i, i + d - m);
+    choose_core(only_if_done);
+  }
+
+  void start_matrices()
   {
     m_apex.assign(m * m, invalid);
     m_value.assign(m * m, m_quality.best());
+    m_chords.assign(m * m, unknown);
     m_triangles.assign(m * m * m, unknown);
+    m_triangle_values.resize(m * m * m);
     for(int i = 0; i < m; ++i)
       m_apex[at(i, m_shell->next(i))] = ring_edge;
-    for(int d = 2; d < m; ++d)
-      for(int i = 0; i < m; ++i)
-        fill_in_ring(i, (i + d) % m);
   }
 
   void fill_in_ring(const int i, const int j)
   {
     for(int k = m_shell->next(i); k != j; k = m_shell->next(k))
     {
-      if(! has_ring(i, k) || ! has_ring(k, j) || m_kept[k] || ! is_valid_triangle(i, k, j))
+      if(! has_ring(i, k) || ! has_ring(k, j) || m_kept[k])
         continue;
-      const Value q = m_quality.combine(m_quality.combine(m_value[at(i, k)], m_value[at(k, j)]),
-                                        m_quality.of_triangle(*m_shell, i, k, j));
+      const int t = triangle(i, k, j);
+      if(! m_triangles[t])
+        continue;
+      const Value q = m_quality.combine(m_quality.combine(m_value[at(i, k)], m_value[at(k, j)]), m_triangle_values[t]);
       if(! has_ring(i, j) || m_value[at(i, j)] < q)
       {
         m_value[at(i, j)] = q;
@@ -167,24 +192,38 @@ private:
     }
     if(! has_ring(i, j) || j == m_shell->previous(i))
       return; // p_j p_i is an edge of the skirt polygon: no chord
-    if(m_validity.is_valid_chord(*m_shell, i, j))
+    if(is_valid_chord((std::min)(i, j), (std::max)(i, j)))
       m_value[at(i, j)] = m_quality.combine(m_value[at(i, j)], m_quality.of_chord(*m_shell, i, j));
     else
       m_apex[at(i, j)] = invalid;
   }
 
-  bool is_valid_triangle(int i, int k, int j)
+  // For i < j; both rings at a chord ask.
+  bool is_valid_chord(const int i, const int j)
+  {
+    signed char& state = m_chords[at(i, j)];
+    if(state == unknown)
+      state = m_validity.is_valid_chord(*m_shell, i, j);
+    return state == 1;
+  }
+
+  // Where what is known of a triangle is stored: whether it is valid, and its value if it is.
+  int triangle(int i, int k, int j)
   {
     while(k < i || j < i) // the same triangle comes in three rotations
     {
       const int first = i;
       i = k; k = j; j = first;
     }
-    signed char& state = m_triangles[at(at(i, k), j)];
-    if(state == unknown)
-      state = Shell_positivity<Tr>(*m_shell, m_predicates).is_triangle_positive(i, k, j)
-           && m_validity.is_valid_triangle(*m_shell, i, k, j);
-    return state == 1;
+    const int t = at(at(i, k), j);
+    if(m_triangles[t] == unknown)
+    {
+      m_triangles[t] = Shell_positivity<Tr>(*m_shell, m_predicates).is_triangle_positive(i, k, j)
+                    && m_validity.is_valid_triangle(*m_shell, i, k, j);
+      if(m_triangles[t])
+        m_triangle_values[t] = m_quality.of_triangle(*m_shell, i, k, j);
+    }
+    return t;
   }
 
   // The share of one arc <i,j> of a core in the quality: what covers R_ij, the tetrahedron a b p_i p_j, the face a b
@@ -229,19 +268,9 @@ private:
     return x_first;
   }
 
+  // Among the covering meshes that keep ab; m_best is the complete reduction if there is one.
   void choose_core(const bool only_if_done)
   {
-    m_best = Candidate();
-    if(! m_keeps_edge && has_ring(0, m - 1))
-    {
-      m_best.core_size = 0;
-      m_best.avoids = true;
-      m_best.value = m_value[at(0, m - 1)];
-      if(! Quality::is_first_in_vector)
-        return; // [1, N_big, Q] cannot be beaten
-    }
-    if(only_if_done && m_f == none)
-      return;
     const bool has_chord = fill_in_arcs();
     if(! has_chord && m_best.core_size < 0)
     {
@@ -416,7 +445,9 @@ private:
   std::vector<char> m_kept;
   std::vector<int> m_apex;              // M_k, and which entries exist
   std::vector<Value> m_value;           // M_q
+  std::vector<signed char> m_chords;    // validity of each chord, computed when first asked for
   std::vector<signed char> m_triangles; // validity of each triangle, computed when first asked for
+  std::vector<Value> m_triangle_values; // of the valid ones among these
   std::vector<char> m_has_arc;
   std::vector<Value> m_arc_value;
   std::vector<char> m_has_suffix;

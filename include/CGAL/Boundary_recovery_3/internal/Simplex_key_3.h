@@ -12,6 +12,8 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -64,7 +66,7 @@ inline bool is_equal(const Simplex_key_3<3>& x, const Simplex_key_3<3>& y)
 struct Simplex_key_hash
 {
   template <std::size_t N>
-  std::size_t operator()(const Simplex_key_3<N>& key) const
+  std::uint64_t operator()(const Simplex_key_3<N>& key) const
   {
     // Fibonacci hashing: vertices are equally spaced in their container, so the low bits alone would collide.
     std::uint64_t h = 0;
@@ -73,13 +75,16 @@ struct Simplex_key_hash
       h = (h ^ reinterpret_cast<std::uintptr_t>(p)) * UINT64_C(0x9E3779B97F4A7C15);
       h ^= h >> 32;
     }
-    return static_cast<std::size_t>(h);
+    return h;
   }
 };
 
 /*
  * Numbers simplices in the order in which they come. A hash table with open addressing, for the flips ask all the time
  * whether a simplex is in it; nothing is ever taken out.
+ *
+ * The slots hold a number and a part of the hash value only: the table is small, and what is not in it is told from the
+ * slots alone as a rule. The keys are dense, so those of neighbors, numbered one after the other, are close together.
  */
 template <std::size_t N>
 class Simplex_index_3
@@ -87,10 +92,11 @@ class Simplex_index_3
 public:
   static constexpr std::size_t none = std::size_t(-1);
 
-  std::size_t size() const { return m_size; }
+  std::size_t size() const { return m_keys.size(); }
 
   void reserve(const std::size_t n)
   {
+    m_keys.reserve(n);
     if(2 * n > m_slots.size())
       rehash(n);
   }
@@ -98,35 +104,45 @@ public:
   // Returns the number of the simplex, and whether it is new.
   std::pair<std::size_t, bool> insert(const Simplex_key_3<N>& key)
   {
-    if(2 * (m_size + 1) > m_slots.size())
-      rehash(2 * (m_size + 1));
-    Slot& slot = m_slots[position(key)];
-    if(slot.index != none)
-      return std::make_pair(slot.index, false);
-    slot.key = key;
-    slot.index = m_size++;
-    return std::make_pair(slot.index, true);
+    if(2 * (size() + 1) > m_slots.size())
+      rehash(2 * (size() + 1));
+    const std::uint64_t hash = Simplex_key_hash()(key);
+    Slot& slot = m_slots[position(key, hash)];
+    if(slot.index != empty)
+      return std::make_pair(std::size_t(slot.index), false);
+    CGAL_assertion(size() < empty);
+    slot = Slot{ static_cast<std::uint32_t>(size()), tag(hash) };
+    m_keys.push_back(key);
+    return std::make_pair(size() - 1, true);
   }
 
   // Returns the number of the simplex, or none.
   std::size_t operator[](const Simplex_key_3<N>& key) const
   {
-    return m_slots.empty() ? none : m_slots[position(key)].index;
+    if(m_slots.empty())
+      return none;
+    const std::uint32_t index = m_slots[position(key, Simplex_key_hash()(key))].index;
+    return index == empty ? none : index;
   }
 
 private:
+  static constexpr std::uint32_t empty = std::uint32_t(-1);
+
   struct Slot
   {
-    Simplex_key_3<N> key;
-    std::size_t index = none;
+    std::uint32_t index = empty;
+    std::uint32_t tag = 0;
   };
 
+  // The bits of the hash value that do not decide on the position, unless there are billions of slots.
+  static std::uint32_t tag(const std::uint64_t hash) { return static_cast<std::uint32_t>(hash >> 32); }
+
   // Where the key is, or would be put.
-  std::size_t position(const Simplex_key_3<N>& key) const
+  std::size_t position(const Simplex_key_3<N>& key, const std::uint64_t hash) const
   {
     const std::size_t mask = m_slots.size() - 1;
-    std::size_t i = Simplex_key_hash()(key) & mask;
-    while(m_slots[i].index != none && ! is_equal(m_slots[i].key, key))
+    std::size_t i = static_cast<std::size_t>(hash) & mask;
+    while(m_slots[i].index != empty && ! (m_slots[i].tag == tag(hash) && is_equal(m_keys[m_slots[i].index], key)))
       i = (i + 1) & mask;
     return i;
   }
@@ -134,18 +150,19 @@ private:
   // Makes room for n simplices; the number of slots is a power of 2, at most half of them in use.
   void rehash(const std::size_t n)
   {
-    std::size_t size = 16;
-    while(size < 2 * n)
-      size *= 2;
-    std::vector<Slot> slots(size);
-    slots.swap(m_slots);
-    for(const Slot& slot : slots)
-      if(slot.index != none)
-        m_slots[position(slot.key)] = slot;
+    std::size_t number_of_slots = 16;
+    while(number_of_slots < 2 * n)
+      number_of_slots *= 2;
+    m_slots.assign(number_of_slots, Slot());
+    for(std::size_t k = 0; k < size(); ++k)
+    {
+      const std::uint64_t hash = Simplex_key_hash()(m_keys[k]);
+      m_slots[position(m_keys[k], hash)] = Slot{ static_cast<std::uint32_t>(k), tag(hash) };
+    }
   }
 
   std::vector<Slot> m_slots;
-  std::size_t m_size = 0;
+  std::vector<Simplex_key_3<N> > m_keys;
 };
 
 } // namespace internal
