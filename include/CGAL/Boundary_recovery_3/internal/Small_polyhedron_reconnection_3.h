@@ -12,12 +12,14 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <CGAL/Boundary_recovery_3/internal/Orientation_table_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
+
+#include <boost/dynamic_bitset.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -31,10 +33,10 @@ namespace internal {
  * The polyhedron is a set of cells of the mesh, its vertices are all that may be used. The search is exhaustive with
  * pruning, so "none exists" is a proof; its work is bounded, so it may also give up.
  *
- * All geometry is read off a table of the orientations of all quadruples of vertices. Candidates are the tetrahedra
- * that contain no other vertex and neither cross the boundary of the polyhedron nor a required simplex. The
- * search takes the face of the front that has the fewest candidates left, tries them, and after each choice drops the
- * candidates that cross it: a face with none left ends the branch.
+ * All geometry is read off a table of orientations. Candidates are the tetrahedra that contain no other vertex and
+ * neither cross the boundary of the polyhedron nor a required simplex. The search takes the face of the front that has
+ * the fewest candidates left, tries them, and after each choice drops the candidates that cross it: a face with none
+ * left ends the branch.
  */
 template <typename Tr>
 class Small_polyhedron_reconnection_3
@@ -52,18 +54,15 @@ public:
     GAVE_UP  // the polyhedron has too many vertices, or the search took too many steps
   };
 
-  static constexpr std::size_t max_number_of_vertices = 28;
+  static constexpr std::size_t max_number_of_vertices = Orientation_table_3<Tr>::max_number_of_vertices;
   static constexpr std::size_t default_max_number_of_steps = 2000;
   static constexpr std::size_t max_number_of_conflict_tests = 50000;
 
-  explicit Small_polyhedron_reconnection_3(const Predicates& predicates) : m_predicates(predicates) { }
+  explicit Small_polyhedron_reconnection_3(const Predicates& predicates) : m_orientations(predicates) { }
 
   // Forgets the last polyhedron, of which the orientations that are still of use in the next one are kept. To be called
   // if vertices moved.
-  void forget()
-  {
-    m_vertices.clear();
-  }
+  void forget() { m_orientations.forget(); }
 
   // Bound on the number of tetrahedra that are tried in one search.
   void set_max_number_of_steps(const std::size_t n) { m_max_number_of_steps = n; }
@@ -87,20 +86,15 @@ public:
   const std::vector<Tetrahedron>& tetrahedra() const { return m_tetrahedra; }
 
 private:
-  typedef std::array<int, 2> Edge;
-  typedef std::array<int, 3> Face;
+  typedef Orientation_table_3<Tr>    Orientations;
+  typedef typename Orientations::Edge Edge;
+  typedef typename Orientations::Face Face;
 
-  struct Candidate
-  {
-    std::array<int, 4> v;     // positively oriented
-    std::array<int, 6> edges; // positions in m_is_edge_crossed
-    std::array<int, 4> faces; // keys
-    int number_of_conflicts = 0; // number of chosen tetrahedra that it crosses
-  };
+  typedef std::array<int, 4> Candidate; // positively oriented
 
-  // --- the geometry, by positions in m_vertices ---------------------------------------------------------------------
-
-  int n() const { return static_cast<int>(m_vertices.size()); }
+  int n() const { return m_orientations.number_of_vertices(); }
+  Vertex_handle vertex(const int i) const { return m_orientations.vertices()[i]; }
+  int position(const Vertex_handle v) const { return m_orientations.position(v); }
 
   template <typename Range, typename Predicate>
   static bool any_of(const Range& range, const Predicate& predicate)
@@ -108,147 +102,26 @@ private:
     return std::any_of(range.begin(), range.end(), predicate);
   }
 
-  // Returns false if there are too many. Orientations are kept as far as the vertices are the same as in the last
-  // polyhedron.
+  // Returns false if there are too many.
   template <typename CellRange>
   bool collect_vertices(const CellRange& cells, const Vertex_handle superfluous)
   {
-    m_previous_vertices.swap(m_vertices);
-    m_vertices.clear();
+    std::vector<Vertex_handle> vertices;
     for(const Cell_handle c : cells)
       for(int i = 0; i < 4; ++i)
-        if(c->vertex(i) != superfluous
-           && std::find(m_vertices.begin(), m_vertices.end(), c->vertex(i)) == m_vertices.end())
-          m_vertices.push_back(c->vertex(i));
-    if(m_vertices.size() > max_number_of_vertices)
-    {
-      forget();
-      return false;
-    }
-    int same = 0;
-    while(same < n() && same < static_cast<int>(m_previous_vertices.size())
-          && m_vertices[same] == m_previous_vertices[same])
-      ++same;
-    fill_in_sides(same);
-    return true;
+        if(c->vertex(i) != superfluous && std::find(vertices.begin(), vertices.end(), c->vertex(i)) == vertices.end())
+          vertices.push_back(c->vertex(i));
+    return m_orientations.set_vertices(vertices);
   }
 
-  int position(const Vertex_handle v) const
-  {
-    return static_cast<int>(std::find(m_vertices.begin(), m_vertices.end(), v) - m_vertices.begin());
-  }
-
-  // The vertices on the positive and on the negative side of a face, as bits.
-  struct Sides
-  {
-    std::uint32_t positive = 0, negative = 0;
-  };
-
-  static std::uint32_t bit(const int i) { return std::uint32_t(1) << i; }
-
-  Sides& sides(const int i, const int j, const int k) { return m_sides[offset(i, j, k)]; }
-  const Sides& sides(const int i, const int j, const int k) const { return m_sides[offset(i, j, k)]; }
-  const Sides& sides(const Face& f) const { return sides(f[0], f[1], f[2]); }
-
-  // Does not depend on the number of vertices, so that entries stay where they are.
-  static std::size_t offset(const int i, const int j, const int k)
-  {
-    return (static_cast<std::size_t>(i) * max_number_of_vertices + j) * max_number_of_vertices + k;
-  }
-
-  // Orients all the quadruples; those of the first `known` vertices are known.
-  void fill_in_sides(const int known)
-  {
-    m_sides.resize(max_number_of_vertices * max_number_of_vertices * max_number_of_vertices);
-    for(int k = known; k < n(); ++k)
-      for(int j = 0; j < k; ++j)
-        for(int i = 0; i < j; ++i)
-          sides(i, j, k) = Sides();
-    const std::uint32_t known_bits = bit(known) - 1;
-    for(int k = 0; k < known; ++k)
-      for(int j = 0; j < k; ++j)
-        for(int i = 0; i < j; ++i)
-        {
-          sides(i, j, k).positive &= known_bits;
-          sides(i, j, k).negative &= known_bits;
-        }
-    for(int l = known; l < n(); ++l)
-      for(int k = 0; k < l; ++k)
-        for(int j = 0; j < k; ++j)
-          for(int i = 0; i < j; ++i)
-            store_orientation(i, j, k, l);
-    copy_sides_to_permutations();
-  }
-
-  void store_orientation(const int i, const int j, const int k, const int l)
-  {
-    const Orientation o = m_predicates.orientation(m_vertices[i], m_vertices[j], m_vertices[k], m_vertices[l]);
-    if(o == ZERO)
-      return;
-    std::uint32_t Sides::* const even = o == POSITIVE ? &Sides::positive : &Sides::negative;
-    std::uint32_t Sides::* const odd = o == POSITIVE ? &Sides::negative : &Sides::positive;
-    sides(i, j, k).*even |= bit(l);
-    sides(i, j, l).*odd |= bit(k);
-    sides(i, k, l).*even |= bit(j);
-    sides(j, k, l).*odd |= bit(i);
-  }
-
-  void copy_sides_to_permutations()
-  {
-    for(int k = 0; k < n(); ++k)
-      for(int j = 0; j < k; ++j)
-        for(int i = 0; i < j; ++i)
-        {
-          const Sides s = sides(i, j, k);
-          Sides reversed;
-          reversed.positive = s.negative;
-          reversed.negative = s.positive;
-          sides(j, k, i) = sides(k, i, j) = s;
-          sides(j, i, k) = sides(i, k, j) = sides(k, j, i) = reversed;
-        }
-  }
-
-  // For distinct i, j, k; 0 if l is one of them.
-  int orientation(const int i, const int j, const int k, const int l) const
-  {
-    const Sides& s = sides(i, j, k);
-    return static_cast<int>((s.positive >> l) & 1) - static_cast<int>((s.negative >> l) & 1);
-  }
-
-  bool crosses(const Edge& e, const Edge& f) const
-  {
-    if(e[0] == f[0] || e[0] == f[1] || e[1] == f[0] || e[1] == f[1] || orientation(e[0], e[1], f[0], f[1]) != 0)
-      return false;
-    // Coplanar: seen from any vertex off their plane, each edge has the ends of the other on opposite sides.
-    for(int w = 0; w < n(); ++w)
-    {
-      const int s = orientation(e[0], e[1], f[0], w), t = orientation(e[0], e[1], f[1], w);
-      const int x = orientation(f[0], f[1], e[0], w), y = orientation(f[0], f[1], e[1], w);
-      if(s != 0 || t != 0 || x != 0 || y != 0)
-        return s * t < 0 && x * y < 0;
-    }
-    return false;
-  }
-
-  bool pierces(const Edge& e, const Face& f) const
-  {
-    const Sides& s = sides(f);
-    if(((((s.positive >> e[0]) & (s.negative >> e[1])) | ((s.negative >> e[0]) & (s.positive >> e[1]))) & 1) == 0)
-      return false; // both ends on the same side, or one of them in the plane
-    const int side = orientation(e[0], e[1], f[0], f[1]);
-    return side != 0
-        && orientation(e[0], e[1], f[1], f[2]) == side
-        && orientation(e[0], e[1], f[2], f[0]) == side;
-  }
-
-  static std::array<Edge, 6> edges_of(const std::array<int, 4>& v)
+  static std::array<Edge, 6> edges_of(const Candidate& v)
   {
     return {{ {{ v[0], v[1] }}, {{ v[0], v[2] }}, {{ v[0], v[3] }},
               {{ v[1], v[2] }}, {{ v[1], v[3] }}, {{ v[2], v[3] }} }};
   }
 
   // The faces, each with the tetrahedron on its positive side.
-  static std::array<Face, 4> faces_of(const std::array<int, 4>& v)
+  static std::array<Face, 4> faces_of(const Candidate& v)
   {
     return {{ {{ v[0], v[1], v[2] }}, {{ v[0], v[3], v[1] }}, {{ v[0], v[2], v[3] }}, {{ v[1], v[3], v[2] }} }};
   }
@@ -372,8 +245,8 @@ private:
         const Edge e = {{ i, j }};
         const bool is_in_mesh = (state(e) & in_mesh) != 0;
         m_is_uncrossed[i * n() + j] =
-             ! any_of(is_in_mesh ? m_foreign_edges : m_obstacle_edges, [&](const Edge& o) { return crosses(e, o); })
-          && ! any_of(is_in_mesh ? m_foreign_faces : m_obstacle_faces, [&](const Face& o) { return pierces(e, o); });
+             ! any_of(is_in_mesh ? m_foreign_edges : m_obstacle_edges, [&](const Edge& o) { return m_orientations.crosses(e, o); })
+          && ! any_of(is_in_mesh ? m_foreign_faces : m_obstacle_faces, [&](const Face& o) { return m_orientations.pierces(e, o); });
       }
   }
 
@@ -386,26 +259,20 @@ private:
     signed char& is_pierced = m_is_pierced[key(f)];
     if(is_pierced == unknown)
       is_pierced = any_of((state(f) & in_mesh) != 0 ? m_foreign_edges : m_obstacle_edges,
-                          [&](const Edge& o) { return pierces(o, f); });
+                          [&](const Edge& o) { return m_orientations.pierces(o, f); });
     return is_pierced == 1;
   }
 
   void add_candidate(const int i, const int j, const int k, const int l)
   {
-    const int sign = orientation(i, j, k, l);
+    const int sign = m_orientations.orientation(i, j, k, l);
     if(sign == 0
        || is_pierced_by_obstacle(i, j, l) || is_pierced_by_obstacle(i, k, l) || is_pierced_by_obstacle(j, k, l))
       return;
-    Candidate c;
-    c.v = sign > 0 ? std::array<int, 4>{{ i, j, k, l }} : std::array<int, 4>{{ i, k, j, l }};
-    const std::array<Face, 4> faces = faces_of(c.v);
-    if(contains_vertex(faces, c.v))
+    const Candidate c = sign > 0 ? Candidate{{ i, j, k, l }} : Candidate{{ i, k, j, l }};
+    const std::array<Face, 4> faces = faces_of(c);
+    if(m_orientations.contains_vertex(c, faces))
       return;
-    const std::array<Edge, 6> edges = edges_of(c.v);
-    for(int e = 0; e < 6; ++e)
-      c.edges[e] = (std::min)(edges[e][0], edges[e][1]) * n() + (std::max)(edges[e][0], edges[e][1]);
-    for(int f = 0; f < 4; ++f)
-      c.faces[f] = static_cast<int>(key(faces[f]));
     for(const Face& f : faces)
     {
       std::vector<int>& candidates = m_candidates_of_face[key(f)];
@@ -416,15 +283,6 @@ private:
     m_candidates.push_back(c);
   }
 
-  // Whether a vertex is in the closed tetrahedron that is not one of its own.
-  bool contains_vertex(const std::array<Face, 4>& faces, const std::array<int, 4>& v) const
-  {
-    std::uint32_t outside = bit(v[0]) | bit(v[1]) | bit(v[2]) | bit(v[3]);
-    for(const Face& f : faces)
-      outside |= sides(f).negative;
-    return outside != bit(n()) - 1;
-  }
-
   // Faces that differ by a rotation only have the same key, those of opposite orientation another one.
   std::size_t key(const Face& f) const
   {
@@ -432,49 +290,107 @@ private:
     return (static_cast<std::size_t>(f[first]) * n() + f[(first + 1) % 3]) * n() + f[(first + 2) % 3];
   }
 
+  // --- the conflicts ------------------------------------------------------------------------------------------------
+
+  typedef boost::dynamic_bitset<> Candidates; // a set of them
+
+  // An edge or a face of candidates, with those at it and those that cross it.
+  template <typename Simplex_>
+  struct Crossed_simplex
+  {
+    Simplex_ simplex;
+    Candidates at;       // one of whose edges or faces it is
+    Candidates crossing; // one of whose edges or faces crosses it; empty until asked for
+  };
+
+  typedef Crossed_simplex<Edge> Crossed_edge;
+  typedef Crossed_simplex<Face> Crossed_face;
+
+  void collect_simplices_of_candidates()
+  {
+    m_edges.clear();
+    m_faces.clear();
+    m_index_of_edge.assign(m_edge_state.size(), -1);
+    m_index_of_face.assign(m_face_state.size(), -1);
+    for(std::size_t c = 0; c < m_candidates.size(); ++c)
+    {
+      for(const Edge& e : edges_of(m_candidates[c]))
+        crossed_simplex(e).at.set(c);
+      for(const Face& f : faces_of(m_candidates[c]))
+        crossed_simplex(f).at.set(c);
+    }
+  }
+
+  // In whatever order the vertices are given.
+  Crossed_edge& crossed_simplex(Edge e)
+  {
+    std::sort(e.begin(), e.end());
+    return crossed_simplex(e, m_index_of_edge[static_cast<std::size_t>(e[0]) * n() + e[1]], m_edges);
+  }
+
+  Crossed_face& crossed_simplex(Face f)
+  {
+    std::sort(f.begin(), f.end());
+    return crossed_simplex(f, m_index_of_face[key(f)], m_faces);
+  }
+
+  template <typename Simplex_>
+  Crossed_simplex<Simplex_>& crossed_simplex(const Simplex_& simplex, int& index,
+                                             std::vector<Crossed_simplex<Simplex_> >& simplices) const
+  {
+    if(index < 0)
+    {
+      index = static_cast<int>(simplices.size());
+      simplices.push_back({ simplex, Candidates(m_candidates.size()), Candidates() });
+    }
+    return simplices[index];
+  }
+
+  // The candidates with an edge or a face that crosses the edge.
+  const Candidates& candidates_crossing(Crossed_edge& e)
+  {
+    if(! e.crossing.empty())
+      return e.crossing;
+    e.crossing.resize(m_candidates.size());
+    for(const Crossed_edge& x : m_edges)
+      if(m_orientations.crosses(e.simplex, x.simplex))
+        e.crossing |= x.at;
+    for(const Crossed_face& x : m_faces)
+      if(m_orientations.pierces(e.simplex, x.simplex))
+        e.crossing |= x.at;
+    return e.crossing;
+  }
+
+  // The candidates with an edge that pierces the face.
+  const Candidates& candidates_crossing(Crossed_face& f)
+  {
+    if(! f.crossing.empty())
+      return f.crossing;
+    f.crossing.resize(m_candidates.size());
+    for(const Crossed_edge& x : m_edges)
+      if(m_orientations.pierces(x.simplex, f.simplex))
+        f.crossing |= x.at;
+    return f.crossing;
+  }
+
   // The candidates that cannot be in one tetrahedralization with c, c itself included: those on the same side of a
   // common face, and those with an edge or a face that an edge or a face of c crosses.
-  std::vector<int> find_conflicts(const Candidate& c)
+  const Candidates& conflicts(const int c)
   {
-    const std::array<Edge, 6> edges = edges_of(c.v);
-    const std::array<Face, 4> faces = faces_of(c.v);
-    m_is_edge_crossed.assign(m_is_uncrossed.size(), unknown);
-    m_is_face_crossed.assign(m_is_pierced.size(), unknown);
-    std::vector<int> result;
-    for(std::size_t d = 0; d < m_candidates.size(); ++d)
+    Candidates& result = m_conflicts[c];
+    if(! result.empty())
+      return result;
+    m_number_of_conflict_tests += m_candidates.size();
+    result.resize(m_candidates.size());
+    for(const Edge& e : edges_of(m_candidates[c]))
+      result |= candidates_crossing(crossed_simplex(e));
+    for(const Face& f : faces_of(m_candidates[c]))
     {
-      const Candidate& other = m_candidates[d];
-      bool is_in_conflict = false;
-      const std::array<Edge, 6> other_edges = edges_of(other.v);
-      for(int e = 0; e < 6 && ! is_in_conflict; ++e)
-        is_in_conflict = is_crossed(other_edges[e], m_is_edge_crossed[other.edges[e]], edges, faces);
-      const std::array<Face, 4> other_faces = faces_of(other.v);
-      for(int f = 0; f < 4 && ! is_in_conflict; ++f)
-        is_in_conflict = is_crossed(other_faces[f], m_is_face_crossed[other.faces[f]], edges, c.faces, other.faces[f]);
-      if(is_in_conflict)
-        result.push_back(static_cast<int>(d));
+      result |= candidates_crossing(crossed_simplex(f));
+      for(const int d : m_candidates_of_face[key(f)])
+        result.set(d);
     }
     return result;
-  }
-
-  // `state` is what is known of it.
-  bool is_crossed(const Edge& e, signed char& state, const std::array<Edge, 6>& edges,
-                  const std::array<Face, 4>& faces) const
-  {
-    if(state == unknown)
-      state = any_of(edges, [&](const Edge& x) { return crosses(e, x); })
-           || any_of(faces, [&](const Face& x) { return pierces(e, x); });
-    return state == 1;
-  }
-
-  // Or is the same face, seen from the same side.
-  bool is_crossed(const Face& f, signed char& state, const std::array<Edge, 6>& edges,
-                  const std::array<int, 4>& face_keys, const int key) const
-  {
-    if(state == unknown)
-      state = std::find(face_keys.begin(), face_keys.end(), key) != face_keys.end()
-           || any_of(edges, [&](const Edge& x) { return pierces(x, f); });
-    return state == 1;
   }
 
   // --- the search ---------------------------------------------------------------------------------------------------
@@ -485,6 +401,7 @@ private:
     int candidate;
     std::vector<int> alternatives; // tried after this one
     std::vector<Face> front;       // before the choice
+    Candidates left;               // before the choice
   };
 
   Outcome search()
@@ -492,7 +409,10 @@ private:
     m_choices.clear();
     m_number_of_steps = 0;
     m_number_of_conflict_tests = 0;
-    m_conflicts.assign(m_candidates.size(), std::vector<int>());
+    m_conflicts.assign(m_candidates.size(), Candidates());
+    collect_simplices_of_candidates();
+    m_left.resize(m_candidates.size());
+    m_left.set();
     while(! m_front.empty())
     {
       std::vector<int> options = options_of_hardest_face();
@@ -508,8 +428,8 @@ private:
     }
     for(const Choice& choice : m_choices)
     {
-      const std::array<int, 4>& v = m_candidates[choice.candidate].v;
-      m_tetrahedra.push_back({{ m_vertices[v[0]], m_vertices[v[1]], m_vertices[v[2]], m_vertices[v[3]] }});
+      const Candidate& v = m_candidates[choice.candidate];
+      m_tetrahedra.push_back({{ vertex(v[0]), vertex(v[1]), vertex(v[2]), vertex(v[3]) }});
     }
     return FOUND;
   }
@@ -523,7 +443,7 @@ private:
     {
       options.clear();
       for(const int c : m_candidates_of_face[key(f)])
-        if(m_candidates[c].number_of_conflicts == 0)
+        if(m_left.test(c))
           options.push_back(c);
       if(is_first || options.size() < fewest.size())
         fewest.swap(options);
@@ -540,8 +460,8 @@ private:
     choice.candidate = options.front();
     choice.alternatives.assign(options.begin() + 1, options.end());
     choice.front = m_front;
-    const Candidate& c = m_candidates[choice.candidate];
-    for(const Face& f : faces_of(c.v))
+    choice.left = m_left;
+    for(const Face& f : faces_of(m_candidates[choice.candidate]))
     {
       const auto it = std::find_if(m_front.begin(), m_front.end(), [&](const Face& g) { return key(g) == key(f); });
       if(it != m_front.end())
@@ -549,8 +469,7 @@ private:
       else
         m_front.push_back(Face{{ f[0], f[2], f[1] }}); // to be filled on its other side
     }
-    for(const int d : conflicts(choice.candidate))
-      ++m_candidates[d].number_of_conflicts;
+    m_left -= conflicts(choice.candidate);
     m_choices.push_back(std::move(choice));
   }
 
@@ -559,30 +478,15 @@ private:
   {
     Choice choice = std::move(m_choices.back());
     m_choices.pop_back();
-    for(const int d : conflicts(choice.candidate))
-      --m_candidates[d].number_of_conflicts;
     m_front = std::move(choice.front);
+    m_left = std::move(choice.left);
     return std::move(choice.alternatives);
   }
 
-  // The candidates in conflict with c, itself included.
-  const std::vector<int>& conflicts(const int c)
-  {
-    std::vector<int>& list = m_conflicts[c];
-    if(! list.empty())
-      return list;
-    m_number_of_conflict_tests += m_candidates.size();
-    list = find_conflicts(m_candidates[c]);
-    return list;
-  }
-
-  const Predicates& m_predicates;
+  Orientations m_orientations;
   std::size_t m_max_number_of_steps = default_max_number_of_steps;
   std::size_t m_number_of_steps = 0;
   std::size_t m_number_of_conflict_tests = 0;
-  std::vector<Vertex_handle> m_vertices;
-  std::vector<Vertex_handle> m_previous_vertices;
-  std::vector<Sides> m_sides; // by ordered triples
   std::vector<Edge> m_obstacle_edges;
   std::vector<Face> m_obstacle_faces;
   std::vector<Edge> m_foreign_edges; // the obstacles that are not in the mesh
@@ -592,11 +496,14 @@ private:
   static constexpr signed char unknown = -1;
   std::vector<char> m_is_uncrossed;
   std::vector<signed char> m_is_pierced;
-  std::vector<signed char> m_is_edge_crossed, m_is_face_crossed; // by one candidate
   std::vector<Candidate> m_candidates;
   std::vector<std::vector<int> > m_candidates_of_face;
   std::vector<std::size_t> m_used_faces; // with a candidate
-  std::vector<std::vector<int> > m_conflicts; // computed when first asked for
+  std::vector<Crossed_edge> m_edges; // those of candidates
+  std::vector<Crossed_face> m_faces;
+  std::vector<int> m_index_of_edge, m_index_of_face; // in these
+  std::vector<Candidates> m_conflicts; // of each candidate, computed when first asked for
+  Candidates m_left;                   // those that cross no chosen one
   std::vector<Face> m_front;
   std::vector<Choice> m_choices;
   std::vector<Tetrahedron> m_tetrahedra;
