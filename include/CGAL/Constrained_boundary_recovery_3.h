@@ -285,13 +285,19 @@ public:
     const Snapshot snapshot(m_tr);
     std::vector<Vertex_handle> earlier_points;
     earlier_points.swap(m_free_steiner_vertices);
+    const std::size_t earlier_constraint_points = m_number_of_constraint_points;
+    const std::size_t earlier_steiner_points = m_number_of_steiner_points;
     for(const int l_max : conforming_recursion_levels)
     {
       recover_conforming(l_max);
       const bool is_conforming = is_nothing_lost();
       const bool is_done = is_conforming && finish_points(mode);
       if(! is_done)
+      {
         take_back(snapshot);
+        m_number_of_constraint_points = earlier_constraint_points;
+        m_number_of_steiner_points = earlier_steiner_points;
+      }
       recount();
       if(is_done || ! is_conforming || ! m_context.go_further())
         break;
@@ -475,7 +481,6 @@ private:
       m_steiner_points.positions().erase(v);
     vertices.insert(vertices.end(), m_free_steiner_vertices.begin(), m_free_steiner_vertices.end());
     m_free_steiner_vertices.clear();
-    m_number_of_constraint_points = m_number_of_steiner_points = 0;
     snapshot.restore(m_tr, vertices, m_context.visitor());
   }
 

@@ -245,8 +245,10 @@ private:
         const Edge e = {{ i, j }};
         const bool is_in_mesh = (state(e) & in_mesh) != 0;
         m_is_uncrossed[i * n() + j] =
-             ! any_of(is_in_mesh ? m_foreign_edges : m_obstacle_edges, [&](const Edge& o) { return m_orientations.crosses(e, o); })
-          && ! any_of(is_in_mesh ? m_foreign_faces : m_obstacle_faces, [&](const Face& o) { return m_orientations.pierces(e, o); });
+             ! any_of(is_in_mesh ? m_foreign_edges : m_obstacle_edges,
+                      [&](const Edge& o) { return m_orientations.crosses(e, o); })
+          && ! any_of(is_in_mesh ? m_foreign_faces : m_obstacle_faces,
+                      [&](const Face& o) { return m_orientations.pierces(e, o); });
       }
   }
 
