@@ -53,10 +53,24 @@ void test_flat_constraints_and_an_earlier_point()
   assert(br3_test::recover_and_judge(c) == Recovery_status::invalid_input);
 }
 
+// Multiples of a tenth are nearly coplanar: with a Steiner point at the number next to its position, a cell was
+// inverted in the mode conforming, while the numbers around that one would do.
+void test_rounding_beside_a_nearly_flat_cell()
+{
+  const double x = 0.1, y = 0.2, z = 0.30000000000000004;
+  Fuzz_case c;
+  c.plc.points = { {{ z, 0, z }}, {{ z, x, 0 }}, {{ x, x, z }}, {{ x, z, x }}, {{ x, 0, 0 }},
+                   {{ y, 0, z }}, {{ z, z, x }}, {{ y, z, z }}, {{ y, y, 0 }} };
+  c.plc.triangles = { { 3, 0, 8 }, { 2, 8, 5 }, { 2, 8, 1 } };
+  c.plc.edges = { { 5, 3 } };
+  assert(br3_test::recover_and_judge(c) == Recovery_status::recovered);
+}
+
 int main()
 {
   test_no_vertices_for_a_late_refusal();
   test_flat_constraints_and_an_unused_point();
   test_flat_constraints_and_an_earlier_point();
+  test_rounding_beside_a_nearly_flat_cell();
   std::cout << "done" << std::endl;
 }

@@ -16,11 +16,14 @@
 #include <CGAL/Boundary_recovery_3/internal/Exact_positions_3.h>
 
 #include <CGAL/assertions.h>
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <unordered_map>
 #include <vector>
 
@@ -41,8 +44,10 @@ class Steiner_points_3
 {
 public:
   typedef typename Tr::Vertex_handle     Vertex_handle;
+  typedef typename Tr::Cell_handle       Cell_handle;
   typedef Constraints_3<Tr>              Constraints;
   typedef Exact_positions_3<Tr>          Positions;
+  typedef typename Positions::Point_3    Point_3;
   typedef std::vector<Vertex_handle>     Vertices;
 
   // The constraint that a Steiner point is on: an edge (dimension 1) or a facet (dimension 2), in its interior.
@@ -94,25 +99,28 @@ public:
     m_positions.erase(v);
   }
 
-  // Lets v be where the triangulation says, if all the cells around it are positively oriented and the hull is convex
-  // then.
+  // Moves v to the point next to its exact position that the triangulation can store, or else to one of those around
+  // it, such that all the cells around v are positively oriented and the hull is convex. Returns false if none will do.
   template <typename Predicates>
   bool round(const Tr& tr, const Predicates& predicates, const Vertex_handle v)
   {
     if(! m_positions.contains(v))
       return true;
     const typename Positions::Exact_point_3 exact = m_positions(v);
-    m_positions.erase(v);
-    std::vector<typename Tr::Cell_handle> star;
+    const Point_3 nearest = v->point();
+    std::vector<Cell_handle> star;
     tr.incident_cells(v, std::back_inserter(star));
-    for(const auto c : star)
-      if(tr.is_infinite(c) ? ! is_hull_convex_at(tr, predicates, c)
-                           : predicates.orientation(c->vertex(0), c->vertex(1), c->vertex(2), c->vertex(3)) != POSITIVE)
+    m_positions.erase(v);
+    for(int number_of_moves = 0; number_of_moves <= 3; ++number_of_moves)
+      for(const Moves& moves : moves_of_coordinates(number_of_moves))
       {
-        m_positions.set(v, exact);
-        return false;
+        v->set_point(moved(nearest, moves));
+        if(is_valid(tr, predicates, star))
+          return true;
       }
-    return true;
+    v->set_point(nearest);
+    m_positions.set(v, exact);
+    return false;
   }
 
   // All of them, in the order in which they were inserted.
@@ -250,8 +258,43 @@ private:
     }
   }
 
+  typedef std::array<int, 3> Moves; // of the coordinates: to the next number below, none, or to the next above
+
+  static std::vector<Moves> moves_of_coordinates(const int number_of_moves)
+  {
+    std::vector<Moves> result;
+    for(int x = -1; x <= 1; ++x)
+      for(int y = -1; y <= 1; ++y)
+        for(int z = -1; z <= 1; ++z)
+          if(x * x + y * y + z * z == number_of_moves)
+            result.push_back({{ x, y, z }});
+    return result;
+  }
+
+  static Point_3 moved(const Point_3& p, const Moves& moves)
+  {
+    std::array<double, 3> x;
+    for(int i = 0; i < 3; ++i)
+    {
+      x[i] = CGAL::to_double(p[i]);
+      if(moves[i] != 0)
+        x[i] = std::nextafter(x[i], moves[i] * std::numeric_limits<double>::infinity());
+    }
+    return Point_3(x[0], x[1], x[2]);
+  }
+
+  template <typename Predicates>
+  static bool is_valid(const Tr& tr, const Predicates& predicates, const std::vector<Cell_handle>& cells)
+  {
+    return std::all_of(cells.begin(), cells.end(), [&](const Cell_handle c)
+    {
+      return tr.is_infinite(c) ? is_hull_convex_at(tr, predicates, c)
+           : predicates.orientation(c->vertex(0), c->vertex(1), c->vertex(2), c->vertex(3)) == POSITIVE;
+    });
+  }
+
   // Whether no hull facet beside that of an infinite cell is in front of it.
-  template <typename Predicates, typename Cell_handle>
+  template <typename Predicates>
   static bool is_hull_convex_at(const Tr& tr, const Predicates& predicates, const Cell_handle c)
   {
     const int infinite = c->index(tr.infinite_vertex());
