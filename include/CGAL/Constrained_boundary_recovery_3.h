@@ -269,7 +269,7 @@ public:
   /// mode `conforming`, they stay there and get the nearest positions that the triangulation can store. In the mode
   /// `flips_only`, they are tried for a few lost edges, and accepted only if all of them could be removed. If some
   /// position cannot be stored, or points are left that must not be, the triangulation is put back and other points are
-  /// tried, three times in all. Steiner points that were there before stay. Returns whether this worked for all
+  /// tried, six times in all. Steiner points that were there before stay. Returns whether this worked for all
   /// constraints; if not, the triangulation is as it was before.
   ///
   /// \pre the constraints do not intersect, no other vertex is on them, and no Steiner point is on a constraint.
@@ -443,7 +443,7 @@ private:
   static constexpr int suppression_recursion_level = 4;
 
   // Where one level leads to Steiner points that do not do, another may lead to some that do.
-  static constexpr int conforming_recursion_levels[] = { default_conforming_recursion_level, 6, 1 };
+  static constexpr int conforming_recursion_levels[] = { default_conforming_recursion_level, 6, 1, 0, 2, 12 };
 
   bool is_nothing_lost() const { return m_lost.edges.empty() && m_lost.facets.empty(); }
 

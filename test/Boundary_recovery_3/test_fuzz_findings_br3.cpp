@@ -66,11 +66,25 @@ void test_rounding_beside_a_nearly_flat_cell()
   assert(br3_test::recover_and_judge(c) == Recovery_status::recovered);
 }
 
+// In nearly flat cells again, three sets of Steiner points in a row had one that no number could take the place of.
+void test_more_than_three_attempts()
+{
+  const double x = 0.1, y = 0.2, z = 0.30000000000000004, w = 0.4;
+  Fuzz_case c;
+  c.are_points_inserted_before = true;
+  c.plc.points = { {{ x, z, z }}, {{ 0, 0, w }}, {{ 0, w, w }}, {{ 0, z, w }}, {{ z, z, 0 }}, {{ z, w, w }},
+                   {{ w, y, x }}, {{ x, 0, w }}, {{ w, x, y }}, {{ y, 0, w }}, {{ y, y, z }} };
+  c.plc.triangles = { { 3, 8, 7 }, { 4, 10, 2 }, { 7, 8, 6 }, { 4, 0, 1 }, { 9, 8, 7 }, { 6, 2, 5 }, { 2, 4, 3 } };
+  c.plc.edges = { { 10, 3 }, { 8, 9 }, { 4, 8 }, { 3, 9 }, { 4, 1 } };
+  assert(br3_test::recover_and_judge(c) == Recovery_status::recovered);
+}
+
 int main()
 {
   test_no_vertices_for_a_late_refusal();
   test_flat_constraints_and_an_unused_point();
   test_flat_constraints_and_an_earlier_point();
   test_rounding_beside_a_nearly_flat_cell();
+  test_more_than_three_attempts();
   std::cout << "done" << std::endl;
 }

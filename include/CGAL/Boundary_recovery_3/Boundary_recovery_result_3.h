@@ -189,7 +189,7 @@ struct Boundary_recovery_result_3
   std::size_t number_of_shell_transformations = 0; ///< number of covering meshes that were replaced
 
   std::vector<Phase_report> phases;           ///< one entry for each run of a phase; those with Steiner points run
-                                              ///< again if other points have to be tried, up to three times
+                                              ///< again if other points have to be tried, up to six times
   std::vector<Recursion_level_report> levels; ///< one entry for each pass of [CZZ+17, Alg. 5]
 
   /// returns `true` iff every constraint is in the triangulation.
