@@ -336,8 +336,9 @@ public:
     m_number_of_transformations += conform.number_of_transformations();
   }
 
-  /// gives each Steiner point on a constraint the nearest position that the triangulation can store, or one next to
-  /// that, such that all the cells around it remain positively oriented. Returns whether this is so for all of them.
+  /// gives each Steiner point on a constraint the nearest position that the triangulation can store, or one that is at
+  /// most 2^10 times as far away as numbers are from each other, such that all the cells around it remain positively
+  /// oriented. Returns whether this is so for all of them.
   bool round_steiner_points()
   {
     bool is_done = true;

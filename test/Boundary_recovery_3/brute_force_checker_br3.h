@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <set>
@@ -23,10 +24,6 @@
 #include <vector>
 
 namespace br3_test {
-
-// Whether these modes must recover every valid input.
-constexpr bool is_constrained_mode_complete = true;
-constexpr bool is_conforming_mode_complete = true;
 
 struct Complaint : public std::runtime_error { using std::runtime_error::runtime_error; };
 
@@ -309,10 +306,15 @@ private:
     require(is_all_there || ! must_be_complete(), "a valid input was not recovered");
   }
 
-  bool must_be_complete() const
+  // Where coordinates differ by rounding errors only, no number may fit between two constraints.
+  bool must_be_complete() const { return m_mode != Mode::flips_only && (is_exact || has_integer_coordinates()); }
+
+  bool has_integer_coordinates() const
   {
-    return (m_mode == Mode::constrained && is_constrained_mode_complete)
-        || (m_mode == Mode::conforming && is_conforming_mode_complete);
+    return std::all_of(m_plc.points.begin(), m_plc.points.end(), [](const Coordinates& p)
+    {
+      return std::all_of(p.begin(), p.end(), [](const double x) { return std::floor(x) == x; });
+    });
   }
 
   // Takes the constraint off the list iff it is missing, and looks for points on it.

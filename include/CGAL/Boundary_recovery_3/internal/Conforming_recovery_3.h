@@ -22,6 +22,7 @@
 #include <CGAL/Boundary_recovery_3/internal/Steiner_points_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/cell_simplices.h>
+#include <CGAL/Boundary_recovery_3/internal/nearest_integer.h>
 #include <CGAL/Shell_transformation_3.h>
 
 #include <CGAL/Kernel/global_functions_3.h>
@@ -293,11 +294,12 @@ private:
   // --- simple positions ---------------------------------------------------------------------------------------------
 
   // Numbers of bits behind the binary point that are tried for the weights of a position, the fewest first.
-  static constexpr std::array<int, 7> numbers_of_bits = {{ 3, 6, 10, 16, 24, 36, 52 }};
+  static constexpr std::array<int, 10> numbers_of_bits = {{ 3, 6, 10, 16, 24, 36, 52, 100, 200, 400 }};
 
   static FT rounded(const FT& t, const int bits)
   {
-    return FT(std::ldexp(std::round(std::ldexp(CGAL::to_double(t), bits)), -bits));
+    const FT unit(std::ldexp(1., -bits));
+    return nearest_integer(FT(t / unit)) * unit;
   }
 
   // `candidate` gives the position with weights of so many bits.

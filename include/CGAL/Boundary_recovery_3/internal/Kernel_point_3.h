@@ -13,7 +13,9 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/Exact_positions_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Representable_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
+#include <CGAL/Boundary_recovery_3/internal/nearest_integer.h>
 
 #include <CGAL/QP_functions.h>
 #include <CGAL/QP_models.h>
@@ -56,6 +58,7 @@ public:
   typedef typename Positions::Point_3          Point_3;
   typedef std::array<Vertex_handle, 3>         Triangle;
   typedef std::array<double, 3>                Vector;
+  typedef typename Positions::Exact_point_3    Exact_point;
   typedef typename Positions::Exact_kernel::Vector_3 Exact_vector;
 
   Kernel_point_3(const Predicates& predicates, Positions& positions)
@@ -69,9 +72,16 @@ public:
                   const Vertex_handle origin, const std::vector<Exact_vector>& directions)
   {
     set_up(faces, m_predicates.approximate_point(origin));
-    return any_of(directions, [&](const Exact_vector& d) { return find_on_ray(v, faces, approximate(d)); })
-        || move_to_deepest_point(v, faces)
-        || any_of(directions, [&](const Exact_vector& d) { return find_exactly_on_ray(v, faces, origin, d); });
+    if(any_of(directions, [&](const Exact_vector& d) { return find_on_ray(v, faces, approximate(d)); }))
+      return true;
+    if(! any_of(directions, [&](const Exact_vector& d) { return find_exactly_on_ray(v, faces, origin, d); }))
+      return move_to_deepest_point(v, faces);
+    const Vector offset = approximate(m_positions(v) - m_positions(origin));
+    const double distance = std::sqrt(dot(offset, offset));
+    simplify_position(v, faces, distance);
+    if(distance > thinnest * m_diameter * m_unit) // else no number can be expected, and linear programs are slow there
+      round_to_deepest_point(v, faces);
+    return true;
   }
 
   // Moves v to the deepest point of the kernel, in numbers of the triangulation's kernel. v must have no exact
@@ -80,6 +90,30 @@ public:
   {
     set_up(faces, m_predicates.approximate_point(v));
     return move_to_deepest_point(v, faces);
+  }
+
+  // Moves v to a point in numbers of the triangulation's kernel, with no coordinate farther than `radius` from that of
+  // `inside`, an exact point of the open kernel. v must have no exact position. This is slow, but decides whether there
+  // is such a point, up to what `Representable_point_3` does not look at.
+  bool move_near(const Vertex_handle v, const std::vector<Triangle>& faces, const Exact_point& inside,
+                 const double radius = std::numeric_limits<double>::infinity())
+  {
+    if constexpr(Positions::is_kernel_exact)
+      return false;
+    else
+    {
+      const Rational_point center(CGAL::exact(inside.x()), CGAL::exact(inside.y()), CGAL::exact(inside.z()));
+      std::vector<Rational_plane> planes;
+      for(const Triangle& f : faces) // with the kernel on their negative sides
+        planes.emplace_back(rational_point(f[0]), rational_point(f[2]), rational_point(f[1]));
+      if(std::isfinite(radius))
+        add_box(center, radius, planes);
+      const auto found = Representable_point_3<Rational>()(planes, center);
+      if(! found)
+        return false;
+      v->set_point(Point_3((*found)[0], (*found)[1], (*found)[2]));
+      return is_kernel_point(v, faces);
+    }
   }
 
   // The distance of the deepest point, computed last, from the planes of the faces; negative if there is no kernel.
@@ -100,6 +134,26 @@ private:
 #else
   typedef CGAL::MP_Float ET;
 #endif
+
+  typedef typename Positions::Exact_FT                            FT;
+  typedef typename Positions::Rational                            Rational;
+  typedef typename Representable_point_3<Rational>::Point_3       Rational_point;
+  typedef typename Representable_point_3<Rational>::Plane_3       Rational_plane;
+
+  Rational_point rational_point(const Vertex_handle v) const
+  {
+    const Exact_point p = m_positions(v);
+    return Rational_point(CGAL::exact(p.x()), CGAL::exact(p.y()), CGAL::exact(p.z()));
+  }
+
+  // With the inside on their negative sides.
+  static void add_box(const Rational_point& center, const double radius, std::vector<Rational_plane>& planes)
+  {
+    for(const int sign : { 1, -1 })
+      for(int i = 0; i < 3; ++i)
+        planes.emplace_back(i == 0 ? sign : 0, i == 1 ? sign : 0, i == 2 ? sign : 0,
+                            Rational(- Rational(sign) * center[i] - Rational(radius)));
+  }
 
   // The half space of the points x for which normal * x > offset; the origin of coordinates is the given origin.
   struct Half_space
@@ -214,6 +268,33 @@ private:
     return false;
   }
 
+  // Gives v, which has an exact position, another one near it that fewer bits describe, if this is in the kernel:
+  // positions that are computed from positions would become longer and longer.
+  void simplify_position(const Vertex_handle v, const std::vector<Triangle>& faces, const double distance)
+  {
+    if(! (distance > (std::numeric_limits<double>::min)()))
+      return;
+    const Exact_point exact = m_positions(v);
+    for(const int bits : { 4, 16, 64 })
+    {
+      const FT unit(std::ldexp(1., (std::max)(std::ilogb(distance) - bits, -1074)));
+      const auto rounded = [&](const FT& x) { return FT(nearest_integer(FT(x / unit)) * unit); };
+      m_positions.set(v, Exact_point(rounded(exact.x()), rounded(exact.y()), rounded(exact.z())));
+      if(is_kernel_point(v, faces))
+        return;
+    }
+    m_positions.set(v, exact);
+  }
+
+  // Moves v, which has an exact position, to the deepest point if this can be stored.
+  void round_to_deepest_point(const Vertex_handle v, const std::vector<Triangle>& faces)
+  {
+    const Exact_point exact = m_positions(v);
+    m_positions.erase(v);
+    if(! move_to_deepest_point(v, faces))
+      m_positions.set(v, exact);
+  }
+
   // The center of the largest ball in the kernel: of the points x with normal * x - offset >= r for all half spaces,
   // that with the largest r.
   bool move_to_deepest_point(const Vertex_handle v, const std::vector<Triangle>& faces)
@@ -307,6 +388,7 @@ private:
   static constexpr int max_number_of_bisections = 50;
   static constexpr int max_number_of_exact_bisections = 2000; // far beyond the range of double
   static constexpr int number_of_samples = 500;
+  static constexpr double thinnest = 1e-30; // of the diameter; numbers have 16 digits
 
   const Predicates& m_predicates;
   Positions& m_positions;

@@ -14,6 +14,8 @@
 
 #include <CGAL/Boundary_recovery_3/internal/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Exact_positions_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Kernel_point_3.h>
+#include <CGAL/Boundary_recovery_3/internal/cell_simplices.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
@@ -100,7 +102,8 @@ public:
   }
 
   // Moves v to the point next to its exact position that the triangulation can store, or else to one of those around
-  // it, such that all the cells around v are positively oriented and the hull is convex. Returns false if none will do.
+  // it, or else, if v is not on the hull, to one up to 2^10 times as far away, such that all the cells around v are
+  // positively oriented and the hull is convex. Returns false if none will do.
   template <typename Predicates>
   bool round(const Tr& tr, const Predicates& predicates, const Vertex_handle v)
   {
@@ -118,6 +121,8 @@ public:
         if(is_valid(tr, predicates, star))
           return true;
       }
+    if(move_near(tr, predicates, v, star, exact))
+      return true;
     v->set_point(nearest);
     m_positions.set(v, exact);
     return false;
@@ -281,6 +286,23 @@ private:
         x[i] = std::nextafter(x[i], moves[i] * std::numeric_limits<double>::infinity());
     }
     return Point_3(x[0], x[1], x[2]);
+  }
+
+  template <typename Predicates>
+  bool move_near(const Tr& tr, const Predicates& predicates, const Vertex_handle v,
+                 const std::vector<Cell_handle>& star, const typename Positions::Exact_point_3& exact)
+  {
+    if(std::any_of(star.begin(), star.end(), [&](const Cell_handle c) { return tr.is_infinite(c); }))
+      return false;
+    Kernel_point_3<Tr> kernel_point(predicates, m_positions);
+    const auto faces = faces_of_ball(star, v);
+    const double largest = (std::max)({ std::abs(CGAL::to_double(exact.x())), std::abs(CGAL::to_double(exact.y())),
+                                        std::abs(CGAL::to_double(exact.z())) });
+    const double spacing = std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
+    for(const int exponent : { 2, 6, 10 })
+      if(kernel_point.move_near(v, faces, exact, std::ldexp(spacing, exponent)))
+        return true;
+    return false;
   }
 
   template <typename Predicates>

@@ -190,7 +190,7 @@ private:
     const typename Positions::Exact_point_3 exact = m_positions(v);
     m_positions.erase(v);
     if(m_kernel_point.is_kernel_point(v, faces) || m_kernel_point(v, faces)
-       || enlarge_ball(v, context))
+       || (context.go_further() && m_kernel_point.move_near(v, faces, exact)) || enlarge_ball(v, context))
       return true;
     m_positions.set(v, exact);
     return false;

@@ -1,0 +1,310 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_REPRESENTABLE_POINT_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_REPRESENTABLE_POINT_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/internal/nearest_integer.h>
+
+#include <CGAL/Convex_hull_3/dual/halfspace_intersection_3.h>
+#include <CGAL/Kernel/global_functions_3.h>
+#include <CGAL/Origin.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * Decides whether there is a point with coordinates of type `double` in an open convex polyhedron, and finds one. The
+ * polyhedron may be far thinner than the distance between floating point numbers.
+ *
+ * Floating point numbers up to a bound are multiples of a power of two, so this is integer programming in three
+ * dimensions, by the method of H. W. Lenstra (Integer programming with a fixed number of variables, 1983): a linear map
+ * makes the polyhedron about as wide as long, and the basis of the lattice is reduced there. Then few lattice planes
+ * meet the polyhedron if there is no lattice point in it, and all of them are searched, line by line.
+ *
+ * All is exact. What is not looked at are numbers closer to each other than at the largest coordinates of the
+ * polyhedron, and more lattice lines than `max_number_of_lines`.
+ */
+template <typename Rational>
+class Representable_point_3
+{
+public:
+  typedef Simple_cartesian<Rational>           Kernel;
+  typedef typename Kernel::Point_3             Point_3;
+  typedef typename Kernel::Plane_3             Plane_3;
+  typedef std::array<double, 3>                Coordinates;
+
+  // The polyhedron is the intersection of the open negative sides of the planes. It is bounded, and `inside` is in it.
+  std::optional<Coordinates> operator()(const std::vector<Plane_3>& planes, const Point_3& inside)
+  {
+    collect_vertices(planes, inside);
+    find_spacings();
+    if(! find_shape())
+      return std::nullopt;
+    reduce_basis();
+    change_basis(planes);
+    return search();
+  }
+
+private:
+  typedef typename Kernel::Vector_3            Vector_3;
+  typedef std::array<Vector_3, 3>              Matrix; // three columns
+
+  // The points x for which normal * x + offset < 0.
+  struct Half_space
+  {
+    Vector_3 normal;
+    Rational offset;
+  };
+
+  static Rational dot(const Vector_3& v, const Vector_3& w) { return CGAL::scalar_product(v, w); }
+
+  static Vector_3 cross(const Vector_3& v, const Vector_3& w) { return CGAL::cross_product(v, w); }
+
+  // The vectors that have the product one with one column, and zero with the others.
+  static Matrix dual(const Matrix& m)
+  {
+    const Rational determinant = dot(m[0], cross(m[1], m[2]));
+    return {{ cross(m[1], m[2]) / determinant, cross(m[2], m[0]) / determinant, cross(m[0], m[1]) / determinant }};
+  }
+
+  static Vector_3 products(const Matrix& m, const Vector_3& v)
+  {
+    return Vector_3(dot(m[0], v), dot(m[1], v), dot(m[2], v));
+  }
+
+  void collect_vertices(const std::vector<Plane_3>& planes, const Point_3& inside)
+  {
+    Polyhedron_3<Kernel> polyhedron;
+    CGAL::halfspace_intersection_3(planes.begin(), planes.end(), polyhedron, inside);
+    m_vertices.clear();
+    for(auto it = polyhedron.points_begin(); it != polyhedron.points_end(); ++it)
+      m_vertices.push_back(*it - CGAL::ORIGIN);
+  }
+
+  // From here on, the spacing of the numbers in each coordinate is the unit there.
+  void find_spacings()
+  {
+    for(int i = 0; i < 3; ++i)
+    {
+      double largest = 0;
+      for(const Vector_3& v : m_vertices)
+        largest = (std::max)(largest, std::abs(CGAL::to_double(v[i])));
+      m_spacings[i] = largest > 0 ? std::ldexp(1., (std::max)(std::ilogb(largest) - 52, -1074))
+                                  : std::numeric_limits<double>::denorm_min();
+    }
+    for(Vector_3& v : m_vertices)
+      v = Vector_3(v.x() / Rational(m_spacings[0]), v.y() / Rational(m_spacings[1]), v.z() / Rational(m_spacings[2]));
+  }
+
+  // Finds three edges of a large simplex of vertices. In affine coordinates with respect to it, the polyhedron is in
+  // a cube that is not much larger. Returns false if there is no volume.
+  bool find_shape()
+  {
+    if(m_vertices.size() < 4)
+      return false;
+    const Vector_3 first = m_vertices.front();
+    const auto farthest = [&](const auto& size)
+    {
+      Vector_3 result = CGAL::NULL_VECTOR;
+      Rational largest(0);
+      for(const Vector_3& v : m_vertices)
+      {
+        const Vector_3 d = v - first;
+        const Rational s = size(d);
+        if(s > largest)
+        {
+          largest = s;
+          result = d;
+        }
+      }
+      return result;
+    };
+    m_shape[0] = farthest([](const Vector_3& d) { return dot(d, d); });
+    m_shape[1] = farthest([&](const Vector_3& d) { const Vector_3 n = cross(d, m_shape[0]); return dot(n, n); });
+    const Vector_3 normal = cross(m_shape[0], m_shape[1]);
+    m_shape[2] = farthest([&](const Vector_3& d) { return Rational(CGAL::abs(Rational(dot(d, normal)))); });
+    return m_shape[2] != CGAL::NULL_VECTOR;
+  }
+
+  // Makes a basis of the integer vectors short in the affine coordinates: as long as a multiple of one can be taken off
+  // another so that this becomes shorter. The longest comes first then.
+  void reduce_basis()
+  {
+    m_basis = {{ Vector_3(1, 0, 0), Vector_3(0, 1, 0), Vector_3(0, 0, 1) }};
+    const Matrix forms = dual(m_shape);
+    Matrix images;
+    for(int i = 0; i < 3; ++i)
+      images[i] = products(forms, m_basis[i]);
+    for(bool is_changed = true; is_changed; )
+    {
+      is_changed = false;
+      for(int i = 0; i < 3; ++i)
+        for(int j = (i + 1) % 3; j != i; j = (j + 1) % 3)
+        {
+          const Rational q = nearest_integer(Rational(dot(images[i], images[j]) / dot(images[j], images[j])));
+          const Vector_3 shorter = images[i] - q * images[j];
+          if(! (dot(shorter, shorter) < dot(images[i], images[i])))
+            continue;
+          images[i] = shorter;
+          m_basis[i] = m_basis[i] - q * m_basis[j];
+          is_changed = true;
+        }
+    }
+    for(int i = 1; i < 3; ++i)
+      if(dot(images[i], images[i]) > dot(images[0], images[0]))
+      {
+        std::swap(images[0], images[i]);
+        std::swap(m_basis[0], m_basis[i]);
+      }
+  }
+
+  // The vertices and half spaces in coordinates with respect to the reduced basis.
+  void change_basis(const std::vector<Plane_3>& planes)
+  {
+    const Matrix forms = dual(m_basis);
+    for(Vector_3& v : m_vertices)
+      v = products(forms, v);
+    m_half_spaces.clear();
+    for(const Plane_3& p : planes)
+    {
+      const Vector_3 normal(p.a() * Rational(m_spacings[0]), p.b() * Rational(m_spacings[1]),
+                            p.c() * Rational(m_spacings[2]));
+      m_half_spaces.push_back({ products(m_basis, normal), p.d() });
+    }
+  }
+
+  // Visits the integers in the open interval from the middle outwards, until `visit` returns true.
+  template <typename Visit>
+  bool visit_integers(const std::pair<Rational, Rational>& interval, const Visit& visit)
+  {
+    const Rational middle = nearest_integer(Rational((interval.first + interval.second) / Rational(2)));
+    for(int k = 0; m_number_of_lines < max_number_of_lines; ++k)
+    {
+      bool is_inside = false;
+      for(const Rational& x : { Rational(middle + Rational(k)), Rational(middle - Rational(k)) })
+        if(interval.first < x && x < interval.second)
+        {
+          is_inside = true;
+          if(visit(x))
+            return true;
+        }
+      if(! is_inside)
+        break;
+    }
+    return false;
+  }
+
+  std::optional<Coordinates> search()
+  {
+    m_number_of_lines = 0;
+    Vector_3 found;
+    const bool is_found = visit_integers(range_of_planes(), [&](const Rational& x)
+    {
+      return visit_integers(range_of_lines(x), [&](const Rational& y)
+      {
+        ++m_number_of_lines;
+        const std::pair<Rational, Rational> range = range_of_points(x, y);
+        const Rational z = nearest_integer(Rational((range.first + range.second) / Rational(2)));
+        found = x * m_basis[0] + y * m_basis[1] + z * m_basis[2];
+        return range.first < z && z < range.second;
+      });
+    });
+    if(! is_found)
+      return std::nullopt;
+    return Coordinates{{ m_spacings[0] * CGAL::to_double(found.x()), m_spacings[1] * CGAL::to_double(found.y()),
+                         m_spacings[2] * CGAL::to_double(found.z()) }};
+  }
+
+  // The first coordinates of the polyhedron.
+  std::pair<Rational, Rational> range_of_planes() const
+  {
+    std::pair<Rational, Rational> range(m_vertices.front().x(), m_vertices.front().x());
+    for(const Vector_3& v : m_vertices)
+      extend(range, v.x());
+    return range;
+  }
+
+  // The second coordinates where the first is x.
+  std::pair<Rational, Rational> range_of_lines(const Rational& x) const
+  {
+    std::optional<std::pair<Rational, Rational> > range;
+    for(const Vector_3& v : m_vertices)
+      for(const Vector_3& w : m_vertices)
+        if(v.x() <= x && x < w.x())
+        {
+          const Rational y = v.y() + (x - v.x()) / (w.x() - v.x()) * (w.y() - v.y());
+          if(range)
+            extend(*range, y);
+          else
+            range.emplace(y, y);
+        }
+    return *range;
+  }
+
+  static void extend(std::pair<Rational, Rational>& range, const Rational& x)
+  {
+    if(x < range.first)
+      range.first = x;
+    if(x > range.second)
+      range.second = x;
+  }
+
+  // The third coordinates where the first are x and y; none if the interval is empty or reversed.
+  std::pair<Rational, Rational> range_of_points(const Rational& x, const Rational& y) const
+  {
+    std::optional<Rational> lowest, highest;
+    for(const Half_space& h : m_half_spaces)
+    {
+      const Rational rest = h.normal.x() * x + h.normal.y() * y + h.offset;
+      if(h.normal.z() == 0)
+      {
+        if(rest >= 0)
+          return std::make_pair(Rational(0), Rational(0));
+        continue;
+      }
+      const Rational bound = - rest / h.normal.z();
+      if(h.normal.z() > 0 && (! highest || bound < *highest))
+        highest = bound;
+      else if(h.normal.z() < 0 && (! lowest || bound > *lowest))
+        lowest = bound;
+    }
+    return std::make_pair(*lowest, *highest);
+  }
+
+  static constexpr int max_number_of_lines = 200;
+
+  std::vector<Vector_3> m_vertices;
+  Coordinates m_spacings;
+  Matrix m_shape;
+  Matrix m_basis;
+  std::vector<Half_space> m_half_spaces;
+  int m_number_of_lines = 0;
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_REPRESENTABLE_POINT_3_H

@@ -1,0 +1,146 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+// Points with coordinates of type `double` in polyhedra that may be thinner than their distance. From 2^52 to 2^53,
+// these numbers are the integers, so that small polyhedra there can be searched by brute force.
+
+#undef NDEBUG
+
+#include <CGAL/Boundary_recovery_3/internal/Representable_point_3.h>
+
+#include <CGAL/Exact_rational.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <iostream>
+#include <random>
+#include <vector>
+
+typedef CGAL::Exact_rational                                           Rational;
+typedef CGAL::Boundary_recovery_3::internal::Representable_point_3<Rational> Representable_point_3;
+typedef Representable_point_3::Point_3                                 Point_3;
+typedef Representable_point_3::Plane_3                                 Plane_3;
+
+bool is_inside(const std::vector<Plane_3>& planes, const Point_3& p)
+{
+  return std::all_of(planes.begin(), planes.end(), [&](const Plane_3& h) { return h.has_on_negative_side(p); });
+}
+
+// The plane through p with the normal (a, b, c).
+Plane_3 plane(const Point_3& p, const Rational& a, const Rational& b, const Rational& c)
+{
+  return Plane_3(a, b, c, Rational(- (a * p.x() + b * p.y() + c * p.z())));
+}
+
+Point_3 translated(const Point_3& p, const Rational& x, const Rational& y, const Rational& z)
+{
+  return Point_3(Rational(p.x() + x), Rational(p.y() + y), Rational(p.z() + z));
+}
+
+void add_box(const Point_3& center, const Rational& radius, std::vector<Plane_3>& planes)
+{
+  planes.push_back(plane(translated(center, radius, 0, 0), 1, 0, 0));
+  planes.push_back(plane(translated(center, - radius, 0, 0), -1, 0, 0));
+  planes.push_back(plane(translated(center, 0, radius, 0), 0, 1, 0));
+  planes.push_back(plane(translated(center, 0, - radius, 0), 0, -1, 0));
+  planes.push_back(plane(translated(center, 0, 0, radius), 0, 0, 1));
+  planes.push_back(plane(translated(center, 0, 0, - radius), 0, 0, -1));
+}
+
+bool contains_an_integer_point(const std::vector<Plane_3>& planes, const double corner, const int size)
+{
+  for(int x = 0; x < size; ++x)
+    for(int y = 0; y < size; ++y)
+      for(int z = 0; z < size; ++z)
+        if(is_inside(planes, Point_3(corner + x, corner + y, corner + z)))
+          return true;
+  return false;
+}
+
+// Checks what was found, and returns whether something was.
+bool is_found(const std::vector<Plane_3>& planes, const Point_3& inside)
+{
+  assert(is_inside(planes, inside));
+  const auto found = Representable_point_3()(planes, inside);
+  assert(! found || is_inside(planes, Point_3((*found)[0], (*found)[1], (*found)[2])));
+  return bool(found);
+}
+
+// Slabs and wedges of any width in boxes, compared with brute force.
+void test_against_brute_force()
+{
+  const int size = 12;
+  const double corner = std::ldexp(1., 52) + 1000;
+  std::minstd_rand random(1);
+  const auto number = [&random](const int n) { return static_cast<int>(random() % (2 * n + 1)) - n; };
+  std::size_t found = 0, not_found = 0;
+  for(int k = 0; k < 300; ++k)
+  {
+    const auto fraction = [&] { return Rational(corner + 3 + random() % 5) + Rational(random() % 97) / Rational(97); };
+    const Rational x = fraction(), y = fraction(), z = fraction();
+    const Point_3 inside(x, y, z);
+    std::vector<Plane_3> planes;
+    add_box(inside, Rational(3), planes);
+    const int a = number(6), b = number(6), c = number(6);
+    for(int side = 0; side < 2 + k % 3; ++side)
+    {
+      const int sign = side % 2 == 0 ? 1 : -1;
+      const Rational distance = Rational(1 + random() % 20) / Rational(100 + random() % 400);
+      const int n[] = { sign * 100 * a + number(1 + k % 50), sign * 100 * b + number(1 + k % 50), sign * 100 * c + 1 };
+      const Rational length(std::sqrt(double(n[0]) * n[0] + double(n[1]) * n[1] + double(n[2]) * n[2]));
+      planes.push_back(plane(translated(inside, n[0] * distance / length, n[1] * distance / length,
+                                        n[2] * distance / length), n[0], n[1], n[2]));
+    }
+    const bool is_there_one = contains_an_integer_point(planes, corner, size);
+    assert(is_found(planes, inside) == is_there_one);
+    ++(is_there_one ? found : not_found);
+  }
+  assert(found >= 50 && not_found >= 50);
+}
+
+// Far thinner than the distance of numbers, but long and wide: there is a number, unless the slab is parallel to planes
+// with many numbers and between two of them.
+void test_thin_slabs()
+{
+  const Rational tiny = Rational(1) / Rational(std::ldexp(1., 70));
+  const Point_3 inside(Rational(1) / Rational(3), Rational(1) / Rational(7), Rational(1) / Rational(5));
+  for(const bool is_parallel : { false, true })
+  {
+    std::vector<Plane_3> planes;
+    add_box(inside, Rational(1) / Rational(16), planes);
+    const Rational a(1), b(is_parallel ? 2.5 : 2.718281828459045), c(is_parallel ? -1.5 : -1.4142135623730951);
+    planes.push_back(plane(translated(inside, tiny, 0, 0), a, b, c));
+    planes.push_back(plane(translated(inside, - tiny, 0, 0), - a, - b, - c));
+    assert(is_found(planes, inside) != is_parallel);
+  }
+}
+
+// At zero, numbers are as near to each other as one wants.
+void test_sizes()
+{
+  for(const int exponent : { -1000, -300, 0, 300, 1000 })
+    for(const double at : { 0., 1. })
+    {
+      const Rational unit(std::ldexp(1., exponent));
+      const Point_3 inside(Rational(unit * Rational(at)), Rational(unit * Rational(at) / Rational(3)), Rational(0));
+      std::vector<Plane_3> planes;
+      add_box(inside, Rational(unit / Rational(1000)), planes);
+      assert(is_found(planes, inside));
+    }
+}
+
+int main()
+{
+  test_against_brute_force();
+  test_thin_slabs();
+  test_sizes();
+  std::cout << "done" << std::endl;
+}
