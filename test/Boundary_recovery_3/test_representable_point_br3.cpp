@@ -69,7 +69,7 @@ bool contains_an_integer_point(const std::vector<Plane_3>& planes, const double 
 bool is_found(const std::vector<Plane_3>& planes, const Point_3& inside)
 {
   assert(is_inside(planes, inside));
-  const auto found = Representable_point_3()(planes, inside);
+  const auto found = Representable_point_3()(planes);
   assert(! found || is_inside(planes, Point_3((*found)[0], (*found)[1], (*found)[2])));
   return bool(found);
 }

@@ -108,7 +108,7 @@ public:
         planes.emplace_back(rational_point(f[0]), rational_point(f[2]), rational_point(f[1]));
       if(std::isfinite(radius))
         add_box(center, radius, planes);
-      const auto found = Representable_point_3<Rational>()(planes, center);
+      const auto found = Representable_point_3<Rational>()(planes);
       if(! found)
         return false;
       v->set_point(Point_3((*found)[0], (*found)[1], (*found)[2]));

@@ -14,10 +14,8 @@
 
 #include <CGAL/Boundary_recovery_3/internal/nearest_integer.h>
 
-#include <CGAL/Convex_hull_3/dual/halfspace_intersection_3.h>
 #include <CGAL/Kernel/global_functions_3.h>
 #include <CGAL/Origin.h>
-#include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/number_utils.h>
 
@@ -55,10 +53,10 @@ public:
   typedef typename Kernel::Plane_3             Plane_3;
   typedef std::array<double, 3>                Coordinates;
 
-  // The polyhedron is the intersection of the open negative sides of the planes. It is bounded, and `inside` is in it.
-  std::optional<Coordinates> operator()(const std::vector<Plane_3>& planes, const Point_3& inside)
+  // The polyhedron is the intersection of the open negative sides of the planes, and is bounded.
+  std::optional<Coordinates> operator()(const std::vector<Plane_3>& planes)
   {
-    collect_vertices(planes, inside);
+    collect_vertices(planes);
     find_spacings();
     if(! find_shape())
       return std::nullopt;
@@ -94,13 +92,50 @@ private:
     return Vector_3(dot(m[0], v), dot(m[1], v), dot(m[2], v));
   }
 
-  void collect_vertices(const std::vector<Plane_3>& planes, const Point_3& inside)
+  // The ends of the edges. (To compile `CGAL::halfspace_intersection_3()` takes as long as half of this package.)
+  void collect_vertices(const std::vector<Plane_3>& planes)
   {
-    Polyhedron_3<Kernel> polyhedron;
-    CGAL::halfspace_intersection_3(planes.begin(), planes.end(), polyhedron, inside);
+    std::vector<Point_3> points;
+    for(std::size_t i = 0; i < planes.size(); ++i)
+      for(std::size_t j = 0; j < i; ++j)
+        add_edge(planes, planes[i], planes[j], points);
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
     m_vertices.clear();
-    for(auto it = polyhedron.points_begin(); it != polyhedron.points_end(); ++it)
-      m_vertices.push_back(*it - CGAL::ORIGIN);
+    for(const Point_3& p : points)
+      m_vertices.push_back(p - CGAL::ORIGIN);
+  }
+
+  // Adds the ends of what is left of the line in which p and q meet, after it is cut off at all the planes.
+  static void add_edge(const std::vector<Plane_3>& planes, const Plane_3& p, const Plane_3& q,
+                       std::vector<Point_3>& points)
+  {
+    const Vector_3 u = p.orthogonal_vector(), v = q.orthogonal_vector(), direction = cross(u, v);
+    if(direction == CGAL::NULL_VECTOR)
+      return;
+    const Vector_3 weighted = p.d() * cross(direction, v) + q.d() * cross(u, direction);
+    const Vector_3 from_origin = weighted / dot(direction, direction);
+    const Point_3 start = CGAL::ORIGIN + from_origin;
+    std::optional<Rational> first, last; // in multiples of the direction
+    for(const Plane_3& h : planes)
+    {
+      const Rational slope = dot(h.orthogonal_vector(), direction);
+      const Rational height = dot(h.orthogonal_vector(), from_origin) + h.d();
+      if(slope == 0 && height > 0)
+        return;
+      if(slope == 0)
+        continue;
+      const Rational t = - height / slope;
+      if(slope > 0 && (! last || t < *last))
+        last = t;
+      else if(slope < 0 && (! first || t > *first))
+        first = t;
+      if(first && last && *first > *last)
+        return;
+    }
+    for(const std::optional<Rational>& t : { first, last })
+      if(t)
+        points.push_back(start + *t * direction);
   }
 
   // From here on, the spacing of the numbers in each coordinate is the unit there.
