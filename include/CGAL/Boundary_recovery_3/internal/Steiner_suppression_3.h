@@ -15,6 +15,7 @@
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
 #include <CGAL/Boundary_recovery_3/Shell_quality_3.h>
 #include <CGAL/Boundary_recovery_3/Shell_validity_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Cavity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Cell_replacement.h>
 #include <CGAL/Boundary_recovery_3/internal/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Exact_positions_3.h>
@@ -74,6 +75,7 @@ public:
   typedef Vertex_predicates_3<Tr>              Predicates;
   typedef Constraints_3<Tr>                    Constraints;
   typedef Exact_positions_3<Tr>                Positions;
+  typedef Cavity_3<Tr>                         Cavity;
 
   // `predicates` know of `positions`; `points` are the Steiner points, those that are removed are taken out of it.
   Steiner_suppression_3(Tr& tr, const Predicates& predicates, const Constraints& constraints, Positions& positions,
@@ -209,50 +211,36 @@ private:
   template <typename Context>
   bool enlarge_ball(const Vertex_handle v, Context& context)
   {
-    std::vector<Cell_handle> cavity = m_ball;
+    Cavity cavity(m_tr, m_constraints, m_ball);
     for(int step = 0; step < max_number_of_added_cells; ++step)
     {
-      std::vector<Cell_handle> deepest;
+      Cell_handle best;
       double depth = 0;
-      for(const Cell_handle n : cells_around(cavity))
+      for(const Cell_handle n : cavity.cells_around())
       {
         if(! context.go_further())
           return false;
-        std::vector<Cell_handle> larger = cavity;
-        larger.push_back(n);
+        Cavity larger(cavity);
+        larger.add(n);
         std::vector<Triangle> faces;
-        if(! collect_boundary(larger, faces))
+        if(! larger.collect_boundary(m_points, faces, m_inner_points))
           continue;
         if(m_kernel_point(v, faces))
         {
-          star(v, larger, faces);
+          star(v, larger.cells(), faces);
           return true;
         }
-        if(deepest.empty() || m_kernel_point.depth() > depth)
+        if(best == Cell_handle() || m_kernel_point.depth() > depth)
         {
-          deepest.swap(larger);
+          best = n;
           depth = m_kernel_point.depth();
         }
       }
-      if(deepest.empty())
+      if(best == Cell_handle())
         return false;
-      cavity.swap(deepest);
+      cavity.add(best);
     }
     return false;
-  }
-
-  std::vector<Cell_handle> cells_around(const std::vector<Cell_handle>& cavity) const
-  {
-    std::vector<Cell_handle> result;
-    for(const Cell_handle c : cavity)
-      for(int i = 0; i < 4; ++i)
-      {
-        const Cell_handle n = c->neighbor(i);
-        if(! m_tr.is_infinite(n) && ! contains(cavity, n) && ! contains(result, n)
-           && ! m_constraints.is_constrained(c->vertex((i + 1) & 3), c->vertex((i + 2) & 3), c->vertex((i + 3) & 3)))
-          result.push_back(n);
-      }
-    return result;
   }
 
   // Stars the balls of v and of another Steiner point, its neighbor, from one point.
@@ -270,61 +258,19 @@ private:
         continue;
       if(! context.go_further())
         return false;
-      std::vector<Cell_handle> cavity = ball;
+      Cavity cavity(m_tr, m_constraints, ball);
       for(const Cell_handle c : m_ball)
-        if(! contains(cavity, c))
-          cavity.push_back(c);
+        cavity.add(c);
       std::vector<Triangle> faces;
-      if(! m_positions.contains(v) && collect_boundary(cavity, faces) && m_kernel_point(v, faces))
+      if(! m_positions.contains(v) && cavity.collect_boundary(m_points, faces, m_inner_points)
+         && m_kernel_point(v, faces))
       {
-        star(v, cavity, faces);
+        star(v, cavity.cells(), faces);
         return true;
       }
       v->set_point(before);
     }
     return false;
-  }
-
-  // The faces of the cavity, seen from inside, and the vertices inside. Returns false if there is a constraint
-  // inside, or a vertex that is no Steiner point.
-  bool collect_boundary(const std::vector<Cell_handle>& cavity, std::vector<Triangle>& faces)
-  {
-    m_inner_points.clear();
-    std::vector<Vertex_handle> vertices;
-    std::vector<std::array<Vertex_handle, 2> > edges; // those of the faces, both ways
-    for(const Cell_handle c : cavity)
-      for(int i = 0; i < 4; ++i)
-      {
-        const Triangle f = facet_vertices(c, i);
-        if(contains(cavity, c->neighbor(i)))
-        {
-          if(m_constraints.is_constrained(f[0], f[1], f[2]))
-            return false;
-          continue;
-        }
-        faces.push_back(f);
-        for(int k = 0; k < 3; ++k)
-        {
-          vertices.push_back(f[k]);
-          edges.push_back({{ f[k], f[(k + 1) % 3] }});
-        }
-      }
-    for(const Cell_handle c : cavity)
-      for(int i = 0; i < 4; ++i)
-      {
-        const Vertex_handle p = c->vertex(i);
-        if(! contains(vertices, p) && ! contains(m_inner_points, p))
-        {
-          if(! contains(m_points, p))
-            return false;
-          m_inner_points.push_back(p);
-        }
-        for(int j = 0; j < 4; ++j)
-          if(j != i && m_constraints.is_constrained(p, c->vertex(j))
-             && ! contains(edges, std::array<Vertex_handle, 2>{{ p, c->vertex(j) }}))
-            return false;
-      }
-    return true;
   }
 
   template <typename Item>
@@ -387,76 +333,34 @@ private:
 
   bool reconnect_with_layer(const Vertex_handle v)
   {
-    std::vector<Cell_handle> cells = m_ball;
+    Cavity cavity(m_tr, m_constraints, m_ball);
     for(const Cell_handle c : m_ball)
-    {
-      const Cell_handle n = c->neighbor(c->index(v));
-      if(! m_tr.is_infinite(n) && ! contains(cells, n))
-        cells.push_back(n);
-    }
-    return reconnect(cells, v) == Reconnection::FOUND;
+      cavity.add(c->neighbor(c->index(v)));
+    return reconnect(cavity.cells(), v) == Reconnection::FOUND;
   }
 
   // The cavity grows by some vertices at a time, with all the cells that these bring, until there are too many.
   template <typename Context>
   bool reconnect_larger_cavities(const Vertex_handle v, Context& context)
   {
-    std::vector<Cell_handle> cavity = m_ball;
+    Cavity cavity(m_tr, m_constraints, m_ball);
     collect_neighbors(v);
     std::vector<Vertex_handle> vertices = m_neighbors;
-    add_cells(cavity, vertices);
+    cavity.add_cells_of(vertices);
     typename Reconnection::Outcome outcome = Reconnection::NONE;
     for(int n = 0; n < max_number_of_enlargements && outcome == Reconnection::NONE && context.go_further(); ++n)
     {
       for(int i = 0; i < number_of_added_vertices; ++i)
       {
-        const Vertex_handle x = most_adjacent_vertex(cavity);
+        const Vertex_handle x = cavity.most_adjacent_vertex();
         if(x == Vertex_handle())
           break;
         vertices.push_back(x);
-        add_cells(cavity, vertices);
+        cavity.add_cells_of(vertices);
       }
-      outcome = reconnect(cavity, v);
+      outcome = reconnect(cavity.cells(), v);
     }
     return outcome == Reconnection::FOUND;
-  }
-
-  // Adds the cells around the cavity that have no other vertices than these.
-  void add_cells(std::vector<Cell_handle>& cavity, const std::vector<Vertex_handle>& vertices) const
-  {
-    for(std::size_t k = 0; k < cavity.size(); ++k) // it grows
-      for(int i = 0; i < 4; ++i)
-      {
-        const Cell_handle c = cavity[k], n = c->neighbor(i);
-        if(! contains(cavity, n) && contains(vertices, n->vertex(n->index(c))))
-          cavity.push_back(n);
-      }
-  }
-
-  // The vertex behind the largest number of faces of the cavity; none if there is only the exterior behind them.
-  // A face that is constrained stays, whatever is behind it, so it counts less.
-  Vertex_handle most_adjacent_vertex(const std::vector<Cell_handle>& cavity) const
-  {
-    std::vector<Vertex_handle> vertices;
-    std::vector<int> counts;
-    for(const Cell_handle c : cavity)
-      for(int i = 0; i < 4; ++i)
-      {
-        const Cell_handle n = c->neighbor(i);
-        if(m_tr.is_infinite(n) || contains(cavity, n))
-          continue;
-        const std::array<Vertex_handle, 3> f = facet_vertices(c, i);
-        const Vertex_handle x = n->vertex(n->index(c));
-        const std::size_t k = std::find(vertices.begin(), vertices.end(), x) - vertices.begin();
-        if(k == vertices.size())
-        {
-          vertices.push_back(x);
-          counts.push_back(0);
-        }
-        counts[k] += m_constraints.is_constrained(f[0], f[1], f[2]) ? 1 : 4;
-      }
-    return vertices.empty() ? Vertex_handle()
-                            : vertices[std::max_element(counts.begin(), counts.end()) - counts.begin()];
   }
 
   // Fills the cavity without v, if this is possible.

@@ -1,0 +1,184 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_CAVITY_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_CAVITY_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/internal/Constraints_3.h>
+#include <CGAL/Boundary_recovery_3/internal/cell_simplices.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * Finite cells that are to be replaced together, in the order in which they were added; and what is around them.
+ * There are some dozens of them at most, so all searches are linear.
+ */
+template <typename Tr>
+class Cavity_3
+{
+public:
+  typedef typename Tr::Vertex_handle           Vertex_handle;
+  typedef typename Tr::Cell_handle             Cell_handle;
+  typedef Constraints_3<Tr>                    Constraints;
+  typedef std::array<Vertex_handle, 3>         Triangle;
+  typedef std::vector<Vertex_handle>           Vertices;
+
+  Cavity_3(const Tr& tr, const Constraints& constraints, std::vector<Cell_handle> cells)
+    : m_tr(tr), m_constraints(constraints), m_cells(std::move(cells))
+  { }
+
+  const std::vector<Cell_handle>& cells() const { return m_cells; }
+
+  // Adds a cell, if it is finite and not there yet.
+  void add(const Cell_handle c)
+  {
+    if(! m_tr.is_infinite(c) && ! is_in(m_cells, c))
+      m_cells.push_back(c);
+  }
+
+  // Adds cells behind its faces that have no other vertices than these, as long as there are such.
+  void add_cells_of(const Vertices& vertices)
+  {
+    for(std::size_t k = 0; k < m_cells.size(); ++k) // it grows
+      for(int i = 0; i < 4; ++i)
+      {
+        const Cell_handle c = m_cells[k], n = c->neighbor(i);
+        if(is_in(vertices, n->vertex(n->index(c))))
+          add(n);
+      }
+  }
+
+  // The finite cells behind faces that are not constrained.
+  std::vector<Cell_handle> cells_around() const
+  {
+    std::vector<Cell_handle> result;
+    for_each_face([&](const Triangle& f, const Cell_handle n, Vertex_handle)
+    {
+      if(! is_constrained(f) && ! is_in(result, n))
+        result.push_back(n);
+    });
+    return result;
+  }
+
+  // The vertex behind the largest number of faces; none if there is only the exterior behind them.
+  // A face that is constrained stays, whatever is behind it, so it counts less.
+  Vertex_handle most_adjacent_vertex() const
+  {
+    Vertices vertices;
+    std::vector<int> counts;
+    for_each_face([&](const Triangle& f, Cell_handle, const Vertex_handle x)
+    {
+      const std::size_t k = std::find(vertices.begin(), vertices.end(), x) - vertices.begin();
+      if(k == vertices.size())
+      {
+        vertices.push_back(x);
+        counts.push_back(0);
+      }
+      counts[k] += is_constrained(f) ? 1 : 4;
+    });
+    return vertices.empty() ? Vertex_handle()
+                            : vertices[std::max_element(counts.begin(), counts.end()) - counts.begin()];
+  }
+
+  // The faces, seen from inside, and the vertices inside. Returns false if there is a constraint inside, or a vertex
+  // that is none of the `points`.
+  bool collect_boundary(const Vertices& points, std::vector<Triangle>& faces, Vertices& inner_points) const
+  {
+    Vertices vertices; // of the faces
+    for(const Cell_handle c : m_cells)
+      for(int i = 0; i < 4; ++i)
+      {
+        const Triangle f = facet_vertices(c, i);
+        if(is_in(m_cells, c->neighbor(i)))
+        {
+          if(is_constrained(f))
+            return false;
+          continue;
+        }
+        faces.push_back(f);
+        vertices.insert(vertices.end(), f.begin(), f.end());
+      }
+    return collect_inner_points(vertices, points, inner_points) && ! has_constrained_edge_inside(faces);
+  }
+
+private:
+  template <typename Item>
+  static bool is_in(const std::vector<Item>& items, const Item& item)
+  {
+    return std::find(items.begin(), items.end(), item) != items.end();
+  }
+
+  bool is_constrained(const Triangle& f) const { return m_constraints.is_constrained(f[0], f[1], f[2]); }
+
+  // Calls `visit` with each face that has a finite cell behind it, that cell, and its vertex there.
+  template <typename Visit>
+  void for_each_face(const Visit& visit) const
+  {
+    for(const Cell_handle c : m_cells)
+      for(int i = 0; i < 4; ++i)
+      {
+        const Cell_handle n = c->neighbor(i);
+        if(! m_tr.is_infinite(n) && ! is_in(m_cells, n))
+          visit(facet_vertices(c, i), n, n->vertex(n->index(c)));
+      }
+  }
+
+  bool collect_inner_points(const Vertices& outer_vertices, const Vertices& points, Vertices& inner_points) const
+  {
+    inner_points.clear();
+    for(const Cell_handle c : m_cells)
+      for(int i = 0; i < 4; ++i)
+      {
+        const Vertex_handle p = c->vertex(i);
+        if(is_in(outer_vertices, p) || is_in(inner_points, p))
+          continue;
+        if(! is_in(points, p))
+          return false;
+        inner_points.push_back(p);
+      }
+    return true;
+  }
+
+  bool has_constrained_edge_inside(const std::vector<Triangle>& faces) const
+  {
+    std::vector<std::array<Vertex_handle, 2> > edges; // of the faces, both ways
+    for(const Triangle& f : faces)
+      for(int k = 0; k < 3; ++k)
+        edges.push_back({{ f[k], f[(k + 1) % 3] }});
+    for(const Cell_handle c : m_cells)
+      for(int i = 0; i < 4; ++i)
+        for(int j = 0; j < 4; ++j)
+        {
+          const std::array<Vertex_handle, 2> e = {{ c->vertex(i), c->vertex(j) }};
+          if(i != j && m_constraints.is_constrained(e[0], e[1]) && ! is_in(edges, e))
+            return true;
+        }
+    return false;
+  }
+
+  const Tr& m_tr;
+  const Constraints& m_constraints;
+  std::vector<Cell_handle> m_cells;
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_CAVITY_3_H
