@@ -337,13 +337,13 @@ public:
   }
 
   /// gives each Steiner point on a constraint the nearest position that the triangulation can store, or one that is at
-  /// most 2^10 times as far away as numbers are from each other, such that all the cells around it remain positively
-  /// oriented. Returns whether this is so for all of them.
+  /// most 2^10 times as far away as numbers are from each other at its largest coordinate, such that all the cells
+  /// around it remain positively oriented. Returns whether this is so for all of them.
   bool round_steiner_points()
   {
     bool is_done = true;
     for(const Vertex_handle v : m_steiner_points.vertices())
-      is_done = m_steiner_points.round(m_tr, m_predicates, v) && is_done;
+      is_done = m_steiner_points.round(m_tr, m_predicates, v, is_done && m_context.go_further()) && is_done;
     return is_done;
   }
 

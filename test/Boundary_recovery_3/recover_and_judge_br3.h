@@ -113,7 +113,8 @@ Recovery_status recover_twice(const Fuzz_case& fuzz_case, const Expectation& exp
   return first.status();
 }
 
-// Returns the status in the default mode, and throws a Complaint if anything is wrong.
+// Returns the status in the default mode, or `incomplete` if it is this in the mode `conforming`.
+// Throws a Complaint if anything is wrong.
 inline Recovery_status recover_and_judge(const Fuzz_case& fuzz_case)
 {
   typedef CGAL::Exact_predicates_inexact_constructions_kernel Epick;
@@ -122,12 +123,14 @@ inline Recovery_status recover_and_judge(const Fuzz_case& fuzz_case)
 #endif
   const Expectation expectation(fuzz_case.plc);
   Recovery_status status = Recovery_status::stopped;
+  bool is_incomplete = false;
   const char* names[] = { "constrained", "conforming", "flips_only" };
   for(const Recovery_mode mode : { Recovery_mode::flips_only, Recovery_mode::conforming, Recovery_mode::constrained })
   {
     const char* kernel = "Epick";
     try {
       status = recover_twice<Epick>(fuzz_case, expectation, mode);
+      is_incomplete = is_incomplete || (mode == Recovery_mode::conforming && status == Recovery_status::incomplete);
 #ifndef BR3_TEST_EPICK_ONLY
       kernel = "Epeck";
       recover_twice<Epeck>(fuzz_case, expectation, mode);
@@ -136,7 +139,7 @@ inline Recovery_status recover_and_judge(const Fuzz_case& fuzz_case)
       throw Complaint(std::string(kernel) + ", " + names[static_cast<int>(mode)] + ": " + e.what());
     }
   }
-  return status;
+  return is_incomplete ? Recovery_status::incomplete : status;
 }
 
 } // namespace br3_test

@@ -14,6 +14,7 @@
 #include "recover_and_judge_br3.h"
 
 #include <cassert>
+#include <cmath>
 #include <iostream>
 
 using br3_test::Fuzz_case;
@@ -97,6 +98,13 @@ void test_kernels_thinner_than_numbers()
   c.plc.points = { {{ y, y, 0 }}, {{ x, x, 0 }}, {{ w, x, y }}, {{ w, z, w }}, {{ y, z, x }}, {{ w, z, z }} };
   c.plc.triangles = { { 5, 2, 4 }, { 5, 2, 1 }, { 1, 0, 3 } };
   assert(is_recovered(c, Recovery_mode::constrained));
+  for(const int exponent : { -600, 1200 }) // from one size to the next
+  {
+    for(auto& p : c.plc.points)
+      for(double& coordinate : p)
+        coordinate = std::ldexp(coordinate, exponent);
+    assert(is_recovered(c, Recovery_mode::constrained));
+  }
   const double u = 1.4210854715202004e-14; // 1 + u, 2 + u, ... are numbers
   c.plc.points = { {{ -2 * u, 1 + 2 * u, 1 + 2 * u }}, {{ -2 * u, 2, 2 - 2 * u }}, {{ 1 + u, 0, 1 + 2 * u }},
                    {{ -u, 0, 2 + 2 * u }}, {{ 2 + 2 * u, 1 - u, 2 - 2 * u }}, {{ 2 + u, 2 + 2 * u, -u }} };

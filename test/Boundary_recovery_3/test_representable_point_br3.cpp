@@ -84,7 +84,11 @@ void test_against_brute_force()
   std::size_t found = 0, not_found = 0;
   for(int k = 0; k < 300; ++k)
   {
-    const auto fraction = [&] { return Rational(corner + 3 + random() % 5) + Rational(random() % 97) / Rational(97); };
+    const auto fraction = [&]
+    {
+      const double integer = corner + 3 + random() % 5;
+      return Rational(Rational(integer) + Rational(random() % 97) / Rational(97));
+    };
     const Rational x = fraction(), y = fraction(), z = fraction();
     const Point_3 inside(x, y, z);
     std::vector<Plane_3> planes;
@@ -93,7 +97,8 @@ void test_against_brute_force()
     for(int side = 0; side < 2 + k % 3; ++side)
     {
       const int sign = side % 2 == 0 ? 1 : -1;
-      const Rational distance = Rational(1 + random() % 20) / Rational(100 + random() % 400);
+      const int numerator = 1 + random() % 20;
+      const Rational distance = Rational(numerator) / Rational(100 + random() % 400);
       const int n[] = { sign * 100 * a + number(1 + k % 50), sign * 100 * b + number(1 + k % 50), sign * 100 * c + 1 };
       const Rational length(std::sqrt(double(n[0]) * n[0] + double(n[1]) * n[1] + double(n[2]) * n[2]));
       planes.push_back(plane(translated(inside, n[0] * distance / length, n[1] * distance / length,
@@ -137,8 +142,49 @@ void test_sizes()
     }
 }
 
+// Below a power of two, numbers are twice as close to each other as above.
+void test_below_a_power_of_two()
+{
+  const double half_spacing = std::ldexp(1., -53);
+  const Point_3 inside(Rational(1 - .75 * half_spacing), Rational(0), Rational(0));
+  std::vector<Plane_3> planes;
+  add_box(inside, Rational(.75 * half_spacing), planes); // x from 1 - 1.5 half_spacing to 1
+  assert(is_found(planes, inside));
+}
+
+// An open polyhedron without volume is empty.
+void test_no_volume()
+{
+  std::vector<Plane_3> planes;
+  add_box(Point_3(0, 0, 0), Rational(1), planes);
+  planes.push_back(plane(Point_3(0, 0, 0), 1, 2, 3));
+  planes.push_back(plane(Point_3(0, 0, 0), -1, -2, -3));
+  assert(! Representable_point_3()(planes));
+  planes.push_back(plane(Point_3(-5, 0, 0), 1, 0, 0));
+  assert(! Representable_point_3()(planes));
+}
+
+void test_nearest_integer()
+{
+  using CGAL::Boundary_recovery_3::internal::nearest_integer;
+  const Rational tiny = Rational(1) / Rational(std::ldexp(1., 80)), half(.5), huge(std::ldexp(1., 1000));
+  for(const double n : { -1e30, -3., -1., 0., 1., 2., 4503599627370496., 1e30 })
+  {
+    assert(nearest_integer(Rational(n)) == n);
+    assert(nearest_integer(Rational(Rational(n) + half - tiny)) == n);
+    assert(nearest_integer(Rational(Rational(n) + half + tiny)) == Rational(n) + Rational(1));
+    assert(nearest_integer(Rational(Rational(n) - half + tiny)) == n);
+    assert(nearest_integer(Rational(Rational(n) - half - tiny)) == Rational(n) - Rational(1));
+    const Rational large = huge * huge * huge + Rational(n);
+    assert(nearest_integer(Rational(large - tiny)) == large);
+  }
+}
+
 int main()
 {
+  test_nearest_integer();
+  test_below_a_power_of_two();
+  test_no_volume();
   test_against_brute_force();
   test_thin_slabs();
   test_sizes();

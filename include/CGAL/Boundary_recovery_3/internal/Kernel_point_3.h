@@ -77,9 +77,9 @@ public:
     if(! any_of(directions, [&](const Exact_vector& d) { return find_exactly_on_ray(v, faces, origin, d); }))
       return move_to_deepest_point(v, faces);
     const Vector offset = approximate(m_positions(v) - m_positions(origin));
-    const double distance = std::sqrt(dot(offset, offset));
+    const double distance = std::hypot(offset[0] / m_unit, offset[1] / m_unit, offset[2] / m_unit);
     simplify_position(v, faces, distance);
-    if(distance > thinnest * m_diameter * m_unit) // else no number can be expected, and linear programs are slow there
+    if(distance > thinnest * m_diameter) // else no number can be expected, and linear programs are slow there
       round_to_deepest_point(v, faces);
     return true;
   }
@@ -269,15 +269,15 @@ private:
   }
 
   // Gives v, which has an exact position, another one near it that fewer bits describe, if this is in the kernel:
-  // positions that are computed from positions would become longer and longer.
+  // positions that are computed from positions would become longer and longer. The distance is in the unit.
   void simplify_position(const Vertex_handle v, const std::vector<Triangle>& faces, const double distance)
   {
-    if(! (distance > (std::numeric_limits<double>::min)()))
+    if(! std::isnormal(distance))
       return;
     const Exact_point exact = m_positions(v);
     for(const int bits : { 4, 16, 64 })
     {
-      const FT unit(std::ldexp(1., (std::max)(std::ilogb(distance) - bits, -1074)));
+      const FT unit = FT(std::ldexp(1., (std::max)(std::ilogb(distance) - bits, -1074))) * FT(m_unit);
       const auto rounded = [&](const FT& x) { return FT(nearest_integer(FT(x / unit)) * unit); };
       m_positions.set(v, Exact_point(rounded(exact.x()), rounded(exact.y()), rounded(exact.z())));
       if(is_kernel_point(v, faces))

@@ -42,7 +42,7 @@ namespace internal {
  * meet the polyhedron if there is no lattice point in it, and all of them are searched, line by line.
  *
  * All is exact. What is not looked at are numbers closer to each other than at the largest coordinates of the
- * polyhedron, and more lattice lines than `max_number_of_lines`.
+ * polyhedron, and more lattice planes and lines than `max_number_of_visits`.
  */
 template <typename Rational>
 class Representable_point_3
@@ -143,11 +143,14 @@ private:
   {
     for(int i = 0; i < 3; ++i)
     {
-      double largest = 0;
+      Rational largest(0);
       for(const Vector_3& v : m_vertices)
-        largest = (std::max)(largest, std::abs(CGAL::to_double(v[i])));
-      m_spacings[i] = largest > 0 ? std::ldexp(1., (std::max)(std::ilogb(largest) - 52, -1074))
-                                  : std::numeric_limits<double>::denorm_min();
+        largest = (std::max)(largest, Rational(CGAL::abs(v[i])));
+      const double approximate = CGAL::to_double(largest);
+      int exponent = approximate > 0 ? std::ilogb(approximate) : -1074;
+      if(! (largest > Rational(std::ldexp(1., exponent))))
+        --exponent; // all the numbers inside are less than the power of two
+      m_spacings[i] = std::ldexp(1., (std::max)(exponent - 52, -1074));
     }
     for(Vector_3& v : m_vertices)
       v = Vector_3(v.x() / Rational(m_spacings[0]), v.y() / Rational(m_spacings[1]), v.z() / Rational(m_spacings[2]));
@@ -183,8 +186,8 @@ private:
     return m_shape[2] != CGAL::NULL_VECTOR;
   }
 
-  // Makes a basis of the integer vectors short in the affine coordinates: as long as a multiple of one can be taken off
-  // another so that this becomes shorter. The longest comes first then.
+  // Makes a basis of the integer vectors short in the affine coordinates: as long as a multiple of one, or the sum or
+  // the difference of both others, can be taken off one so that this becomes shorter. The longest comes first then.
   void reduce_basis()
   {
     m_basis = {{ Vector_3(1, 0, 0), Vector_3(0, 1, 0), Vector_3(0, 0, 1) }};
@@ -195,17 +198,24 @@ private:
     for(bool is_changed = true; is_changed; )
     {
       is_changed = false;
+      const auto subtract = [&](const int i, const Rational& q, const int j, const Rational& r, const int k)
+      {
+        const Vector_3 shorter = images[i] - q * images[j] - r * images[k];
+        if(! (dot(shorter, shorter) < dot(images[i], images[i])))
+          return;
+        images[i] = shorter;
+        m_basis[i] = m_basis[i] - q * m_basis[j] - r * m_basis[k];
+        is_changed = true;
+      };
       for(int i = 0; i < 3; ++i)
-        for(int j = (i + 1) % 3; j != i; j = (j + 1) % 3)
-        {
-          const Rational q = nearest_integer(Rational(dot(images[i], images[j]) / dot(images[j], images[j])));
-          const Vector_3 shorter = images[i] - q * images[j];
-          if(! (dot(shorter, shorter) < dot(images[i], images[i])))
-            continue;
-          images[i] = shorter;
-          m_basis[i] = m_basis[i] - q * m_basis[j];
-          is_changed = true;
-        }
+      {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        subtract(i, quotient(images[i], images[j]), j, Rational(0), k);
+        subtract(i, quotient(images[i], images[k]), k, Rational(0), j);
+        for(const int q : { -1, 1 })
+          for(const int r : { -1, 1 })
+            subtract(i, Rational(q), j, Rational(r), k);
+      }
     }
     for(int i = 1; i < 3; ++i)
       if(dot(images[i], images[i]) > dot(images[0], images[0]))
@@ -213,6 +223,12 @@ private:
         std::swap(images[0], images[i]);
         std::swap(m_basis[0], m_basis[i]);
       }
+  }
+
+  // How many times w is best taken off v.
+  static Rational quotient(const Vector_3& v, const Vector_3& w)
+  {
+    return nearest_integer(Rational(dot(v, w) / dot(w, w)));
   }
 
   // The vertices and half spaces in coordinates with respect to the reduced basis.
@@ -234,32 +250,30 @@ private:
   template <typename Visit>
   bool visit_integers(const std::pair<Rational, Rational>& interval, const Visit& visit)
   {
-    const Rational middle = nearest_integer(Rational((interval.first + interval.second) / Rational(2)));
-    for(int k = 0; m_number_of_lines < max_number_of_lines; ++k)
+    const auto visit_if_inside = [&](const Rational& x, bool& is_inside)
     {
-      bool is_inside = false;
-      for(const Rational& x : { Rational(middle + Rational(k)), Rational(middle - Rational(k)) })
-        if(interval.first < x && x < interval.second)
-        {
-          is_inside = true;
-          if(visit(x))
-            return true;
-        }
-      if(! is_inside)
-        break;
-    }
+      is_inside = interval.first < x && x < interval.second && ++m_number_of_visits <= max_number_of_visits;
+      return is_inside && visit(x);
+    };
+    const Rational middle = nearest_integer(Rational((interval.first + interval.second) / Rational(2)));
+    bool is_one_inside = true, is_other_inside = true;
+    if(visit_if_inside(middle, is_one_inside))
+      return true;
+    for(int k = 1; is_one_inside || is_other_inside; ++k)
+      if(visit_if_inside(Rational(middle + Rational(k)), is_one_inside)
+         || visit_if_inside(Rational(middle - Rational(k)), is_other_inside))
+        return true;
     return false;
   }
 
   std::optional<Coordinates> search()
   {
-    m_number_of_lines = 0;
+    m_number_of_visits = 0;
     Vector_3 found;
     const bool is_found = visit_integers(range_of_planes(), [&](const Rational& x)
     {
       return visit_integers(range_of_lines(x), [&](const Rational& y)
       {
-        ++m_number_of_lines;
         const std::pair<Rational, Rational> range = range_of_points(x, y);
         const Rational z = nearest_integer(Rational((range.first + range.second) / Rational(2)));
         found = x * m_basis[0] + y * m_basis[1] + z * m_basis[2];
@@ -328,14 +342,14 @@ private:
     return std::make_pair(*lowest, *highest);
   }
 
-  static constexpr int max_number_of_lines = 200;
+  static constexpr int max_number_of_visits = 200;
 
   std::vector<Vector_3> m_vertices;
   Coordinates m_spacings;
   Matrix m_shape;
   Matrix m_basis;
   std::vector<Half_space> m_half_spaces;
-  int m_number_of_lines = 0;
+  int m_number_of_visits = 0;
 };
 
 } // namespace internal

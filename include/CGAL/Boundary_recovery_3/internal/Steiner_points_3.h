@@ -102,10 +102,11 @@ public:
   }
 
   // Moves v to the point next to its exact position that the triangulation can store, or else to one of those around
-  // it, or else, if v is not on the hull, to one up to 2^10 times as far away, such that all the cells around v are
-  // positively oriented and the hull is convex. Returns false if none will do.
+  // it, or else, if v is not on the hull and it may take time, to one up to 2^10 times as far away as numbers are from
+  // each other at the largest coordinate; such that all the cells around v are positively oriented and the hull is
+  // convex. Returns false if none will do.
   template <typename Predicates>
-  bool round(const Tr& tr, const Predicates& predicates, const Vertex_handle v)
+  bool round(const Tr& tr, const Predicates& predicates, const Vertex_handle v, const bool may_take_time)
   {
     if(! m_positions.contains(v))
       return true;
@@ -121,7 +122,7 @@ public:
         if(is_valid(tr, predicates, star))
           return true;
       }
-    if(move_near(tr, predicates, v, star, exact))
+    if(may_take_time && move_near(tr, predicates, v, star, exact))
       return true;
     v->set_point(nearest);
     m_positions.set(v, exact);
@@ -298,7 +299,7 @@ private:
     const auto faces = faces_of_ball(star, v);
     const double largest = (std::max)({ std::abs(CGAL::to_double(exact.x())), std::abs(CGAL::to_double(exact.y())),
                                         std::abs(CGAL::to_double(exact.z())) });
-    const double spacing = std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
+    const double spacing = largest - std::nextafter(largest, 0.);
     for(const int exponent : { 2, 6, 10 })
       if(kernel_point.move_near(v, faces, exact, std::ldexp(spacing, exponent)))
         return true;

@@ -20,17 +20,28 @@ namespace CGAL {
 namespace Boundary_recovery_3 {
 namespace internal {
 
-// An integer that is as near to x as another, up to the precision of `to_double()`. x is of an exact field number type,
-// and less than 2^1023. Each step takes the leading bits away, so there is no limit to their number.
+// An integer that is as near to x as any other; x is of an exact field number type. Each step takes the leading bits
+// away, so there is no limit to their number.
 template <typename FT>
 FT nearest_integer(const FT& x)
 {
+  if(! std::isfinite(CGAL::to_double(x)))
+  {
+    const FT unit(std::ldexp(1., 900));
+    const FT leading = nearest_integer(FT(x / unit)) * unit;
+    return leading + nearest_integer(FT(x - leading));
+  }
   FT result(0), rest(x);
-  for(double d = std::nearbyint(CGAL::to_double(rest)); d != 0; d = std::nearbyint(CGAL::to_double(rest)))
+  for(double d = std::nearbyint(CGAL::to_double(rest)); std::abs(d) > 1; d = std::nearbyint(CGAL::to_double(rest)))
   {
     result += FT(d);
     rest = x - result;
   }
+  const FT half(.5), one(1);
+  for(; rest > half; rest -= one)
+    result += one;
+  for(; rest < - half; rest += one)
+    result -= one;
   return result;
 }
 
