@@ -91,6 +91,8 @@ int run_random(const int argc, char** argv, const bool is_traced)
   }
   for(const auto& c : counts)
     std::cout << c.second << " " << c.first << "\n";
+  if(counts.empty())
+    return 1;
   return counts["incomplete"] > 1 + counts["recovered"] / 1000 ? 1 : 0; // see Brute_force_checker::must_be_complete()
 }
 

@@ -18,16 +18,7 @@
 #include <iostream>
 
 using br3_test::Fuzz_case;
-using br3_test::Recovery_mode;
 using br3_test::Recovery_status;
-
-// Whether this is done with floating point numbers, too, where the judge does not insist on it.
-bool is_recovered(const Fuzz_case& c, const Recovery_mode mode)
-{
-  typedef CGAL::Exact_predicates_inexact_constructions_kernel Epick;
-  br3_test::recover_and_judge(c);
-  return br3_test::Recovery_run<Epick>(c, br3_test::Expectation(c.plc), mode).status() == Recovery_status::recovered;
-}
 
 // The result had vertices although the input was found to be invalid, if that was found after the recovery.
 void test_no_vertices_for_a_late_refusal()
@@ -73,7 +64,7 @@ void test_rounding_beside_a_nearly_flat_cell()
                    {{ y, 0, z }}, {{ z, z, x }}, {{ y, z, z }}, {{ y, y, 0 }} };
   c.plc.triangles = { { 3, 0, 8 }, { 2, 8, 5 }, { 2, 8, 1 } };
   c.plc.edges = { { 5, 3 } };
-  assert(is_recovered(c, Recovery_mode::conforming));
+  assert(br3_test::recover_and_judge(c) == Recovery_status::recovered);
 }
 
 // In nearly flat cells again, three sets of Steiner points in a row had one that no number could take the place of.
@@ -86,7 +77,7 @@ void test_more_than_three_attempts()
                    {{ w, y, x }}, {{ x, 0, w }}, {{ w, x, y }}, {{ y, 0, w }}, {{ y, y, z }} };
   c.plc.triangles = { { 3, 8, 7 }, { 4, 10, 2 }, { 7, 8, 6 }, { 4, 0, 1 }, { 9, 8, 7 }, { 6, 2, 5 }, { 2, 4, 3 } };
   c.plc.edges = { { 10, 3 }, { 8, 9 }, { 4, 8 }, { 3, 9 }, { 4, 1 } };
-  assert(is_recovered(c, Recovery_mode::constrained));
+  assert(br3_test::recover_and_judge(c) == Recovery_status::recovered);
 }
 
 // Numbers that differ in the last digits leave so little room for Steiner points that the deepest point of the kernel,
@@ -97,20 +88,20 @@ void test_kernels_thinner_than_numbers()
   Fuzz_case c;
   c.plc.points = { {{ y, y, 0 }}, {{ x, x, 0 }}, {{ w, x, y }}, {{ w, z, w }}, {{ y, z, x }}, {{ w, z, z }} };
   c.plc.triangles = { { 5, 2, 4 }, { 5, 2, 1 }, { 1, 0, 3 } };
-  assert(is_recovered(c, Recovery_mode::constrained));
+  assert(br3_test::recover_and_judge(c) == Recovery_status::recovered);
   for(const int exponent : { -600, 1200 }) // from one size to the next
   {
     for(auto& p : c.plc.points)
       for(double& coordinate : p)
         coordinate = std::ldexp(coordinate, exponent);
-    assert(is_recovered(c, Recovery_mode::constrained));
+    assert(br3_test::recover_and_judge(c) == Recovery_status::recovered);
   }
   const double u = 1.4210854715202004e-14; // 1 + u, 2 + u, ... are numbers
   c.plc.points = { {{ -2 * u, 1 + 2 * u, 1 + 2 * u }}, {{ -2 * u, 2, 2 - 2 * u }}, {{ 1 + u, 0, 1 + 2 * u }},
                    {{ -u, 0, 2 + 2 * u }}, {{ 2 + 2 * u, 1 - u, 2 - 2 * u }}, {{ 2 + u, 2 + 2 * u, -u }} };
   c.plc.triangles = { { 0, 2, 1 } };
   c.plc.edges = { { 5, 3 }, { 0, 4 } };
-  assert(is_recovered(c, Recovery_mode::constrained));
+  assert(br3_test::recover_and_judge(c) == Recovery_status::recovered);
 }
 
 // The same on constraints: a position may be stored by numbers that are farther away than the next ones.
@@ -121,7 +112,7 @@ void test_rounding_beyond_the_next_numbers()
   c.plc.points = { {{ w, z, 0 }}, {{ 0, y, x }}, {{ x, w, 0 }}, {{ w, 0, .5 }}, {{ z, z, y }}, {{ y, x, y }},
                    {{ y, z, w }}, {{ x, z, .5 }} };
   c.plc.triangles = { { 2, 5, 3 }, { 6, 4, 1 }, { 0, 7, 6 } };
-  assert(is_recovered(c, Recovery_mode::conforming));
+  assert(br3_test::recover_and_judge(c) == Recovery_status::recovered);
 }
 
 int main()

@@ -14,6 +14,7 @@
 
 #include <CGAL/Boundary_recovery_3/internal/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/cell_simplices.h>
+#include <CGAL/Boundary_recovery_3/internal/contains.h>
 
 #include <algorithm>
 #include <array>
@@ -48,7 +49,7 @@ public:
   // Adds a cell, if it is finite and not there yet.
   void add(const Cell_handle c)
   {
-    if(! m_tr.is_infinite(c) && ! is_in(m_cells, c))
+    if(! m_tr.is_infinite(c) && ! contains(m_cells, c))
       m_cells.push_back(c);
   }
 
@@ -59,7 +60,7 @@ public:
       for(int i = 0; i < 4; ++i)
       {
         const Cell_handle c = m_cells[k], n = c->neighbor(i);
-        if(is_in(vertices, n->vertex(n->index(c))))
+        if(contains(vertices, n->vertex(n->index(c))))
           add(n);
       }
   }
@@ -70,7 +71,7 @@ public:
     std::vector<Cell_handle> result;
     for_each_face([&](const Triangle& f, const Cell_handle n, Vertex_handle)
     {
-      if(! is_constrained(f) && ! is_in(result, n))
+      if(! is_constrained(f) && ! contains(result, n))
         result.push_back(n);
     });
     return result;
@@ -105,7 +106,7 @@ public:
       for(int i = 0; i < 4; ++i)
       {
         const Triangle f = facet_vertices(c, i);
-        if(is_in(m_cells, c->neighbor(i)))
+        if(contains(m_cells, c->neighbor(i)))
         {
           if(is_constrained(f))
             return false;
@@ -118,12 +119,6 @@ public:
   }
 
 private:
-  template <typename Item>
-  static bool is_in(const std::vector<Item>& items, const Item& item)
-  {
-    return std::find(items.begin(), items.end(), item) != items.end();
-  }
-
   bool is_constrained(const Triangle& f) const { return m_constraints.is_constrained(f[0], f[1], f[2]); }
 
   // Calls `visit` with each face that has a finite cell behind it, that cell, and its vertex there.
@@ -134,7 +129,7 @@ private:
       for(int i = 0; i < 4; ++i)
       {
         const Cell_handle n = c->neighbor(i);
-        if(! m_tr.is_infinite(n) && ! is_in(m_cells, n))
+        if(! m_tr.is_infinite(n) && ! contains(m_cells, n))
           visit(facet_vertices(c, i), n, n->vertex(n->index(c)));
       }
   }
@@ -146,9 +141,9 @@ private:
       for(int i = 0; i < 4; ++i)
       {
         const Vertex_handle p = c->vertex(i);
-        if(is_in(outer_vertices, p) || is_in(inner_points, p))
+        if(contains(outer_vertices, p) || contains(inner_points, p))
           continue;
-        if(! is_in(points, p))
+        if(! contains(points, p))
           return false;
         inner_points.push_back(p);
       }
@@ -166,7 +161,7 @@ private:
         for(int j = 0; j < 4; ++j)
         {
           const std::array<Vertex_handle, 2> e = {{ c->vertex(i), c->vertex(j) }};
-          if(i != j && m_constraints.is_constrained(e[0], e[1]) && ! is_in(edges, e))
+          if(i != j && m_constraints.is_constrained(e[0], e[1]) && ! contains(edges, e))
             return true;
         }
     return false;

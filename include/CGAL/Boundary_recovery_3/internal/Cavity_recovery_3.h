@@ -19,8 +19,8 @@
 #include <CGAL/Boundary_recovery_3/internal/Segment_walk_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Small_polyhedron_reconnection_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
+#include <CGAL/Boundary_recovery_3/internal/contains.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -97,17 +97,12 @@ private:
 
   void add(const Cell_handle c)
   {
-    if(std::find(m_cells.begin(), m_cells.end(), c) != m_cells.end())
+    if(contains(m_cells, c))
       return;
     m_cells.push_back(c);
     for(int i = 0; i < 4; ++i)
-      if(! is_vertex(c->vertex(i)))
+      if(! contains(m_vertices, c->vertex(i)))
         m_vertices.push_back(c->vertex(i));
-  }
-
-  bool is_vertex(const Vertex_handle v) const
-  {
-    return std::find(m_vertices.begin(), m_vertices.end(), v) != m_vertices.end();
   }
 
   void add_shell(const Cell_handle c, const Vertex_handle a, const Vertex_handle b)
@@ -121,7 +116,7 @@ private:
   {
     add(c);
     for(int i = 0; i < 4; ++i)
-      if(std::find(f.begin(), f.end(), c->vertex(i)) == f.end())
+      if(! contains(f, c->vertex(i)))
         add(c->neighbor(i));
   }
 
@@ -139,7 +134,7 @@ private:
   {
     std::size_t n = m_vertices.size();
     for(int i = 0; i < 4; ++i)
-      if(! is_vertex(extra->vertex(i)))
+      if(! contains(m_vertices, extra->vertex(i)))
         ++n;
     return n;
   }

@@ -298,8 +298,7 @@ private:
 
   static FT rounded(const FT& t, const int bits)
   {
-    const FT unit(std::ldexp(1., -bits));
-    return nearest_integer(FT(t / unit)) * unit;
+    return nearest_multiple(t, FT(std::ldexp(1., -bits)));
   }
 
   // `candidate` gives the position with weights of so many bits.

@@ -102,12 +102,11 @@ public:
       return false;
     else
     {
-      const Rational_point center(CGAL::exact(inside.x()), CGAL::exact(inside.y()), CGAL::exact(inside.z()));
       std::vector<Rational_plane> planes;
       for(const Triangle& f : faces) // with the kernel on their negative sides
-        planes.emplace_back(rational_point(f[0]), rational_point(f[2]), rational_point(f[1]));
+        planes.emplace_back(rational(m_positions(f[0])), rational(m_positions(f[2])), rational(m_positions(f[1])));
       if(std::isfinite(radius))
-        add_box(center, radius, planes);
+        add_box(rational(inside), radius, planes);
       const auto found = Representable_point_3<Rational>()(planes);
       if(! found)
         return false;
@@ -140,9 +139,8 @@ private:
   typedef typename Representable_point_3<Rational>::Point_3       Rational_point;
   typedef typename Representable_point_3<Rational>::Plane_3       Rational_plane;
 
-  Rational_point rational_point(const Vertex_handle v) const
+  static Rational_point rational(const Exact_point& p)
   {
-    const Exact_point p = m_positions(v);
     return Rational_point(CGAL::exact(p.x()), CGAL::exact(p.y()), CGAL::exact(p.z()));
   }
 
@@ -278,8 +276,8 @@ private:
     for(const int bits : { 4, 16, 64 })
     {
       const FT unit = FT(std::ldexp(1., (std::max)(std::ilogb(distance) - bits, -1074))) * FT(m_unit);
-      const auto rounded = [&](const FT& x) { return FT(nearest_integer(FT(x / unit)) * unit); };
-      m_positions.set(v, Exact_point(rounded(exact.x()), rounded(exact.y()), rounded(exact.z())));
+      m_positions.set(v, Exact_point(nearest_multiple(exact.x(), unit), nearest_multiple(exact.y(), unit),
+                                     nearest_multiple(exact.z(), unit)));
       if(is_kernel_point(v, faces))
         return;
     }

@@ -23,7 +23,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -68,13 +67,7 @@ public:
 private:
   typedef typename Kernel::Vector_3            Vector_3;
   typedef std::array<Vector_3, 3>              Matrix; // three columns
-
-  // The points x for which normal * x + offset < 0.
-  struct Half_space
-  {
-    Vector_3 normal;
-    Rational offset;
-  };
+  typedef std::pair<Rational, Rational>        Range;
 
   static Rational dot(const Vector_3& v, const Vector_3& w) { return CGAL::scalar_product(v, w); }
 
@@ -115,14 +108,23 @@ private:
       return;
     const Vector_3 weighted = p.d() * cross(direction, v) + q.d() * cross(u, direction);
     const Vector_3 from_origin = weighted / dot(direction, direction);
-    const Point_3 start = CGAL::ORIGIN + from_origin;
-    std::optional<Rational> first, last; // in multiples of the direction
+    if(const std::optional<Range> range = part_of_line(planes, from_origin, direction))
+      for(const Rational& t : { range->first, range->second })
+        points.push_back(CGAL::ORIGIN + (from_origin + t * direction));
+  }
+
+  // Those multiples of the direction that lead from `start` to points on no positive side of a plane, of which some
+  // bound it on both sides; none if there are no such points.
+  static std::optional<Range> part_of_line(const std::vector<Plane_3>& planes, const Vector_3& start,
+                                           const Vector_3& direction)
+  {
+    std::optional<Rational> first, last;
     for(const Plane_3& h : planes)
     {
       const Rational slope = dot(h.orthogonal_vector(), direction);
-      const Rational height = dot(h.orthogonal_vector(), from_origin) + h.d();
+      const Rational height = dot(h.orthogonal_vector(), start) + h.d();
       if(slope == 0 && height > 0)
-        return;
+        return std::nullopt;
       if(slope == 0)
         continue;
       const Rational t = - height / slope;
@@ -131,11 +133,9 @@ private:
       else if(slope < 0 && (! first || t > *first))
         first = t;
       if(first && last && *first > *last)
-        return;
+        return std::nullopt;
     }
-    for(const std::optional<Rational>& t : { first, last })
-      if(t)
-        points.push_back(start + *t * direction);
+    return Range(*first, *last);
   }
 
   // From here on, the spacing of the numbers in each coordinate is the unit there.
@@ -231,24 +231,25 @@ private:
     return nearest_integer(Rational(dot(v, w) / dot(w, w)));
   }
 
-  // The vertices and half spaces in coordinates with respect to the reduced basis.
+  // The vertices and planes in coordinates with respect to the reduced basis.
   void change_basis(const std::vector<Plane_3>& planes)
   {
     const Matrix forms = dual(m_basis);
     for(Vector_3& v : m_vertices)
       v = products(forms, v);
-    m_half_spaces.clear();
+    m_planes.clear();
     for(const Plane_3& p : planes)
     {
       const Vector_3 normal(p.a() * Rational(m_spacings[0]), p.b() * Rational(m_spacings[1]),
                             p.c() * Rational(m_spacings[2]));
-      m_half_spaces.push_back({ products(m_basis, normal), p.d() });
+      const Vector_3 n = products(m_basis, normal);
+      m_planes.emplace_back(n.x(), n.y(), n.z(), p.d());
     }
   }
 
   // Visits the integers in the open interval from the middle outwards, until `visit` returns true.
   template <typename Visit>
-  bool visit_integers(const std::pair<Rational, Rational>& interval, const Visit& visit)
+  bool visit_integers(const Range& interval, const Visit& visit)
   {
     const auto visit_if_inside = [&](const Rational& x, bool& is_inside)
     {
@@ -274,7 +275,8 @@ private:
     {
       return visit_integers(range_of_lines(x), [&](const Rational& y)
       {
-        const std::pair<Rational, Rational> range = range_of_points(x, y);
+        // the third coordinates where the first are x and y: the line meets the open polyhedron
+        const Range range = *part_of_line(m_planes, Vector_3(x, y, 0), Vector_3(0, 0, 1));
         const Rational z = nearest_integer(Rational((range.first + range.second) / Rational(2)));
         found = x * m_basis[0] + y * m_basis[1] + z * m_basis[2];
         return range.first < z && z < range.second;
@@ -287,18 +289,18 @@ private:
   }
 
   // The first coordinates of the polyhedron.
-  std::pair<Rational, Rational> range_of_planes() const
+  Range range_of_planes() const
   {
-    std::pair<Rational, Rational> range(m_vertices.front().x(), m_vertices.front().x());
+    Range range(m_vertices.front().x(), m_vertices.front().x());
     for(const Vector_3& v : m_vertices)
       extend(range, v.x());
     return range;
   }
 
   // The second coordinates where the first is x.
-  std::pair<Rational, Rational> range_of_lines(const Rational& x) const
+  Range range_of_lines(const Rational& x) const
   {
-    std::optional<std::pair<Rational, Rational> > range;
+    std::optional<Range> range;
     for(const Vector_3& v : m_vertices)
       for(const Vector_3& w : m_vertices)
         if(v.x() <= x && x < w.x())
@@ -312,34 +314,12 @@ private:
     return *range;
   }
 
-  static void extend(std::pair<Rational, Rational>& range, const Rational& x)
+  static void extend(Range& range, const Rational& x)
   {
     if(x < range.first)
       range.first = x;
     if(x > range.second)
       range.second = x;
-  }
-
-  // The third coordinates where the first are x and y; none if the interval is empty or reversed.
-  std::pair<Rational, Rational> range_of_points(const Rational& x, const Rational& y) const
-  {
-    std::optional<Rational> lowest, highest;
-    for(const Half_space& h : m_half_spaces)
-    {
-      const Rational rest = h.normal.x() * x + h.normal.y() * y + h.offset;
-      if(h.normal.z() == 0)
-      {
-        if(rest >= 0)
-          return std::make_pair(Rational(0), Rational(0));
-        continue;
-      }
-      const Rational bound = - rest / h.normal.z();
-      if(h.normal.z() > 0 && (! highest || bound < *highest))
-        highest = bound;
-      else if(h.normal.z() < 0 && (! lowest || bound > *lowest))
-        lowest = bound;
-    }
-    return std::make_pair(*lowest, *highest);
   }
 
   static constexpr int max_number_of_visits = 200;
@@ -348,7 +328,7 @@ private:
   Coordinates m_spacings;
   Matrix m_shape;
   Matrix m_basis;
-  std::vector<Half_space> m_half_spaces;
+  std::vector<Plane_3> m_planes;
   int m_number_of_visits = 0;
 };
 

@@ -18,6 +18,7 @@
 #include <CGAL/Boundary_recovery_3/internal/Steiner_points_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/cell_simplices.h>
+#include <CGAL/Boundary_recovery_3/internal/contains.h>
 
 #include <CGAL/Kernel/global_functions_3.h>
 #include <CGAL/Origin.h>
@@ -122,11 +123,6 @@ private:
   };
 
   Exact_point position(const Vertex_handle v) const { return m_steiner_points.positions()(v); }
-
-  static bool contains(const Vertices& vertices, const Vertex_handle v)
-  {
-    return std::find(vertices.begin(), vertices.end(), v) != vertices.end();
-  }
 
   // --- fans ---------------------------------------------------------------------------------------------------------
 

@@ -23,6 +23,7 @@
 #include <CGAL/Boundary_recovery_3/internal/Small_polyhedron_reconnection_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/cell_simplices.h>
+#include <CGAL/Boundary_recovery_3/internal/contains.h>
 #include <CGAL/Shell_transformation_3.h>
 
 #include <algorithm>
@@ -271,12 +272,6 @@ private:
       v->set_point(before);
     }
     return false;
-  }
-
-  template <typename Item>
-  static bool contains(const std::vector<Item>& items, const Item& item)
-  {
-    return std::find(items.begin(), items.end(), item) != items.end();
   }
 
   // Stars the cavity from v; other points inside are gone then.

@@ -45,6 +45,13 @@ FT nearest_integer(const FT& x)
   return result;
 }
 
+// The multiple of a unit that is next to x.
+template <typename FT>
+FT nearest_multiple(const FT& x, const FT& unit)
+{
+  return nearest_integer(FT(x / unit)) * unit;
+}
+
 } // namespace internal
 } // namespace Boundary_recovery_3
 } // namespace CGAL
