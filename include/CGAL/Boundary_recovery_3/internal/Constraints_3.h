@@ -201,7 +201,7 @@ private:
         h[i] = mix(c->vertex(i));
       const std::uint64_t sum = h[0] + h[1] + h[2] + h[3];
       for(int i = 0; i < 4; ++i)
-        if(m_filter[filter_position(sum - h[i])] && std::less<const void*>()(&*c, &*c->neighbor(i)))
+        if(may_be_constrained(sum - h[i]) && std::less<const void*>()(&*c, &*c->neighbor(i)))
           facets.emplace_back(c, i); // may be a constraint, and is seen from this side only
       if(facets.size() < number_of_facets_at_a_time)
         continue;
@@ -227,15 +227,18 @@ private:
     }
   }
 
-  // One byte for each constrained facet in a table with 8 to 16 times as many.
+  // One bit for each constrained facet in a table with 8 to 16 times as many.
   void fill_in_filter()
   {
-    std::size_t size = 64;
-    while(size < 8 * m_constraints.facets().size())
+    std::size_t size = 1;
+    while(8 * size < m_constraints.facets().size())
       size *= 2;
-    m_filter.assign(size, false);
+    m_filter.assign(size, 0);
     for(const auto& f : m_constraints.facets())
-      m_filter[filter_position(mix(f[0]) + mix(f[1]) + mix(f[2]))] = true;
+    {
+      const std::uint64_t sum = mix(f[0]) + mix(f[1]) + mix(f[2]);
+      m_filter[filter_word(sum)] |= filter_bit(sum);
+    }
   }
 
   static std::uint64_t mix(const Vertex_handle v)
@@ -244,11 +247,18 @@ private:
     return h ^ (h >> 29);
   }
 
-  // From the sum over the vertices, which need not be sorted so.
-  std::size_t filter_position(const std::uint64_t sum) const
+  // The facet is given by the sum over its vertices, which need not be sorted so.
+  bool may_be_constrained(const std::uint64_t sum) const
   {
-    return static_cast<std::size_t>(sum >> 7) & (m_filter.size() - 1);
+    return (m_filter[filter_word(sum)] & filter_bit(sum)) != 0;
   }
+
+  std::size_t filter_word(const std::uint64_t sum) const
+  {
+    return static_cast<std::size_t>(sum >> 13) & (m_filter.size() - 1);
+  }
+
+  static std::uint64_t filter_bit(const std::uint64_t sum) { return std::uint64_t(1) << (sum >> 7 & 63); }
 
   template <std::size_t N>
   bool is_in_star(const std::array<Vertex_handle, N>& simplex) const
@@ -309,7 +319,7 @@ private:
   std::vector<std::size_t> m_edges, m_facets;             // positions among the candidates, sorted by first vertex
   std::vector<std::size_t> m_edge_ranges, m_facet_ranges; // where each vertex begins
   std::vector<Cell_handle> m_star;
-  std::vector<char> m_filter;
+  std::vector<std::uint64_t> m_filter;
 };
 
 } // namespace internal
