@@ -145,6 +145,13 @@ class Records:
         with open(self.path, "a", encoding="utf-8") as file:
             file.write(json.dumps(row) + "\n")
 
+    def measure(self, jobs, function, tasks, describe):
+        """adds what the function returns for each task, so many at a time, in the order of the tasks"""
+        with concurrent.futures.ThreadPoolExecutor(max(1, jobs)) as pool:
+            for row in pool.map(function, tasks):
+                self.add(row)
+                print(describe(row), file=sys.stderr, flush=True)
+
 
 def read_records(path):
     if not os.path.exists(path):
@@ -178,9 +185,3 @@ def wanted(arguments, files):
     if arguments.max_triangles is None:
         return files
     return [file for file in files if triangles_of(file) <= arguments.max_triangles]
-
-
-def in_parallel(jobs, function, items):
-    """calls the function for each item; results come in order, as they are ready"""
-    with concurrent.futures.ThreadPoolExecutor(max(1, jobs)) as pool:
-        yield from pool.map(function, items)

@@ -9,7 +9,7 @@ import os
 import sys
 import tempfile
 
-from benchmark_common import Programs, Records, in_parallel, model_of, parser_of, surfaces_of, wanted
+from benchmark_common import Programs, Records, model_of, parser_of, surfaces_of, wanted
 
 SWITCHES = {"constrained": "pY", "conforming": "p"}
 KINDS = ("inside", "outside", "on_edges", "on_facets")
@@ -78,10 +78,9 @@ def main():
     records = Records(arguments, "quality.jsonl", ("model", "mode"))
     tasks = [(file, mode) for file in wanted(arguments, surfaces_of(arguments)) for mode in SWITCHES
              if not records.has(model=model_of(file), mode=mode)]
-    for row in in_parallel(arguments.jobs, lambda task: measure(programs, arguments, task), tasks):
-        records.add(row)
-        print("%s %s: %s, TetGen %s" % (row["model"], row["mode"], row["ours"]["outcome"], row["tetgen"]["outcome"]),
-              file=sys.stderr, flush=True)
+    records.measure(arguments.jobs, lambda task: measure(programs, arguments, task), tasks,
+                    lambda row: "%s %s: %s, TetGen %s" % (row["model"], row["mode"], row["ours"]["outcome"],
+                                                          row["tetgen"]["outcome"]))
     print_summary(records.rows)
     return 1 if any(r["ours"]["outcome"] == "crash" for r in records.rows) else 0
 

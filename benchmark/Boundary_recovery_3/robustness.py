@@ -8,7 +8,7 @@ point where none may be. README.md in this folder tells how to build the program
 import collections
 import sys
 
-from benchmark_common import Programs, Records, in_parallel, model_of, parser_of, surfaces_of, wanted
+from benchmark_common import Programs, Records, model_of, parser_of, surfaces_of, wanted
 
 MODES, KERNELS = ("flips_only", "constrained", "conforming"), ("epick", "epeck")
 GOOD = ("exact", "rounded")
@@ -58,10 +58,9 @@ def main():
     records = Records(arguments, "robustness.jsonl", ("model", "mode", "kernel"))
     tasks = [(file, mode, kernel) for file in wanted(arguments, surfaces_of(arguments)) for mode in MODES
              for kernel in KERNELS if not records.has(model=model_of(file), mode=mode, kernel=kernel)]
-    for row in in_parallel(arguments.jobs, lambda task: measure(programs, arguments, task), tasks):
-        records.add(row)
-        print("%s %s %s: %s, %s" % (row["model"], row["mode"], row["kernel"], row["outcome"], row.get("verdict", "-")),
-              file=sys.stderr, flush=True)
+    records.measure(arguments.jobs, lambda task: measure(programs, arguments, task), tasks,
+                    lambda row: "%s %s %s: %s, %s" % (row["model"], row["mode"], row["kernel"], row["outcome"],
+                                                      row.get("verdict", "-")))
     return 0 if print_summary(records.rows) else 1
 
 
