@@ -15,18 +15,17 @@ set(br3_syntax -std=c++17 -frounding-math -fsyntax-only -Wall -Wextra -Werror
 set(br3_empty_file ${CMAKE_CURRENT_BINARY_DIR}/empty.cpp)
 file(WRITE ${br3_empty_file} "// empty\n")
 
-# Every header alone, internal ones too: a header that leans on what another one includes does not compile.
+# Every header alone, internal ones too: a header that leans on what another one includes does not compile. One compiler
+# is enough for that.
 file(GLOB_RECURSE br3_headers CONFIGURE_DEPENDS
      RELATIVE ${CMAKE_CURRENT_SOURCE_DIR}/include ${CMAKE_CURRENT_SOURCE_DIR}/include/CGAL/*.h)
-function(br3_add_header_tests label compiler)
-  foreach(header ${br3_headers})
-    string(REGEX REPLACE "^CGAL/" "" name ${header})
-    string(MAKE_C_IDENTIFIER ${name} name)
-    add_test(NAME header_alone_${label}__${name}
-             COMMAND ${compiler} ${br3_syntax} ${ARGN} -include ${header} ${br3_empty_file} COMMAND_EXPAND_LISTS)
-    set_tests_properties(header_alone_${label}__${name} PROPERTIES LABELS "header;${label}")
-  endforeach()
-endfunction()
+foreach(header ${br3_headers})
+  string(REGEX REPLACE "^CGAL/" "" name ${header})
+  string(MAKE_C_IDENTIFIER ${name} name)
+  add_test(NAME header_alone__${name}
+           COMMAND ${CMAKE_CXX_COMPILER} ${br3_syntax} -include ${header} ${br3_empty_file} COMMAND_EXPAND_LISTS)
+  set_tests_properties(header_alone__${name} PROPERTIES LABELS header)
+endforeach()
 
 # Every program of the examples and tests: only their instantiations show Clang the bodies of our templates.
 function(br3_add_program_tests label compiler)
@@ -45,13 +44,11 @@ function(br3_add_program_tests label compiler)
 endfunction()
 
 # CGAL's targets set -frounding-math for the compiler of the build; Clang 14 accepts it with a warning only.
-br3_add_header_tests(build_compiler ${CMAKE_CXX_COMPILER})
 find_program(BR3_CLANG NAMES clang++ clang++-19 clang++-16 clang++-15 clang++-14 DOC "Clang, for syntax checks")
 if(BR3_CLANG)
-  br3_add_header_tests(clang ${BR3_CLANG} -Wno-unknown-warning-option)
   br3_add_program_tests(clang ${BR3_CLANG} -Wno-unknown-warning-option)
 else()
-  br3_add_skipped_test(header_alone_clang "no clang++ was found")
+  br3_add_skipped_test(program_clang "no clang++ was found")
 endif()
 
 find_package(Python3 QUIET COMPONENTS Interpreter)
