@@ -15,8 +15,9 @@
 #include <CGAL/Boundary_recovery_3/Shell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
 
+#include <CGAL/Kernel/global_functions_3.h>
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -108,28 +109,17 @@ public:
     if(m_predicates.is_infinite(p) || m_predicates.is_infinite(q) ||
        m_predicates.is_infinite(r) || m_predicates.is_infinite(s))
       return best();
-    const Vector u = difference(q, p), v = difference(r, p), w = difference(s, p);
-    const double sum = squared_length(u) + squared_length(v) + squared_length(w)
-                     + squared_length(difference(r, q)) + squared_length(difference(s, q))
-                     + squared_length(difference(s, r));
-    const double six_volumes = u[0] * (v[1] * w[2] - v[2] * w[1])
-                             + u[1] * (v[2] * w[0] - v[0] * w[2])
-                             + u[2] * (v[0] * w[1] - v[1] * w[0]);
+    const auto pp = m_predicates.approximate_point(p), qq = m_predicates.approximate_point(q),
+               rr = m_predicates.approximate_point(r), ss = m_predicates.approximate_point(s);
+    const auto u = qq - pp, v = rr - pp, w = ss - pp;
+    const double sum = u.squared_length() + v.squared_length() + w.squared_length()
+                     + (rr - qq).squared_length() + (ss - qq).squared_length() + (ss - rr).squared_length();
+    const double six_volumes = CGAL::scalar_product(u, CGAL::cross_product(v, w));
     const double quality = 12 * std::sqrt(3.) * six_volumes / (sum * std::sqrt(sum));
     return quality > 0 ? quality : (std::numeric_limits<double>::min)(); // rounding only: the element is valid
   }
 
 private:
-  typedef std::array<double, 3> Vector;
-
-  Vector difference(const Vertex_handle q, const Vertex_handle p) const
-  {
-    const Vector x = m_predicates.approximate_point(q), y = m_predicates.approximate_point(p);
-    return {{ x[0] - y[0], x[1] - y[1], x[2] - y[2] }};
-  }
-
-  static double squared_length(const Vector& v) { return v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; }
-
   internal::Vertex_predicates_3<Tr> m_predicates;
 };
 

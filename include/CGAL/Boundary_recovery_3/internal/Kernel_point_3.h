@@ -17,8 +17,11 @@
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/nearest_integer.h>
 
+#include <CGAL/Kernel/global_functions_3.h>
+#include <CGAL/Origin.h>
 #include <CGAL/QP_functions.h>
 #include <CGAL/QP_models.h>
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/number_utils.h>
 #ifdef CGAL_USE_GMP
 #include <CGAL/Gmpzf.h>
@@ -57,7 +60,8 @@ public:
   typedef Exact_positions_3<Tr>                Positions;
   typedef typename Positions::Point_3          Point_3;
   typedef std::array<Vertex_handle, 3>         Triangle;
-  typedef std::array<double, 3>                Vector;
+  typedef typename Predicates::Approximate_point Point;  // with coordinates of type `double`
+  typedef Simple_cartesian<double>::Vector_3   Vector;
   typedef typename Positions::Exact_point_3    Exact_point;
   typedef typename Positions::Exact_kernel::Vector_3 Exact_vector;
 
@@ -168,22 +172,10 @@ private:
 
   static Vector approximate(const Exact_vector& d)
   {
-    return {{ CGAL::to_double(d.x()), CGAL::to_double(d.y()), CGAL::to_double(d.z()) }};
+    return Vector(CGAL::to_double(d.x()), CGAL::to_double(d.y()), CGAL::to_double(d.z()));
   }
 
-  static double dot(const Vector& v, const Vector& w) { return v[0] * w[0] + v[1] * w[1] + v[2] * w[2]; }
-
-  static Vector difference(const Vector& v, const Vector& w)
-  {
-    return {{ v[0] - w[0], v[1] - w[1], v[2] - w[2] }};
-  }
-
-  static Vector cross(const Vector& v, const Vector& w)
-  {
-    return {{ v[1] * w[2] - v[2] * w[1], v[2] * w[0] - v[0] * w[2], v[0] * w[1] - v[1] * w[0] }};
-  }
-
-  void set_up(const std::vector<Triangle>& faces, const Vector& origin)
+  void set_up(const std::vector<Triangle>& faces, const Point& origin)
   {
     m_origin = origin;
     m_half_spaces.clear();
@@ -192,15 +184,14 @@ private:
     for(const Triangle& f : faces)
     {
       const Vector p = from_origin(f[0]), q = from_origin(f[1]), r = from_origin(f[2]);
-      Vector normal = cross(difference(q, p), difference(r, p));
-      const double length = std::sqrt(dot(normal, normal));
+      const Vector n = CGAL::cross_product(q - p, r - p);
+      const double length = std::sqrt(n.squared_length());
       for(const Vector& v : { p, q, r })
-        m_diameter = (std::max)(m_diameter, 2 * std::sqrt(dot(v, v)));
+        m_diameter = (std::max)(m_diameter, 2 * std::sqrt(v.squared_length()));
       if(! (length > 0))
         continue; // too thin for floating point numbers; the exact test knows it
-      for(double& x : normal)
-        x /= length;
-      m_half_spaces.push_back({ normal, dot(normal, p) });
+      const Vector normal = n / length;
+      m_half_spaces.push_back({ normal, CGAL::scalar_product(normal, p) });
     }
   }
 
@@ -211,34 +202,34 @@ private:
     double largest = 0;
     for(const Triangle& f : faces)
       for(const Vertex_handle v : f)
-        for(const double x : from_origin(v))
-          largest = (std::max)(largest, std::abs(x));
+        for(int i = 0; i < 3; ++i)
+          largest = (std::max)(largest, std::abs(from_origin(v)[i]));
     if(largest > 0)
       m_unit = std::ldexp(1., (std::max)(-1000, (std::min)(1000, std::ilogb(largest))));
   }
 
   Vector from_origin(const Vertex_handle v) const
   {
-    Vector d = difference(m_predicates.approximate_point(v), m_origin);
-    for(double& x : d)
-      x /= m_unit;
-    return d;
+    return (m_predicates.approximate_point(v) - m_origin) / m_unit;
   }
 
   bool find_on_ray(const Vertex_handle v, const std::vector<Triangle>& faces, const Vector& direction)
   {
-    const double length = std::sqrt(dot(direction, direction));
+    const double length = std::sqrt(direction.squared_length());
     if(! (length > 0) || ! std::isfinite(length))
       return false;
-    const Vector d = {{ direction[0] / length, direction[1] / length, direction[2] / length }};
+    const Vector d = direction / length;
     double s = m_diameter; // where the ray leaves the kernel
     for(const Half_space& h : m_half_spaces)
-      if(dot(h.normal, d) < 0)
-        s = (std::min)(s, (std::max)(h.offset / dot(h.normal, d), m_diameter * std::numeric_limits<double>::epsilon()));
+    {
+      const double slope = CGAL::scalar_product(h.normal, d);
+      if(slope < 0)
+        s = (std::min)(s, (std::max)(h.offset / slope, m_diameter * std::numeric_limits<double>::epsilon()));
+    }
     for(int i = 0; i < max_number_of_bisections; ++i)
     {
       s /= 2;
-      if(move(v, {{ s * d[0], s * d[1], s * d[2] }}) && is_kernel_point(v, faces))
+      if(move(v, s * d) && is_kernel_point(v, faces))
         return true;
     }
     return false;
@@ -297,11 +288,11 @@ private:
   // that with the largest r.
   bool move_to_deepest_point(const Vertex_handle v, const std::vector<Triangle>& faces)
   {
-    Vector x, objective = {{ 0, 0, 0 }};
+    Vector x;
     m_depth = - m_diameter;
-    if(! maximize(objective, 1, x))
+    if(! maximize(CGAL::NULL_VECTOR, 1, x))
       return false;
-    return (move(v, scaled(x)) && is_kernel_point(v, faces)) || (m_depth > 0 && sample(v, faces, x));
+    return (move(v, m_diameter * x) && is_kernel_point(v, faces)) || (m_depth > 0 && sample(v, faces, x));
   }
 
   // A kernel thinner than the distance of floating point numbers contains many of them nevertheless, if it is wide and
@@ -310,13 +301,13 @@ private:
   {
     const double depth = m_depth;
     std::vector<Vector> extreme;
-    for(int i = 0; i < 6; ++i)
-    {
-      Vector x, objective = {{ 0, 0, 0 }};
-      objective[i / 2] = i % 2 == 0 ? 1 : -1;
-      if(maximize(objective, 0, x))
-        extreme.push_back(x);
-    }
+    for(const Vector& axis : { Vector(1, 0, 0), Vector(0, 1, 0), Vector(0, 0, 1) })
+      for(const Vector& objective : { axis, - axis })
+      {
+        Vector x;
+        if(maximize(objective, 0, x))
+          extreme.push_back(x);
+      }
     m_depth = depth;
     std::minstd_rand random; // always the same numbers
     for(int k = 0; k < number_of_samples && ! extreme.empty(); ++k)
@@ -325,29 +316,21 @@ private:
       for(const Vector& e : extreme)
       {
         const double t = static_cast<double>(random()) / random.max() / 2;
-        for(int i = 0; i < 3; ++i)
-          x[i] += t * (e[i] - x[i]);
+        x += t * (e - x);
       }
-      if(move(v, scaled(x)) && is_kernel_point(v, faces))
+      if(move(v, m_diameter * x) && is_kernel_point(v, faces))
         return true;
     }
     return false;
   }
 
-  // From units of the diameter to those of the half spaces.
-  Vector scaled(const Vector& x) const { return {{ m_diameter * x[0], m_diameter * x[1], m_diameter * x[2] }}; }
-
   // Moves v to a point, relative to the origin and in the unit. Returns false if that has no finite coordinates.
   bool move(const Vertex_handle v, const Vector& x) const
   {
-    Vector p;
-    for(int i = 0; i < 3; ++i)
-    {
-      p[i] = m_origin[i] + m_unit * x[i];
-      if(! std::isfinite(p[i]))
-        return false;
-    }
-    v->set_point(Point_3(p[0], p[1], p[2]));
+    const Point p = m_origin + m_unit * x;
+    if(! std::isfinite(p.x()) || ! std::isfinite(p.y()) || ! std::isfinite(p.z()))
+      return false;
+    v->set_point(Point_3(p.x(), p.y(), p.z()));
     return true;
   }
 
@@ -376,10 +359,11 @@ private:
     if(! solution.is_optimal())
       return false;
     const double denominator = CGAL::to_double(solution.variables_common_denominator());
-    auto it = solution.variable_numerators_begin();
-    for(int i = 0; i < 3; ++i, ++it)
-      x[i] = CGAL::to_double(*it) / denominator;
-    m_depth = m_diameter * (CGAL::to_double(*it) / denominator);
+    std::array<double, 4> values; // of the three coordinates and r
+    std::transform(solution.variable_numerators_begin(), solution.variable_numerators_end(), values.begin(),
+                   [&](const ET& numerator) { return CGAL::to_double(numerator) / denominator; });
+    x = Vector(values[0], values[1], values[2]);
+    m_depth = m_diameter * values[3];
     return true;
   }
 
@@ -390,7 +374,7 @@ private:
 
   const Predicates& m_predicates;
   Positions& m_positions;
-  Vector m_origin;
+  Point m_origin;
   double m_unit;     // of the half spaces, the diameter, and the depth
   double m_diameter;
   double m_depth;

@@ -471,19 +471,14 @@ private:
   {
     double longest = 0;
     for(int i = 0; i < 3; ++i)
-    {
-      const Vector e = difference(t[i], t[(i + 1) % 3]);
-      longest = (std::max)(longest, dot(e, e));
-    }
-    const Vector n = normal(t);
-    return longest > 0 ? std::sqrt(dot(n, n)) / longest : 0;
+      longest = (std::max)(longest, difference(t[i], t[(i + 1) % 3]).squared_length());
+    return longest > 0 ? std::sqrt(normal(t).squared_length()) / longest : 0;
   }
 
   // In units of the size of the ball.
   Vector difference(const Vertex_handle v, const Vertex_handle w) const
   {
-    const std::array<double, 3> p = m_predicates.approximate_point(v), q = m_predicates.approximate_point(w);
-    return {{ m_scale * (p[0] - q[0]), m_scale * (p[1] - q[1]), m_scale * (p[2] - q[2]) }};
+    return m_scale * (m_predicates.approximate_point(v) - m_predicates.approximate_point(w));
   }
 
   // A power of two, so that products of lengths do not leave the range of floating point numbers.
@@ -493,18 +488,15 @@ private:
     double largest = 0;
     for(const Half_facet& h : m_half_facets)
       if(! m_tr.is_infinite(h.v))
-        for(const double x : difference(h.v, m_s))
-          largest = (std::max)(largest, std::abs(x));
+        for(int i = 0; i < 3; ++i)
+          largest = (std::max)(largest, std::abs(difference(h.v, m_s)[i]));
     if(largest > 0)
       m_scale = std::ldexp(1., (std::max)(-1000, (std::min)(1000, - std::ilogb(largest))));
   }
 
-  static double dot(const Vector& v, const Vector& w) { return v[0] * w[0] + v[1] * w[1] + v[2] * w[2]; }
-
   Vector normal(const Triangle& t) const
   {
-    const Vector v = difference(t[1], t[0]), w = difference(t[2], t[0]);
-    return {{ v[1] * w[2] - v[2] * w[1], v[2] * w[0] - v[0] * w[2], v[0] * w[1] - v[1] * w[0] }};
+    return CGAL::cross_product(difference(t[1], t[0]), difference(t[2], t[0]));
   }
 
   // --- the points ---------------------------------------------------------------------------------------------------
@@ -539,16 +531,14 @@ private:
   // unit normals; where these cancel, the mean direction of both fans, or its opposite; and the exact normals.
   void add_faces(const Fan& fan)
   {
-    Vector n = {{ 0, 0, 0 }};
+    Vector n = CGAL::NULL_VECTOR;
     for(const Triangle& t : fan.triangles)
     {
       m_faces[fan.sectors[0]].push_back(t);
       m_faces[fan.sectors[1]].push_back({{ t[0], t[2], t[1] }});
-      const Vector nt = normal(t);
-      for(int i = 0; i < 3; ++i)
-        n[i] += nt[i];
+      n += normal(t);
     }
-    const double length = std::sqrt(dot(n, n));
+    const double length = std::sqrt(n.squared_length());
     const Exact_vector unit_normal = length > 0 ? Exact_vector(n[0] / length, n[1] / length, n[2] / length)
                                                 : Exact_vector(CGAL::NULL_VECTOR);
     const Triangle& t = fan.triangles.front();

@@ -14,11 +14,10 @@
 
 #include <CGAL/Boundary_recovery_3/internal/Exact_positions_3.h>
 
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
-
-#include <array>
 
 namespace CGAL {
 namespace Boundary_recovery_3 {
@@ -43,6 +42,7 @@ public:
   typedef typename Geom_traits::Point_3    Point_3;
   typedef Exact_positions_3<Tr>            Positions;
   typedef typename Positions::Exact_kernel Exact_kernel;
+  typedef Simple_cartesian<double>::Point_3 Approximate_point;
 
   // `positions`, if given, has to outlive this object.
   explicit Vertex_predicates_3(const Tr& tr, const Positions* positions = nullptr)
@@ -56,10 +56,10 @@ public:
 
   const Point_3& point(const Vertex_handle v) const { return v->point(); }
 
-  std::array<double, 3> approximate_point(const Vertex_handle v) const
+  Approximate_point approximate_point(const Vertex_handle v) const
   {
     const Point_3& p = v->point();
-    return {{ CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()) }};
+    return Approximate_point(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
   }
 
   // Sign of the volume of the tetrahedron pqrs.
