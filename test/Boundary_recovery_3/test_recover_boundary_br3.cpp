@@ -368,6 +368,7 @@ void test_visitor()
     const auto later = CGAL::recover_boundary(tr, soup.points, soup.triangles, params::maximum_running_time(0.));
     assert(later.status == Recovery_status::stopped);
     check_account(tr, soup, later);
+    assert(at_once.number_of_edges == later.number_of_edges && at_once.missing_edges.size() == later.number_of_edges);
   }
 }
 

@@ -87,6 +87,7 @@ public:
 
 private:
   typedef Constrained_boundary_recovery_3<Tr, Visitor> Recovery;
+  typedef std::array<std::size_t, 2> Edge;
 
   void find_vertices()
   {
@@ -127,8 +128,7 @@ private:
   {
     m_result.status = Recovery_status::invalid_input;
     m_result.vertices.clear();
-    m_result.number_of_edges = m_input.edges.size();
-    m_result.number_of_facets = m_input.facets.size();
+    count_constraints();
     return std::move(m_result);
   }
 
@@ -136,13 +136,20 @@ private:
   Result stopped_early()
   {
     m_result.status = Recovery_status::stopped;
-    m_result.number_of_edges = m_input.edges.size();
-    m_result.number_of_facets = m_input.facets.size();
-    for(std::size_t e = 0; e < m_input.edges.size(); ++e)
-      m_result.missing_edges.push_back(describe_edge(m_input, e));
+    count_constraints();
+    for_each_edge([this](const std::size_t index, const Edge& e)
+    {
+      m_result.missing_edges.push_back(describe_simplex(m_input, index, e));
+    });
     for(std::size_t f = 0; f < m_input.facets.size(); ++f)
       m_result.missing_facets.push_back(describe_facet(m_input, f));
     return std::move(m_result);
+  }
+
+  void count_constraints()
+  {
+    m_result.number_of_facets = m_input.facets.size();
+    for_each_edge([this](std::size_t, const Edge&) { ++m_result.number_of_edges; });
   }
 
   void recover()
@@ -169,23 +176,33 @@ private:
       m_result.vertices.clear(); // as for input that is refused at once
   }
 
-  // The facets, then the edges, those of the facets included, each once.
+  // Calls `visit` with each constrained edge once: those given as edges with their indices, then the others of facets.
+  template <typename Visit>
+  void for_each_edge(const Visit& visit) const
+  {
+    std::set<std::pair<std::size_t, std::size_t> > visited;
+    const auto visit_once = [&](const std::size_t index, const Edge& e)
+    {
+      if(visited.insert(std::minmax({ e[0], e[1] })).second)
+        visit(index, e);
+    };
+    for(std::size_t e = 0; e < m_input.edges.size(); ++e)
+      visit_once(e, m_input.edges[e]);
+    for(const auto& f : m_input.facets)
+      for(int i = 0; i < 3; ++i)
+        visit_once(Simplex::no_index, {{ f[i], f[(i + 1) % 3] }});
+  }
+
+  // The facets, then the edges, those of the facets included.
   std::vector<Simplex> all_constraints() const
   {
     std::vector<Simplex> constraints;
     for(std::size_t f = 0; f < m_input.facets.size(); ++f)
       constraints.push_back(describe_facet(m_input, f));
-    std::set<std::pair<std::size_t, std::size_t> > edges;
-    for(std::size_t e = 0; e < m_input.edges.size(); ++e)
-      if(edges.insert(std::minmax({ m_input.edges[e][0], m_input.edges[e][1] })).second)
-        constraints.push_back(describe_edge(m_input, e));
-    for(const auto& f : m_input.facets)
-      for(int i = 0; i < 3; ++i)
-      {
-        const std::array<std::size_t, 2> e = {{ f[i], f[(i + 1) % 3] }};
-        if(edges.insert(std::minmax({ e[0], e[1] })).second)
-          constraints.push_back(describe_simplex(m_input, Simplex::no_index, e));
-      }
+    for_each_edge([&](const std::size_t index, const Edge& e)
+    {
+      constraints.push_back(describe_simplex(m_input, index, e));
+    });
     return constraints;
   }
 
