@@ -109,17 +109,23 @@ public:
     if(m_predicates.is_infinite(p) || m_predicates.is_infinite(q) ||
        m_predicates.is_infinite(r) || m_predicates.is_infinite(s))
       return best();
-    const auto pp = m_predicates.approximate_point(p), qq = m_predicates.approximate_point(q),
-               rr = m_predicates.approximate_point(r), ss = m_predicates.approximate_point(s);
-    const auto u = qq - pp, v = rr - pp, w = ss - pp;
+    return of_points(m_predicates.approximate_point(p), m_predicates.approximate_point(q),
+                     m_predicates.approximate_point(r), m_predicates.approximate_point(s));
+  }
+
+private:
+  typedef typename internal::Vertex_predicates_3<Tr>::Approximate_point Point;
+
+  static Value of_points(const Point& p, const Point& q, const Point& r, const Point& s)
+  {
+    const auto u = q - p, v = r - p, w = s - p;
     const double sum = u.squared_length() + v.squared_length() + w.squared_length()
-                     + (rr - qq).squared_length() + (ss - qq).squared_length() + (ss - rr).squared_length();
+                     + (r - q).squared_length() + (s - q).squared_length() + (s - r).squared_length();
     const double six_volumes = CGAL::scalar_product(u, CGAL::cross_product(v, w));
     const double quality = 12 * std::sqrt(3.) * six_volumes / (sum * std::sqrt(sum));
     return quality > 0 ? quality : (std::numeric_limits<double>::min)(); // rounding only: the element is valid
   }
 
-private:
   internal::Vertex_predicates_3<Tr> m_predicates;
 };
 
