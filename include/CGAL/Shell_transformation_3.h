@@ -20,6 +20,7 @@
 #include <CGAL/Boundary_recovery_3/internal/Cell_replacement.h>
 #include <CGAL/Boundary_recovery_3/internal/Covering_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
+#include <CGAL/Boundary_recovery_3/internal/contains.h>
 
 #include <CGAL/assertions.h>
 
@@ -404,7 +405,7 @@ private:
   void update_cells(const Supporting_edge& e)
   {
     for(const Supporting_edge* x = &e; x != nullptr; x = x->parent)
-      if(std::find(m_old_cells.begin(), m_old_cells.end(), x->cell) != m_old_cells.end())
+      if(Boundary_recovery_3::internal::contains(m_old_cells, x->cell))
         for(const Cell_handle c : m_replacement.new_cells())
           if(x->is_edge_of(c))
           {

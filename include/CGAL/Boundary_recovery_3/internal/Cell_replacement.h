@@ -13,12 +13,12 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/Simplex_key_3.h>
+#include <CGAL/Boundary_recovery_3/internal/contains.h>
 
 #include <CGAL/assertions.h>
 
 #include <boost/container/small_vector.hpp>
 
-#include <algorithm>
 #include <array>
 
 namespace CGAL {
@@ -95,7 +95,7 @@ private:
       for(int i = 0; i < 4; ++i)
       {
         const Cell_handle n = c->neighbor(i);
-        if(std::find(old_cells.begin(), old_cells.end(), n) == old_cells.end())
+        if(! contains(old_cells, n))
           m_open_facets.push_back({ facet_key(c, i), n, n->index(c) });
       }
   }

@@ -22,6 +22,7 @@
 #include <CGAL/Boundary_recovery_3/internal/Steiner_points_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/cell_simplices.h>
+#include <CGAL/Boundary_recovery_3/internal/contains.h>
 #include <CGAL/Boundary_recovery_3/internal/nearest_integer.h>
 #include <CGAL/Shell_transformation_3.h>
 
@@ -282,7 +283,7 @@ private:
   void split_facet(const Cell_handle c, const std::array<Vertex_handle, 3>& facet, const Vertex_handle v)
   {
     int i = 0;
-    while(std::find(facet.begin(), facet.end(), c->vertex(i)) != facet.end())
+    while(contains(facet, c->vertex(i)))
       ++i;
     const std::array<Cell_handle, 2> cells = {{ c, c->neighbor(i) }};
     m_replacement(m_tr, cells, internal::split_facet(cells, facet, v), m_visitor);

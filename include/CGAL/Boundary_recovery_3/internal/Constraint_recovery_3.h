@@ -16,9 +16,9 @@
 #include <CGAL/Boundary_recovery_3/internal/Segment_walk_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Simplex_key_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
+#include <CGAL/Boundary_recovery_3/internal/contains.h>
 #include <CGAL/Boundary_recovery_3/internal/walk_elements.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <type_traits>
@@ -126,7 +126,7 @@ private:
   // An entity is tried once between two decreases of the number of crossings.
   bool is_new(const Crossing& crossing)
   {
-    if(std::find(m_tried.begin(), m_tried.end(), crossing.key()) != m_tried.end())
+    if(contains(m_tried, crossing.key()))
       return false;
     m_tried.push_back(crossing.key());
     return true;

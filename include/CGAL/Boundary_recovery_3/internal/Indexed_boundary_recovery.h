@@ -128,7 +128,8 @@ private:
   {
     m_result.status = Recovery_status::invalid_input;
     m_result.vertices.clear();
-    count_constraints();
+    for_each_edge([this](std::size_t, const Edge&) { ++m_result.number_of_edges; });
+    m_result.number_of_facets = m_input.facets.size();
     return std::move(m_result);
   }
 
@@ -136,20 +137,15 @@ private:
   Result stopped_early()
   {
     m_result.status = Recovery_status::stopped;
-    count_constraints();
     for_each_edge([this](const std::size_t index, const Edge& e)
     {
       m_result.missing_edges.push_back(describe_simplex(m_input, index, e));
     });
     for(std::size_t f = 0; f < m_input.facets.size(); ++f)
       m_result.missing_facets.push_back(describe_facet(m_input, f));
+    m_result.number_of_edges = m_result.missing_edges.size();
+    m_result.number_of_facets = m_result.missing_facets.size();
     return std::move(m_result);
-  }
-
-  void count_constraints()
-  {
-    m_result.number_of_facets = m_input.facets.size();
-    for_each_edge([this](std::size_t, const Edge&) { ++m_result.number_of_edges; });
   }
 
   void recover()

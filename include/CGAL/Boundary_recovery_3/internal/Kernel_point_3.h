@@ -202,8 +202,11 @@ private:
     double largest = 0;
     for(const Triangle& f : faces)
       for(const Vertex_handle v : f)
+      {
+        const Vector d = from_origin(v);
         for(int i = 0; i < 3; ++i)
-          largest = (std::max)(largest, std::abs(from_origin(v)[i]));
+          largest = (std::max)(largest, std::abs(d[i]));
+      }
     if(largest > 0)
       m_unit = std::ldexp(1., (std::max)(-1000, (std::min)(1000, std::ilogb(largest))));
   }

@@ -14,13 +14,13 @@
 
 #include <CGAL/Boundary_recovery_3/Shell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
+#include <CGAL/Boundary_recovery_3/internal/contains.h>
 #include <CGAL/Boundary_recovery_3/internal/walk_elements.h>
 
 #include <CGAL/assertions.h>
 
 #include <boost/container/small_vector.hpp>
 
-#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -152,7 +152,7 @@ private:
     const Cell_handle c = from.cell;
     Vertex_handle s;
     for(int i = 0; i < 4; ++i)
-      if(std::find(from.vertices.begin(), from.vertices.end(), c->vertex(i)) == from.vertices.end())
+      if(! contains(from.vertices, c->vertex(i)))
         s = c->vertex(i);
     if(s == m_v)
       return true;
@@ -229,7 +229,7 @@ private:
     {
       crossing.vertices[2] = vertices[2];
       for(int i = 0; i < 4; ++i)
-        if(std::find(vertices.begin(), vertices.end(), c->vertex(i)) == vertices.end())
+        if(! contains(vertices, c->vertex(i)))
           crossing.cell = c->neighbor(i);
     }
     m_crossings.push_back(crossing);

@@ -16,6 +16,7 @@
 #include <CGAL/Boundary_recovery_3/internal/Exact_positions_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Kernel_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/cell_simplices.h>
+#include <CGAL/Boundary_recovery_3/internal/contains.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
@@ -168,11 +169,11 @@ public:
     if(it == m_carriers.end())
     {
       const auto& facet = m_constraints.facets()[f];
-      return std::find(facet.begin(), facet.end(), v) != facet.end();
+      return contains(facet, v);
     }
     const auto& edges = m_constraints.edges_of_facet(f);
     return it->second.dimension == 2 ? it->second.index == f
-                                     : std::find(edges.begin(), edges.end(), it->second.index) != edges.end();
+                                     : contains(edges, it->second.index);
   }
 
   // The constrained facets that have the edge e, on which there are Steiner points.
@@ -259,7 +260,7 @@ private:
     for(std::size_t f = 0; f < m_constraints.facets().size(); ++f)
     {
       const auto& edges = m_constraints.edges_of_facet(f);
-      if(std::find(edges.begin(), edges.end(), e) != edges.end())
+      if(contains(edges, e))
         facets.push_back(f);
     }
   }

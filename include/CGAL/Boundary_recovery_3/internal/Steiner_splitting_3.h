@@ -488,8 +488,11 @@ private:
     double largest = 0;
     for(const Half_facet& h : m_half_facets)
       if(! m_tr.is_infinite(h.v))
+      {
+        const Vector d = difference(h.v, m_s);
         for(int i = 0; i < 3; ++i)
-          largest = (std::max)(largest, std::abs(difference(h.v, m_s)[i]));
+          largest = (std::max)(largest, std::abs(d[i]));
+      }
     if(largest > 0)
       m_scale = std::ldexp(1., (std::max)(-1000, (std::min)(1000, - std::ilogb(largest))));
   }
