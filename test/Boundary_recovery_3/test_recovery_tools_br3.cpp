@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Boundary_recovery_3 authors
 
-// The small tools of the recovery, each on its own: the hash table of simplices, the snapshot of a mesh, the search for
-// points in the kernel of a polyhedron, and predicates for vertices with exact positions.
+// The small tools of the recovery, each on its own: the hash table of simplices, the snapshot of a mesh, its exterior,
+// the search for points in the kernel of a polyhedron, and predicates for vertices with exact positions.
 
 #undef NDEBUG
 
@@ -17,7 +17,9 @@
 #include "steiner_inputs_br3.h"
 
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_visitor_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Exact_positions_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Exterior_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Kernel_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Mesh_snapshot_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Simplex_key_3.h>
@@ -402,6 +404,63 @@ void test_mixed_scales(const unsigned seed)
   assert(found.size() == 3);
 }
 
+// The definition, by iteration until nothing changes.
+std::set<Tr::Cell_handle> cells_reached_from_infinity(const Tr& tr, const internal::Constraints_3<Tr>& constraints)
+{
+  std::set<Tr::Cell_handle> result;
+  for(const auto c : tr.all_cell_handles())
+    if(tr.is_infinite(c))
+      result.insert(c);
+  for(std::size_t before = 0; before != result.size(); )
+  {
+    before = result.size();
+    for(const auto& f : tr.finite_facets())
+      if(! constraints.is_constrained(f.first->vertex((f.second + 1) % 4), f.first->vertex((f.second + 2) % 4),
+                                      f.first->vertex((f.second + 3) % 4))
+         && (result.count(f.first) == 1 || result.count(f.first->neighbor(f.second)) == 1))
+      {
+        result.insert(f.first);
+        result.insert(f.first->neighbor(f.second));
+      }
+  }
+  return result;
+}
+
+// Facets are constrained at random, `tenths` of them. Returns whether there is more than the exterior.
+bool test_exterior(const unsigned seed, const int tenths)
+{
+  std::mt19937 rng(seed);
+  Tr tr;
+  for(const auto& p : br3_test::random_points(40, 7, rng))
+    tr.insert(Point_3(static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)));
+  assert(tr.dimension() == 3);
+  internal::Constraints_3<Tr> constraints;
+  for(const auto& f : tr.finite_facets())
+    if(br3_test::random_int(rng, 10) < tenths)
+      constraints.insert(f.first->vertex((f.second + 1) % 4), f.first->vertex((f.second + 2) % 4),
+                         f.first->vertex((f.second + 3) % 4));
+  const std::set<Tr::Cell_handle> expected = cells_reached_from_infinity(tr, constraints);
+  const internal::Exterior_3<Tr> exterior(tr, constraints);
+  for(const auto c : tr.all_cell_handles())
+    assert(exterior.contains(c) == (expected.count(c) == 1));
+  assert(exterior.is_everything() == (expected.size() == tr.tds().number_of_cells()));
+  return ! exterior.is_everything();
+}
+
+void test_exteriors()
+{
+  int number_of_domains = 0;
+  for(const unsigned seed : { 1u, 2u, 3u, 4u })
+    for(const int tenths : { 0, 3, 6, 9, 10 })
+    {
+      const bool is_domain = test_exterior(seed, tenths);
+      assert(tenths != 0 || ! is_domain);
+      assert(tenths != 10 || is_domain);
+      number_of_domains += is_domain;
+    }
+  assert(number_of_domains > 8);
+}
+
 int main()
 {
   for(const unsigned seed : { 1u, 2u, 3u })
@@ -411,6 +470,7 @@ int main()
       test_simplex_index<3>(seed, n);
     }
   test_snapshots();
+  test_exteriors();
   test_deepest_point();
   test_empty_kernel();
   test_ray();

@@ -31,8 +31,9 @@ namespace internal {
 
 /*
  * Recovery of one lost constraint by small polyhedron reconnection of the cells that it crosses, then of these and
- * one layer more, and so on up to the size that can be searched. All the constraints inside that are in the mesh are
- * kept.
+ * three layers more, as far as they can be searched. All the constraints inside that are in the mesh are kept.
+ *
+ * Where a cavity can be filled, a larger one can be, too: so there is no use in the sizes in between.
  */
 template <typename Tr, typename Visitor>
 class Cavity_recovery_3
@@ -46,7 +47,7 @@ public:
   typedef std::array<Vertex_handle, 2>         Edge;
   typedef std::array<Vertex_handle, 3>         Facet;
 
-  static constexpr int max_number_of_layers = 3;
+  static constexpr int number_of_layers = 3;
 
   Cavity_recovery_3(Tr& tr, const Predicates& predicates, const Constraints& constraints, Visitor& visitor)
     : m_tr(tr), m_constraints(constraints), m_visitor(visitor),
@@ -147,29 +148,22 @@ private:
     if(m_vertices.size() > max_number_of_vertices)
       return false;
     m_reconnection.forget();
-    for(int layer = 0; layer <= max_number_of_layers; ++layer)
-    {
-      const std::size_t before = m_cells.size();
-      if(layer > 0)
-        add_layer();
-      if(layer > 0 && m_cells.size() == before)
-        return false;
-      std::vector<Edge> required_edges(edges);
-      std::vector<Facet> required_facets(facets);
-      m_constraints.collect(m_cells, required_edges, required_facets);
-      if(m_reconnection(m_cells, required_edges, required_facets) == Reconnection::FOUND)
-      {
-        replace();
-        return true;
-      }
-    }
-    return false;
+    if(reconnect_cells(edges, facets))
+      return true;
+    const std::size_t before = m_cells.size();
+    for(int layer = 0; layer < number_of_layers; ++layer)
+      add_layer();
+    return m_cells.size() != before && reconnect_cells(edges, facets);
   }
 
-  void replace()
+  bool reconnect_cells(std::vector<Edge> edges, std::vector<Facet> facets)
   {
+    m_constraints.collect(m_cells, edges, facets);
+    if(m_reconnection(m_cells, edges, facets) != Reconnection::FOUND)
+      return false;
     m_replacement(m_tr, m_cells, m_reconnection.tetrahedra(), m_visitor);
     ++m_number_of_replacements;
+    return true;
   }
 
   static constexpr std::size_t max_number_of_vertices = 22;

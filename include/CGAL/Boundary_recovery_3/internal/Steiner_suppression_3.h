@@ -19,6 +19,7 @@
 #include <CGAL/Boundary_recovery_3/internal/Cell_replacement.h>
 #include <CGAL/Boundary_recovery_3/internal/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Exact_positions_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Exterior_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Kernel_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Small_polyhedron_reconnection_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
@@ -100,12 +101,15 @@ public:
   }
 
   // Tries to remove each of the points by reconnection of ever larger cavities around it. Returns whether one is gone.
+  // Where there is a domain, those in its exterior are not worth the time. (On 200 surfaces, one of 781 points more.)
   template <typename Context>
   bool reconnect_points(Context& context)
   {
+    if(! m_are_exterior_points_known)
+      find_exterior_points();
     return for_each_point(context, [&](const Vertex_handle v)
     {
-      return collect_ball(v) && reconnect_larger_cavities(v, context);
+      return ! contains(m_exterior_points, v) && collect_ball(v) && reconnect_larger_cavities(v, context);
     });
   }
 
@@ -162,6 +166,18 @@ private:
                                     points.size() - m_points.size(), points.size());
     }
     return result;
+  }
+
+  // Points never change sides, for what separates them stays.
+  void find_exterior_points()
+  {
+    m_are_exterior_points_known = true;
+    if(m_points.empty())
+      return;
+    const Exterior_3<Tr> exterior(m_tr, m_constraints);
+    if(! exterior.is_everything())
+      std::copy_if(m_points.begin(), m_points.end(), std::back_inserter(m_exterior_points),
+                   [&](const Vertex_handle v) { return exterior.contains(v->cell()); });
   }
 
   // Moves v to the deepest point of the kernel of its ball, from where more may be possible, if it can be stored.
@@ -434,6 +450,8 @@ private:
   Kernel_point_3<Tr> m_kernel_point;
   Shell_transformation_3<Tr, Quality, Validity, Visitor> m_transformation;
   Cell_replacement<Tr> m_replacement;
+  std::vector<Vertex_handle> m_exterior_points;
+  bool m_are_exterior_points_known = false;
   std::vector<Cell_handle> m_ball;
   std::vector<Vertex_handle> m_neighbors;
   std::vector<Vertex_handle> m_inner_points; // of a cavity
