@@ -28,25 +28,25 @@ foreach(header ${br3_headers})
 endforeach()
 
 # Every program of the examples and tests: only their instantiations show Clang the bodies of our templates.
-function(br3_add_program_tests label compiler)
+# CGAL's targets set -frounding-math for the compiler of the build; Clang 14 accepts it with a warning only.
+function(br3_add_clang_tests)
   foreach(folder examples test)
     get_property(targets DIRECTORY ${folder}/Boundary_recovery_3 PROPERTY BUILDSYSTEM_TARGETS)
     foreach(target ${targets})
       get_target_property(type ${target} TYPE)
       if(type STREQUAL "EXECUTABLE")
         get_target_property(sources ${target} SOURCES)
-        add_test(NAME program_${label}__${target}
-                 COMMAND ${compiler} ${br3_syntax} ${ARGN} ${sources} COMMAND_EXPAND_LISTS)
-        set_tests_properties(program_${label}__${target} PROPERTIES LABELS "program;${label}")
+        add_test(NAME program_clang__${target}
+                 COMMAND ${BR3_CLANG} ${br3_syntax} -Wno-unknown-warning-option ${sources} COMMAND_EXPAND_LISTS)
+        set_tests_properties(program_clang__${target} PROPERTIES LABELS "program;clang")
       endif()
     endforeach()
   endforeach()
 endfunction()
 
-# CGAL's targets set -frounding-math for the compiler of the build; Clang 14 accepts it with a warning only.
 find_program(BR3_CLANG NAMES clang++ clang++-19 clang++-16 clang++-15 clang++-14 DOC "Clang, for syntax checks")
 if(BR3_CLANG)
-  br3_add_program_tests(clang ${BR3_CLANG} -Wno-unknown-warning-option)
+  br3_add_clang_tests()
 else()
   br3_add_skipped_test(program_clang "no clang++ was found")
 endif()
