@@ -35,7 +35,7 @@ constexpr const char* usage =
   "INPUT is an .off, .ply, .stl or .obj file; without it, the program takes a surface of its own.\n"
   "  -o OUTPUT                  write the tetrahedra of the domain: .mesh, .vtu or .vtk; may be repeated\n"
   "  --conforming               points may stay on the surface: each triangle is a union of faces\n"
-  "  --flips-only               never add a point\n"
+  "  --flips-only               leave no added point\n"
   "  --keep-exterior            write the tetrahedra outside the domain, too, as region 0\n"
   "  --max-recursion-level N    never recurse deeper than N when flipping\n"
   "  --time-limit SECONDS       stop after that time and write what there is\n"

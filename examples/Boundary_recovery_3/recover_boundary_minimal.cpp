@@ -12,7 +12,7 @@ int main(int argc, char* argv[])
   CGAL::Surface_mesh<Kernel::Point_3> surface;
   if(! CGAL::IO::read_polygon_mesh(argc > 1 ? argv[1] : CGAL::data_file_path("meshes/gear_br3.off"), surface))
   {
-    std::cerr << "Pass a file with a surface." << std::endl;
+    std::cerr << "Pass a file with a manifold surface." << std::endl;
     return EXIT_FAILURE;
   }
 

@@ -69,7 +69,8 @@ enum class Input_defect_kind
   non_finite_coordinate,    ///< a vertex has a NaN or an infinite coordinate
   index_out_of_range,       ///< a facet or edge names a vertex that does not exist
   not_a_triangle,           ///< a face does not have three vertices
-  unknown_vertex,           ///< a vertex handle is null, infinite, or not of the triangulation
+  unknown_vertex,           ///< a vertex handle is null, infinite, or not of the triangulation; or a point is no vertex
+                            ///< of a triangulation that is not Delaunay, so it cannot be inserted
   degenerate_facet,         ///< the vertices of a facet are collinear, or not distinct
   degenerate_edge,          ///< both ends of a constrained edge are the same vertex
   duplicate_facet,          ///< two facets have the same three vertices
@@ -128,7 +129,8 @@ struct Recursion_level_report
 
 /// \ingroup PkgBoundaryRecovery3Classes
 /// a mesh edge or facet that is a part of a constraint. Mesh edges come one after the other, as they are on the
-/// constrained edge; mesh facets come in any order and orientation.
+/// constrained edge; mesh facets come in any order, each in the orientation of the
+/// constrained facet.
 template <typename Vertex_handle_, typename Point_3_>
 struct Constraint_part_3
 {
