@@ -69,6 +69,13 @@ public:
       check_measures(facet, parts);
   }
 
+  // A part of a facet has its orientation.
+  static void check_orientation(const Vertices& facet, const Vertices& part)
+  {
+    if(is_exact)
+      require(share_of(points(part), points(facet)) > 0, "a part is turned the other way than its facet");
+  }
+
   static std::set<const void*> edge(const Vertex_handle v, const Vertex_handle w) { return { &*v, &*w }; }
 
 private:
@@ -163,6 +170,8 @@ public:
   {
     check_names(m_result.parts_of_edges, m_plc.edges, 2);
     check_names(m_result.parts_of_facets, m_plc.triangles, 3);
+    for(const Part& part : m_result.parts_of_facets)
+      m_checker.check_orientation(vertices(part.constraint.vertices), part.vertices);
     for(const Simplex& e : Brute_force_input(m_plc).all_edges())
       m_checker.check_edge(vertices(e), parts(m_result.parts_of_edges, e));
     for(const Simplex& t : m_plc.triangles)
