@@ -24,6 +24,7 @@
 #include <CGAL/Boundary_recovery_3/internal/Mesh_snapshot_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Simplex_key_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
+#include <CGAL/Boundary_recovery_3/internal/cell_simplices.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -415,13 +416,15 @@ std::set<Tr::Cell_handle> cells_reached_from_infinity(const Tr& tr, const intern
   {
     before = result.size();
     for(const auto& f : tr.finite_facets())
-      if(! constraints.is_constrained(f.first->vertex((f.second + 1) % 4), f.first->vertex((f.second + 2) % 4),
-                                      f.first->vertex((f.second + 3) % 4))
+    {
+      const auto v = internal::facet_vertices(f.first, f.second);
+      if(! constraints.is_constrained(v[0], v[1], v[2])
          && (result.count(f.first) == 1 || result.count(f.first->neighbor(f.second)) == 1))
       {
         result.insert(f.first);
         result.insert(f.first->neighbor(f.second));
       }
+    }
   }
   return result;
 }
@@ -437,8 +440,10 @@ bool test_exterior(const unsigned seed, const int tenths)
   internal::Constraints_3<Tr> constraints;
   for(const auto& f : tr.finite_facets())
     if(br3_test::random_int(rng, 10) < tenths)
-      constraints.insert(f.first->vertex((f.second + 1) % 4), f.first->vertex((f.second + 2) % 4),
-                         f.first->vertex((f.second + 3) % 4));
+    {
+      const auto v = internal::facet_vertices(f.first, f.second);
+      constraints.insert(v[0], v[1], v[2]);
+    }
   const std::set<Tr::Cell_handle> expected = cells_reached_from_infinity(tr, constraints);
   const internal::Exterior_3<Tr> exterior(tr, constraints);
   for(const auto c : tr.all_cell_handles())

@@ -129,8 +129,7 @@ struct Recursion_level_report
 
 /// \ingroup PkgBoundaryRecovery3Classes
 /// a mesh edge or facet that is a part of a constraint. Mesh edges come one after the other, as they are on the
-/// constrained edge; mesh facets come in any order, each in the orientation of the
-/// constrained facet.
+/// constrained edge; mesh facets come in any order, each in the orientation of the constrained facet.
 template <typename Vertex_handle_, typename Point_3_>
 struct Constraint_part_3
 {

@@ -31,9 +31,10 @@ namespace internal {
 
 /*
  * Recovery of one lost constraint by small polyhedron reconnection of the cells that it crosses, then of these and
- * three layers more, as far as they can be searched. All the constraints inside that are in the mesh are kept.
+ * some layers more, as far as they can be searched. All the constraints inside that are in the mesh are kept.
  *
- * Where a cavity can be filled, a larger one can be, too: so there is no use in the sizes in between.
+ * Where a cavity can be filled, a larger one can be, too, but its search takes longer and may give up. The sizes in
+ * between are of no use.
  */
 template <typename Tr, typename Visitor>
 class Cavity_recovery_3

@@ -31,6 +31,7 @@
 #include <array>
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -105,11 +106,11 @@ public:
   template <typename Context>
   bool reconnect_points(Context& context)
   {
-    if(! m_are_exterior_points_known)
-      find_exterior_points();
+    if(! m_exterior_points)
+      m_exterior_points = find_exterior_points();
     return for_each_point(context, [&](const Vertex_handle v)
     {
-      return ! contains(m_exterior_points, v) && collect_ball(v) && reconnect_larger_cavities(v, context);
+      return ! contains(*m_exterior_points, v) && collect_ball(v) && reconnect_larger_cavities(v, context);
     });
   }
 
@@ -169,15 +170,16 @@ private:
   }
 
   // Points never change sides, for what separates them stays.
-  void find_exterior_points()
+  std::vector<Vertex_handle> find_exterior_points() const
   {
-    m_are_exterior_points_known = true;
+    std::vector<Vertex_handle> result;
     if(m_points.empty())
-      return;
+      return result;
     const Exterior_3<Tr> exterior(m_tr, m_constraints);
     if(! exterior.is_everything())
-      std::copy_if(m_points.begin(), m_points.end(), std::back_inserter(m_exterior_points),
+      std::copy_if(m_points.begin(), m_points.end(), std::back_inserter(result),
                    [&](const Vertex_handle v) { return exterior.contains(v->cell()); });
+    return result;
   }
 
   // Moves v to the deepest point of the kernel of its ball, from where more may be possible, if it can be stored.
@@ -450,8 +452,7 @@ private:
   Kernel_point_3<Tr> m_kernel_point;
   Shell_transformation_3<Tr, Quality, Validity, Visitor> m_transformation;
   Cell_replacement<Tr> m_replacement;
-  std::vector<Vertex_handle> m_exterior_points;
-  bool m_are_exterior_points_known = false;
+  std::optional<std::vector<Vertex_handle> > m_exterior_points; // where there is a domain; none until asked for
   std::vector<Cell_handle> m_ball;
   std::vector<Vertex_handle> m_neighbors;
   std::vector<Vertex_handle> m_inner_points; // of a cavity
