@@ -269,7 +269,7 @@ public:
   /// mode `conforming`, they stay there and get the nearest positions that the triangulation can store. In the mode
   /// `flips_only`, they are tried for a few lost edges, and accepted only if all of them could be removed. If some
   /// position cannot be stored, or points are left that must not be, the triangulation is put back and other points are
-  /// tried, six times in all. Steiner points that were there before stay. Returns whether this worked for all
+  /// tried, up to six times in all. Steiner points that were there before stay. Returns whether this worked for all
   /// constraints; if not, the triangulation is as it was before.
   ///
   /// \pre the constraints do not intersect, no other vertex is on them, and no Steiner point is on a constraint.
@@ -289,6 +289,8 @@ public:
     const std::size_t earlier_steiner_points = m_number_of_steiner_points;
     for(const int l_max : conforming_recursion_levels)
     {
+      if(l_max > m_max_recursion_level)
+        continue;
       recover_conforming(l_max);
       const bool is_conforming = is_nothing_lost();
       const bool is_done = is_conforming && finish_points(mode);
@@ -384,15 +386,7 @@ public:
     Boundary_recovery_3::internal::Steiner_suppression_3<Tr, Visitor>
       suppress(m_tr, m_predicates, m_constraints, m_steiner_points.positions(), m_free_steiner_vertices,
                m_context.visitor());
-    run(Phase::steiner_suppression, [&]
-    {
-      do
-      {
-        while(suppress.remove_points(suppression_recursion_level, m_context))
-          suppress.relocate_points(m_context);
-      }
-      while(suppress.merge_points(m_context) || suppress.reconnect_points(m_context));
-    });
+    run(Phase::steiner_suppression, [&] { suppress(m_max_recursion_level, m_context); });
     const bool is_storable = suppress.round_points(m_context); // also if the recovery was stopped before
     m_number_of_transformations += suppress.number_of_transformations();
     return is_storable;
@@ -439,9 +433,6 @@ private:
 
   // With more lost edges, the chance that no point is left is too small for the time that it takes.
   static constexpr std::size_t max_number_of_edges_for_temporary_points = 20;
-
-  // Raising the level from 0, as for lost edges, left a few more points in twice the time.
-  static constexpr int suppression_recursion_level = 4;
 
   // Where one level leads to Steiner points that do not do, another may lead to some that do.
   static constexpr int conforming_recursion_levels[] = { default_conforming_recursion_level, 6, 1, 0, 2, 12 };

@@ -125,10 +125,15 @@ public:
   // Whether v sees all the faces.
   bool is_kernel_point(const Vertex_handle v, const std::vector<Triangle>& faces) const
   {
-    return std::all_of(faces.begin(), faces.end(), [&](const Triangle& f)
+    const auto is_hidden = [&](const Triangle& f)
     {
-      return m_predicates.orientation(f[0], f[1], f[2], v) == POSITIVE;
-    });
+      return m_predicates.orientation(f[0], f[1], f[2], v) != POSITIVE;
+    };
+    if(m_last_hidden < faces.size() && is_hidden(faces[m_last_hidden]))
+      return false;
+    const auto hidden = std::find_if(faces.begin(), faces.end(), is_hidden);
+    m_last_hidden = static_cast<std::size_t>(hidden - faces.begin());
+    return hidden == faces.end();
   }
 
 private:
@@ -382,6 +387,7 @@ private:
   double m_diameter;
   double m_depth;
   std::vector<Half_space> m_half_spaces;
+  mutable std::size_t m_last_hidden = 0; // the position of a face that was not seen: often the next point does not, too
 };
 
 } // namespace internal

@@ -89,43 +89,17 @@ public:
                        visitor, predicates)
   { }
 
-  // Tries once to remove each of the points, with a maximal recursion level. Returns whether one is gone.
+  // Removes as many points as it can. The recursion level of the flips is low first, for most points need no more. (On
+  // 256 inputs, the other level leaves 4 % less points in the domain, in 5 % more time.)
   template <typename Context>
-  bool remove_points(const int l_max, Context& context)
+  void operator()(const int max_recursion_level, Context& context)
   {
-    return for_each_point(context, [&](const Vertex_handle v)
-    {
-      return collect_ball(v)
-          && (collapse(v) || reconnect_ball(v) || reduce_ball(v, l_max, context)
-              || (context.go_further() && reconnect_with_layer(v)));
-    });
-  }
-
-  // Tries to remove each of the points by reconnection of ever larger cavities around it. Returns whether one is gone.
-  // Where there is a domain, those in its exterior are not worth the time. (On 200 surfaces, one of 781 points more.)
-  template <typename Context>
-  bool reconnect_points(Context& context)
-  {
-    if(! m_exterior_points)
-      m_exterior_points = find_exterior_points();
-    return for_each_point(context, [&](const Vertex_handle v)
-    {
-      return ! contains(*m_exterior_points, v) && collect_ball(v) && reconnect_larger_cavities(v, context);
-    });
-  }
-
-  // Makes one point of two neighbors, where one can star both balls. Returns whether there were such.
-  template <typename Context>
-  bool merge_points(Context& context)
-  {
-    return for_each_point(context, [&](const Vertex_handle v) { return merge(v, context); });
-  }
-
-  // Moves each of the points to the deepest point of the kernel of its ball, from where more may be possible.
-  template <typename Context>
-  void relocate_points(Context& context)
-  {
-    for_each_point(context, [this](const Vertex_handle v) { relocate(v); return false; });
+    const int low = (std::min)(low_recursion_level, max_recursion_level);
+    remove_points(ALL_POINTS, low, context);
+    if(max_recursion_level > low)
+      remove_points(POINTS_OF_DOMAIN, max_recursion_level, context);
+    while(change_cavities(context))
+      remove_points(ALL_POINTS, low, context);
   }
 
   // Gives each of the points a position that the triangulation can store. Returns whether there is one for all of them.
@@ -150,18 +124,77 @@ private:
   typedef typename Cell_replacement<Tr>::Tetrahedron                             Tetrahedron;
   typedef typename Kernel_point_3<Tr>::Triangle                                  Triangle;
 
+  // Where there is a domain, the points in its exterior are not worth much time.
+  enum Points { ALL_POINTS, POINTS_OF_DOMAIN };
+
+  // Tries to remove each of the points, as long as this is worthwhile.
+  template <typename Context>
+  void remove_points(const Points points, const int l_max, Context& context)
+  {
+    std::size_t before;
+    do
+    {
+      before = m_points.size();
+      if(! for_each_point(points, context, [&](const Vertex_handle v) { return remove(v, l_max, context); }))
+        return;
+      relocate_points(context);
+    }
+    while(is_worthwhile(before));
+  }
+
+  // Whether more than one in a hundred of the points is gone. Where there are hundreds, every round finds one more.
+  bool is_worthwhile(const std::size_t before) const { return 100 * (before - m_points.size()) > before; }
+
+  // Tries what flips cannot do. Returns whether this was worthwhile.
+  template <typename Context>
+  bool change_cavities(Context& context)
+  {
+    const std::size_t before = m_points.size();
+    merge_points(context);
+    if(! is_worthwhile(before))
+      reconnect_points(context);
+    return is_worthwhile(before);
+  }
+
+  // Tries to remove each of the points by reconnection of ever larger cavities around it. (On 200 surfaces, that helped
+  // one of 781 points in the exterior.)
+  template <typename Context>
+  void reconnect_points(Context& context)
+  {
+    for_each_point(POINTS_OF_DOMAIN, context, [&](const Vertex_handle v)
+    {
+      return collect_ball(v) && reconnect_larger_cavities(v, context);
+    });
+  }
+
+  // Makes one point of two neighbors, where one can star both balls.
+  template <typename Context>
+  void merge_points(Context& context)
+  {
+    for_each_point(ALL_POINTS, context, [&](const Vertex_handle v) { return merge(v, context); });
+  }
+
+  // Moves each of the points to the deepest point of the kernel of its ball, from where more may be possible.
+  template <typename Context>
+  void relocate_points(Context& context)
+  {
+    for_each_point(ALL_POINTS, context, [this](const Vertex_handle v) { relocate(v); return false; });
+  }
+
   // Work may remove points. Returns whether it returned `true` for one.
   template <typename Context, typename Work>
-  bool for_each_point(Context& context, const Work& work)
+  bool for_each_point(const Points which, Context& context, const Work& work)
   {
     bool result = false;
+    if(which == POINTS_OF_DOMAIN && ! m_exterior_points)
+      m_exterior_points = find_exterior_points();
     const std::vector<Vertex_handle> points = m_points;
     for(const Vertex_handle v : points)
     {
       if(! context.go_further())
         break;
       m_reconnection.forget(); // work moves points
-      if(contains(m_points, v))
+      if(contains(m_points, v) && (which == ALL_POINTS || ! contains(*m_exterior_points, v)))
         result = work(v) || result;
       context.visitor().on_progress(Recovery_phase::steiner_suppression,
                                     points.size() - m_points.size(), points.size());
@@ -182,7 +215,15 @@ private:
     return result;
   }
 
-  // Moves v to the deepest point of the kernel of its ball, from where more may be possible, if it can be stored.
+  template <typename Context>
+  bool remove(const Vertex_handle v, const int l_max, Context& context)
+  {
+    return collect_ball(v)
+        && (collapse(v) || reconnect_ball(v) || reduce_ball(v, l_max, context)
+            || (context.go_further() && reconnect_with_layer(v)));
+  }
+
+  // Moves v to the deepest point of the kernel of its ball, if that can be stored.
   void relocate(const Vertex_handle v)
   {
     if(! collect_ball(v))
@@ -436,6 +477,9 @@ private:
     m_positions.erase(v);
     m_tr.tds().delete_vertex(v);
   }
+
+  // Raising the level from 0, as for lost edges, left a few more points in twice the time.
+  static constexpr int low_recursion_level = 4;
 
   static constexpr int max_number_of_added_cells = 30;
 
