@@ -1,7 +1,7 @@
 # Shared by the scripts beside it; to be sourced.
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-jobs=$(nproc)
+jobs=${JOBS:-$(nproc)} # each compiler takes up to 2 GB of memory
 
 # Installs those of the given Debian packages that are missing.
 install_missing()

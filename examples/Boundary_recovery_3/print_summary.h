@@ -61,7 +61,8 @@ inline Seconds make_seconds(const double total, const std::vector<CGAL::Boundary
   return seconds;
 }
 
-// prints what was lost after each phase, and how many that phase recovered
+// prints what was lost after each phase, and how many that phase recovered; a negative number of these means that the
+// triangulation was put back, since points did not do
 inline void print_phases(std::ostream& os, const std::vector<CGAL::Boundary_recovery_3::Phase_report>& phases)
 {
   using CGAL::Boundary_recovery_3::Recovery_phase;

@@ -163,7 +163,11 @@ int run(const Options& options)
       return fail("cannot write " + file);
 
   if(! options.quiet)
+  {
     print_summary(std::cout, result, domain, angles, seconds);
+    if(options.outputs.empty())
+      std::cout << "no mesh is written; -o OUTPUT does that" << std::endl;
+  }
   if(options.table)
     print_levels(std::cout, result.levels);
   if(options.timing)

@@ -489,6 +489,8 @@ def test_printing():
     assert process.out == '' and process.err == ''
     process = run(surface, status=RECOVERED)
     assert re.search(r'^search ', process.out, re.M) and 'recovered: 0 of 18 edges and 0 of 12 facets' in process.out
+    assert 'no mesh is written' in process.out
+    assert 'no mesh is written' not in run(surface, '-o', 'printing.mesh', status=RECOVERED).out
     assert 'dihedral angles' in process.out and process.err == '' and '@@' not in process.out
     process = run(surface, '--quiet', '--timing', status=RECOVERED)
     match = re.fullmatch(r'@@rec ([\d.e+-]+)\n@@tmesh ([\d.e+-]+)\n', process.out)
