@@ -129,6 +129,7 @@ public:
     {
       return m_predicates.orientation(f[0], f[1], f[2], v) != POSITIVE;
     };
+    // Along a ray, the next point is likely to be on the wrong side of the same face.
     if(m_last_hidden < faces.size() && is_hidden(faces[m_last_hidden]))
       return false;
     const auto hidden = std::find_if(faces.begin(), faces.end(), is_hidden);
@@ -387,7 +388,7 @@ private:
   double m_diameter;
   double m_depth;
   std::vector<Half_space> m_half_spaces;
-  mutable std::size_t m_last_hidden = 0; // the position of a face that was not seen: often the next point does not, too
+  mutable std::size_t m_last_hidden = 0; // the position of a face that the last point did not see
 };
 
 } // namespace internal

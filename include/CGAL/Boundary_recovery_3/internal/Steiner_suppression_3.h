@@ -90,7 +90,7 @@ public:
   { }
 
   // Removes as many points as it can. The recursion level of the flips is low first, for most points need no more. (On
-  // 256 inputs, the other level leaves 4 % less points in the domain, in 5 % more time.)
+  // 256 inputs, the other level leaves 4 % fewer points in the domain, in 5 % more time.)
   template <typename Context>
   void operator()(const int max_recursion_level, Context& context)
   {
@@ -135,7 +135,8 @@ private:
     do
     {
       before = m_points.size();
-      if(! for_each_point(points, context, [&](const Vertex_handle v) { return remove(v, l_max, context); }))
+      for_each_point(points, context, [&](const Vertex_handle v) { remove(v, l_max, context); });
+      if(m_points.size() == before)
         return;
       relocate_points(context);
     }
@@ -163,7 +164,8 @@ private:
   {
     for_each_point(POINTS_OF_DOMAIN, context, [&](const Vertex_handle v)
     {
-      return collect_ball(v) && reconnect_larger_cavities(v, context);
+      if(collect_ball(v))
+        reconnect_larger_cavities(v, context);
     });
   }
 
@@ -171,21 +173,20 @@ private:
   template <typename Context>
   void merge_points(Context& context)
   {
-    for_each_point(ALL_POINTS, context, [&](const Vertex_handle v) { return merge(v, context); });
+    for_each_point(ALL_POINTS, context, [&](const Vertex_handle v) { merge(v, context); });
   }
 
   // Moves each of the points to the deepest point of the kernel of its ball, from where more may be possible.
   template <typename Context>
   void relocate_points(Context& context)
   {
-    for_each_point(ALL_POINTS, context, [this](const Vertex_handle v) { relocate(v); return false; });
+    for_each_point(ALL_POINTS, context, [this](const Vertex_handle v) { relocate(v); });
   }
 
-  // Work may remove points. Returns whether it returned `true` for one.
+  // Work may remove points.
   template <typename Context, typename Work>
-  bool for_each_point(const Points which, Context& context, const Work& work)
+  void for_each_point(const Points which, Context& context, const Work& work)
   {
-    bool result = false;
     if(which == POINTS_OF_DOMAIN && ! m_exterior_points)
       m_exterior_points = find_exterior_points();
     const std::vector<Vertex_handle> points = m_points;
@@ -195,11 +196,10 @@ private:
         break;
       m_reconnection.forget(); // work moves points
       if(contains(m_points, v) && (which == ALL_POINTS || ! contains(*m_exterior_points, v)))
-        result = work(v) || result;
+        work(v);
       context.visitor().on_progress(Recovery_phase::steiner_suppression,
                                     points.size() - m_points.size(), points.size());
     }
-    return result;
   }
 
   // Points never change sides, for what separates them stays.
@@ -216,11 +216,12 @@ private:
   }
 
   template <typename Context>
-  bool remove(const Vertex_handle v, const int l_max, Context& context)
+  void remove(const Vertex_handle v, const int l_max, Context& context)
   {
-    return collect_ball(v)
-        && (collapse(v) || reconnect_ball(v) || reduce_ball(v, l_max, context)
-            || (context.go_further() && reconnect_with_layer(v)));
+    if(! collect_ball(v) || collapse(v) || reconnect_ball(v) || reduce_ball(v, l_max, context))
+      return;
+    if(context.go_further())
+      reconnect_with_layer(v);
   }
 
   // Moves v to the deepest point of the kernel of its ball, if that can be stored.
@@ -305,10 +306,10 @@ private:
 
   // Stars the balls of v and of another Steiner point, its neighbor, from one point.
   template <typename Context>
-  bool merge(const Vertex_handle v, Context& context)
+  void merge(const Vertex_handle v, Context& context)
   {
     if(! collect_ball(v))
-      return false;
+      return;
     collect_neighbors(v);
     const std::vector<Cell_handle> ball = m_ball;
     const typename Positions::Point_3 before = v->point();
@@ -317,7 +318,7 @@ private:
       if(! contains(m_points, w) || ! collect_ball(w))
         continue;
       if(! context.go_further())
-        return false;
+        return;
       Cavity cavity(m_tr, m_constraints, ball);
       for(const Cell_handle c : m_ball)
         cavity.add(c);
@@ -326,11 +327,10 @@ private:
          && m_kernel_point(v, faces))
       {
         star(v, cavity.cells(), faces);
-        return true;
+        return;
       }
       v->set_point(before);
     }
-    return false;
   }
 
   // Stars the cavity from v; other points inside are gone then.
@@ -385,28 +385,24 @@ private:
 
   bool reconnect_ball(const Vertex_handle v) { return reconnect(m_ball, v) == Reconnection::FOUND; }
 
-  bool reconnect_with_layer(const Vertex_handle v)
+  void reconnect_with_layer(const Vertex_handle v)
   {
     Cavity cavity(m_tr, m_constraints, m_ball);
     for(const Cell_handle c : m_ball)
       cavity.add(c->neighbor(c->index(v)));
-    return reconnect(cavity.cells(), v) == Reconnection::FOUND;
+    reconnect(cavity.cells(), v);
   }
 
   template <typename Context>
-  bool reconnect_larger_cavities(const Vertex_handle v, Context& context)
+  void reconnect_larger_cavities(const Vertex_handle v, Context& context)
   {
     Cavity cavity(m_tr, m_constraints, m_ball);
     collect_neighbors(v);
     std::vector<Vertex_handle> vertices = m_neighbors;
     cavity.add_cells_of(vertices);
     while(context.go_further() && enlarge(cavity, vertices))
-    {
-      const typename Reconnection::Outcome outcome = reconnect(cavity.cells(), v);
-      if(outcome != Reconnection::NONE)
-        return outcome == Reconnection::FOUND;
-    }
-    return false;
+      if(reconnect(cavity.cells(), v) != Reconnection::NONE)
+        return;
   }
 
   // Adds some vertices to those of the cavity, with all the cells that these bring. Returns false if the cavity cannot
