@@ -9,17 +9,26 @@
 
 // The phases with Steiner points, one by one and without any flips before, so that every lost constraint is full of
 // points; what the visitor is told of them; what is left when they are stopped; and inputs of all sizes.
+// The expensive assertions look at every cell after each Steiner point that is inserted, split or removed.
 
 #undef NDEBUG
+
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/QP_functions.h>
+
+// What CGAL_CHECK_EXPENSIVE does, but only below: some of CGAL's own headers do not compile with it.
+#undef CGAL_expensive_assertion
+#undef CGAL_expensive_postcondition
+#define CGAL_expensive_assertion(EX) CGAL_assertion(EX)
+#define CGAL_expensive_postcondition(EX) CGAL_postcondition(EX)
 
 #include "brute_force_checker_br3.h"
 #include "constraint_parts_checker_br3.h"
 #include "steiner_inputs_br3.h"
 
 #include <CGAL/Constrained_boundary_recovery_3.h>
-#include <CGAL/Delaunay_triangulation_3.h>
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/recover_boundary.h>
 
 #include <array>

@@ -23,10 +23,12 @@
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/contains.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh_validity.h>
 #include <CGAL/Boundary_recovery_3/internal/nearest_integer.h>
 #include <CGAL/Shell_transformation_3.h>
 
 #include <CGAL/Kernel/global_functions_3.h>
+#include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -48,11 +50,12 @@ namespace internal {
  * constraint crosses them. A split at a crossing leaves both parts with the other crossings between them, for splits at
  * a point of a line add nothing that crosses the line; flips for one part may add crossings to another, but the number
  * of splits that are followed by flips is bounded. A facet whose edges are chains: each split takes away one mesh
- * edge that pierces it and adds none, since all new edges end in its plane. Once no edge pierces it, and no foreign
- * vertex is in it, mesh facets tile it.
+ * edge that pierces it and adds none, since all new edges end in its plane; flips add none either, by BRC2. Once no
+ * edge pierces it, and no foreign vertex is in it, mesh facets tile it.
  *
  * Exact positions would grow from point to point if points on lines through points were crossed by lines again. So
- * each point is moved on its constraint, right after it was inserted, to where few bits describe it.
+ * each point is moved on its constraint, right after it was inserted, to where few bits describe it. As it stays on
+ * the constraint, the new edges pierce nothing of that wherever it is.
  */
 template <typename Tr, typename Visitor>
 class Conforming_recovery_3
@@ -112,6 +115,7 @@ public:
         split_facet(crossing.cell, crossing.vertices, v);
       simplify_position(v, [&](const int bits) { return point_on_edge(edge, rounded(t, bits)); });
       m_steiner_points.insert_on_edge(e, part[0], v);
+      CGAL_expensive_assertion(is_mesh_valid(m_tr, m_predicates));
       parts.push_back({{ v, part[1] }});
       parts.push_back({{ part[0], v }});
     }
@@ -145,6 +149,7 @@ public:
           return point_in_facet(facet, {{ rounded(weights[0], bits), rounded(weights[1], bits) }});
         });
         m_steiner_points.insert_in_facet(f, v);
+        CGAL_expensive_assertion(is_mesh_valid(m_tr, m_predicates));
       }
     return true;
   }

@@ -17,6 +17,7 @@
 #include <CGAL/Boundary_recovery_3/internal/Kernel_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/contains.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh_validity.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
@@ -312,26 +313,8 @@ private:
   {
     return std::all_of(cells.begin(), cells.end(), [&](const Cell_handle c)
     {
-      return tr.is_infinite(c) ? is_hull_convex_at(tr, predicates, c)
-           : predicates.orientation(c->vertex(0), c->vertex(1), c->vertex(2), c->vertex(3)) == POSITIVE;
+      return is_cell_valid(tr, predicates, c);
     });
-  }
-
-  // Whether no hull facet beside that of an infinite cell is in front of it.
-  template <typename Predicates>
-  static bool is_hull_convex_at(const Tr& tr, const Predicates& predicates, const Cell_handle c)
-  {
-    const int infinite = c->index(tr.infinite_vertex());
-    for(int i = 0; i < 4; ++i)
-    {
-      if(i == infinite)
-        continue;
-      std::array<Vertex_handle, 4> v = {{ c->vertex(0), c->vertex(1), c->vertex(2), c->vertex(3) }};
-      v[infinite] = tr.mirror_vertex(c, i);
-      if(predicates.orientation(v[0], v[1], v[2], v[3]) == POSITIVE)
-        return false;
-    }
-    return true;
   }
 
   static std::vector<std::size_t> sorted(std::vector<std::size_t> indices)

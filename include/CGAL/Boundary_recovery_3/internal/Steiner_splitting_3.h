@@ -19,6 +19,7 @@
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/contains.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh_validity.h>
 
 #include <CGAL/Kernel/global_functions_3.h>
 #include <CGAL/Origin.h>
@@ -81,6 +82,7 @@ public:
     {
       replace_ball();
       release_free_points();
+      CGAL_expensive_postcondition(is_mesh_valid(m_tr, m_predicates));
       return true;
     }
     m_points.insert(m_points.end(), m_free_points.begin(), m_free_points.end()); // they are in the mesh
@@ -90,6 +92,7 @@ public:
         m_steiner_points.positions().erase(v);
         m_tr.tds().delete_vertex(v);
       }
+    CGAL_expensive_postcondition(is_mesh_valid(m_tr, m_predicates));
     return false;
   }
 

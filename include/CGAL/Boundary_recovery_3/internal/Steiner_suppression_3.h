@@ -25,7 +25,10 @@
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/contains.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh_validity.h>
 #include <CGAL/Shell_transformation_3.h>
+
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <array>
@@ -67,6 +70,9 @@ private:
  * edges at the vertex are removed one after the other by recursive shell transformations. Then the ball and one layer
  * more is tried, and in the end ever larger cavities around the ball. Two neighbors become one where one point sees the
  * boundary of both balls. In between, points move to the deepest point of their kernel.
+ *
+ * It ends: no step adds a point, every round but the last removes some, and within a round, the flips around a point
+ * only ever take edges away from it.
  */
 template <typename Tr, typename Visitor>
 class Steiner_suppression_3
@@ -197,6 +203,7 @@ private:
       m_reconnection.forget(); // work moves points
       if(contains(m_points, v) && (which == ALL_POINTS || ! contains(*m_exterior_points, v)))
         work(v);
+      CGAL_expensive_assertion(is_mesh_valid(m_tr, m_predicates));
       context.visitor().on_progress(Recovery_phase::steiner_suppression,
                                     points.size() - m_points.size(), points.size());
     }
