@@ -31,6 +31,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <unordered_map>
 #include <vector>
 
 namespace CGAL {
@@ -83,6 +84,9 @@ public:
     CGAL_precondition(tr.dimension() == 3);
   }
 
+  /// as above, with a visitor that does nothing.
+  explicit Constrained_boundary_recovery_3(Tr& tr) : Constrained_boundary_recovery_3(tr, m_no_visitor) { }
+
   Constrained_boundary_recovery_3(const Constrained_boundary_recovery_3&) = delete;
   Constrained_boundary_recovery_3& operator=(const Constrained_boundary_recovery_3&) = delete;
 
@@ -96,9 +100,13 @@ public:
   }
 
   /// adds the constrained edge `uv`, unless it is there already, and returns its index.
+  ///
+  /// \pre `u` and `v` are different finite vertices of the triangulation.
   std::size_t insert_constraint(const Vertex_handle u, const Vertex_handle v) { return m_constraints.insert(u, v); }
 
   /// adds the constrained facet `uvw` and its edges, unless they are there already, and returns the index of the facet.
+  ///
+  /// \pre `u`, `v` and `w` are different finite vertices of the triangulation and not collinear.
   std::size_t insert_constraint(const Vertex_handle u, const Vertex_handle v, const Vertex_handle w)
   {
     return m_constraints.insert(u, v, w);
@@ -127,17 +135,21 @@ public:
 
   /// returns the mesh edges that the edge `e` consists of, from its first vertex to its second; none if it is not a
   /// union of mesh edges.
+  ///
+  /// \pre `e < constrained_edges().size()`
   std::vector<std::array<Vertex_handle, 2> > parts_of_edge(const std::size_t e) const { return m_parts.of_edge(e); }
 
   /// returns the mesh facets that the facet `f` consists of, in its orientation; none if it is not a union of mesh
   /// facets.
+  ///
+  /// \pre `f < constrained_facets().size()`
   std::vector<std::array<Vertex_handle, 3> > parts_of_facet(const std::size_t f) const { return m_parts.of_facet(f); }
   /// @}
 
   /// \name Settings
   /// @{
 
-  /// sets the maximal recursion level.
+  /// sets the maximal recursion level; 30 by default.
   ///
   /// \pre `l_max >= 0`
   void set_max_recursion_level(const int l_max)
@@ -146,7 +158,8 @@ public:
     m_max_recursion_level = l_max;
   }
 
-  /// sets the time after which the recovery stops, in seconds from the construction of this object.
+  /// sets the time after which the recovery stops, in seconds from the construction of this object; no limit by
+  /// default.
   void set_maximum_running_time(const double seconds) { m_context.set_maximum_running_time(seconds); }
   /// @}
 
@@ -157,6 +170,8 @@ public:
 
   /// runs all the phases of a mode. Returns whether every constraint is in the triangulation: as one simplex, or, in
   /// the mode `conforming`, as a union of simplices.
+  ///
+  /// \param mode how far the recovery goes
   ///
   /// \pre the constraints do not intersect, and no other vertex is on them.
   bool operator()(const Mode mode = Mode::constrained)
@@ -270,7 +285,7 @@ public:
   /// `flips_only`, they are tried for a few lost edges, and accepted only if all of them could be removed. If some
   /// position cannot be stored, or points are left that must not be, the triangulation is put back and other points are
   /// tried, up to six times in all. Steiner points that were there before stay. Returns whether this worked for all
-  /// constraints; if not, the triangulation is as it was before.
+  /// constraints; if not, the triangulation is as it was before, also if the visitor or the kernel throws.
   ///
   /// \pre the constraints do not intersect, no other vertex is on them, and no Steiner point is on a constraint.
   bool recover_by_points(const Mode mode)
@@ -282,29 +297,21 @@ public:
       return false;
     if(! m_context.go_further())
       return false;
-    const Snapshot snapshot(m_tr);
-    std::vector<Vertex_handle> earlier_points;
-    earlier_points.swap(m_free_steiner_vertices);
-    const std::size_t earlier_constraint_points = m_number_of_constraint_points;
-    const std::size_t earlier_steiner_points = m_number_of_steiner_points;
-    for(const int l_max : conforming_recursion_levels)
-    {
-      if(l_max > m_max_recursion_level)
-        continue;
-      recover_conforming(l_max);
-      const bool is_conforming = is_nothing_lost();
-      const bool is_done = is_conforming && finish_points(mode);
-      if(! is_done)
-      {
-        take_back(snapshot);
-        m_number_of_constraint_points = earlier_constraint_points;
-        m_number_of_steiner_points = earlier_steiner_points;
-      }
-      recount();
-      if(is_done || ! is_conforming || ! m_context.go_further())
-        break;
+    Earlier_state earlier{ Snapshot(m_tr), {}, m_number_of_constraint_points, m_number_of_steiner_points };
+    earlier.points.swap(m_free_steiner_vertices);
+    try {
+      try_points(mode, earlier);
+    } catch(...) {
+      // Cells may be inverted now, or missing. Whoever threw, maybe the visitor, is not called again.
+      Default_boundary_recovery_visitor_3 no_visitor;
+      take_back(earlier, no_visitor);
+      look_up();
+      m_free_steiner_vertices.swap(earlier.points);
+      throw;
     }
-    m_free_steiner_vertices.insert(m_free_steiner_vertices.begin(), earlier_points.begin(), earlier_points.end());
+    m_free_steiner_vertices.insert(m_free_steiner_vertices.begin(), earlier.points.begin(), earlier.points.end());
+    if(mode == Mode::flips_only || m_context.is_stopped())
+      m_unrepresentable = Lost_constraints(); // points are not wanted, or no time was left for them
     return is_nothing_lost();
   }
 
@@ -315,7 +322,9 @@ public:
   /// exact positions of Steiner points are known to this object only, and cells may be inverted by the rounded
   /// positions in the triangulation.
   ///
-  /// \param l_max the maximal recursion level of the flips that are tried for each part of an edge
+  /// \param l_max the maximal recursion level of the flips that are tried for each part of an edge, not negative
+  ///
+  /// \pre lost constraints were looked for after the last change of the triangulation.
   void recover_conforming(const int l_max = default_conforming_recursion_level)
   {
     const std::size_t before = m_steiner_points.vertices().size();
@@ -340,17 +349,24 @@ public:
 
   /// gives each Steiner point on a constraint the nearest position that the triangulation can store, or one that is at
   /// most 2^10 times as far away as numbers are from each other at its largest coordinate, such that all the cells
-  /// around it remain positively oriented. Returns whether this is so for all of them.
+  /// around it remain positively oriented. Returns whether this is so for all of them, and no point that came off a
+  /// constraint is without such a position.
   bool round_steiner_points()
   {
     bool is_done = true;
     for(const Vertex_handle v : m_steiner_points.vertices())
-      is_done = m_steiner_points.round(m_tr, m_predicates, v, is_done && m_context.go_further()) && is_done;
-    return is_done;
+      if(! m_steiner_points.round(m_tr, m_predicates, v, is_done && m_context.go_further()))
+      {
+        is_done = false;
+        add_unrepresentable(m_steiner_points.carrier(v));
+      }
+    return is_done && m_steiner_points.positions().empty();
   }
 
   /// is the second half of the main procedure [CZZ+17, Alg. A.1 to A.5]: takes the Steiner points off the constraints.
   /// Returns whether none is left there.
+  ///
+  /// \pre all constraints are unions of mesh simplices.
   bool split_steiner_points()
   {
     Boundary_recovery_3::internal::Steiner_splitting_3<Tr, Visitor>
@@ -366,13 +382,19 @@ public:
         {
           if(! m_context.go_further())
             break;
+          const Carrier carrier = m_steiner_points.carrier(v);
+          const std::size_t first = split.points().size();
           split(v);
+          for(std::size_t i = first; i < split.points().size(); ++i)
+            m_origins[&*split.points()[i]] = carrier;
           m_context.visitor().on_progress(Phase::steiner_splitting, ++done, before);
         }
       }
     });
     m_free_steiner_vertices.insert(m_free_steiner_vertices.end(), split.points().begin(), split.points().end());
     m_number_of_steiner_points += split.points().size();
+    for(const Vertex_handle v : m_steiner_points.vertices())
+      add_unrepresentable(m_steiner_points.carrier(v));
     return m_steiner_points.vertices().empty();
   }
 
@@ -389,6 +411,9 @@ public:
     run(Phase::steiner_suppression, [&] { suppress(m_max_recursion_level, m_context); });
     const bool is_storable = suppress.round_points(m_context); // also if the recovery was stopped before
     m_number_of_transformations += suppress.number_of_transformations();
+    for(const Vertex_handle v : m_free_steiner_vertices)
+      if(m_steiner_points.positions().contains(v))
+        add_unrepresentable(m_origins.find(&*v)->second);
     return is_storable;
   }
 
@@ -408,7 +433,8 @@ public:
   /// returns the counts of each pass, the rows of the tables of [CZZ+17, Section 5.1.2].
   const std::vector<Recursion_level_report>& levels() const { return m_levels; }
 
-  /// returns the Steiner points that are in the triangulation, in the order in which they were created.
+  /// returns the Steiner points that are in the triangulation: those on constraints, then the others, both in the order
+  /// in which they were created.
   std::vector<Vertex_handle> steiner_vertices() const
   {
     std::vector<Vertex_handle> result = m_steiner_points.vertices();
@@ -416,13 +442,21 @@ public:
     return result;
   }
 
+  /// returns the indices of the edges for which a Steiner point was needed, on them or beside them, for which the
+  /// triangulation can store no position, in increasing order. They are those of the last attempt, if
+  /// `recover_by_points()` failed.
+  const std::vector<std::size_t>& unrepresentable_edges() const { return m_unrepresentable.edges; }
+
+  /// as above, the facets.
+  const std::vector<std::size_t>& unrepresentable_facets() const { return m_unrepresentable.facets; }
+
   /// returns the number of Steiner points that were put on constraints.
   std::size_t number_of_constraint_points() const { return m_number_of_constraint_points; }
 
   /// returns the number of Steiner points that came off the constraints, before any of them was removed.
   std::size_t number_of_steiner_points() const { return m_number_of_steiner_points; }
 
-  /// returns the number of covering meshes that were replaced.
+  /// returns the number of replacements of cells by flips and reconnections, those that were taken back included.
   std::size_t number_of_transformations() const { return m_number_of_transformations; }
   /// @}
 
@@ -430,6 +464,16 @@ private:
   typedef Boundary_recovery_3::internal::Constraints_3<Tr>    Constraints;
   typedef Boundary_recovery_3::internal::Lost_constraints     Lost_constraints;
   typedef Boundary_recovery_3::internal::Mesh_snapshot_3<Tr>  Snapshot;
+  typedef typename Boundary_recovery_3::internal::Steiner_points_3<Tr>::Carrier Carrier;
+
+  // What there was before Steiner points were tried.
+  struct Earlier_state
+  {
+    Snapshot snapshot;
+    std::vector<Vertex_handle> points; // the Steiner points of earlier recoveries
+    std::size_t number_of_constraint_points;
+    std::size_t number_of_steiner_points;
+  };
 
   // With more lost edges, the chance that no point is left is too small for the time that it takes.
   static constexpr std::size_t max_number_of_edges_for_temporary_points = 20;
@@ -463,23 +507,53 @@ private:
     items.resize(kept);
   }
 
-  // The free Steiner points are new ones here.
-  void take_back(const Snapshot& snapshot)
+  // Steiner points for all that is lost, with several recursion levels of the flips in between.
+  void try_points(const Mode mode, const Earlier_state& earlier)
   {
-    std::vector<Vertex_handle> vertices = m_steiner_points.vertices();
-    for(const Vertex_handle v : vertices)
+    for(const int l_max : conforming_recursion_levels)
+    {
+      if(l_max > m_max_recursion_level)
+        continue;
+      m_unrepresentable = Lost_constraints();
+      recover_conforming(l_max);
+      const bool is_conforming = is_nothing_lost();
+      const bool is_done = is_conforming && finish_points(mode);
+      if(! is_done)
+        take_back(earlier, m_context.visitor());
+      recount();
+      if(is_done || ! is_conforming || ! m_context.go_further())
+        return;
+    }
+  }
+
+  // The free Steiner points are new ones here. There may be others that are not in the lists yet.
+  template <typename Any_visitor>
+  void take_back(const Earlier_state& earlier, Any_visitor& visitor)
+  {
+    for(const Vertex_handle v : std::vector<Vertex_handle>(m_steiner_points.vertices()))
       m_steiner_points.erase(v);
-    for(const Vertex_handle v : m_free_steiner_vertices)
+    for(const Vertex_handle v : earlier.snapshot.new_vertices(m_tr))
       m_steiner_points.positions().erase(v);
-    vertices.insert(vertices.end(), m_free_steiner_vertices.begin(), m_free_steiner_vertices.end());
     m_free_steiner_vertices.clear();
-    snapshot.restore(m_tr, vertices, m_context.visitor());
+    m_number_of_constraint_points = earlier.number_of_constraint_points;
+    m_number_of_steiner_points = earlier.number_of_steiner_points;
+    earlier.snapshot.restore(m_tr, visitor);
+  }
+
+  // The constraint that a Steiner point is or was on gets into the account.
+  void add_unrepresentable(const Carrier& carrier)
+  {
+    std::vector<std::size_t>& indices = carrier.dimension == 1 ? m_unrepresentable.edges : m_unrepresentable.facets;
+    const auto it = std::lower_bound(indices.begin(), indices.end(), carrier.index);
+    if(it == indices.end() || *it != carrier.index)
+      indices.insert(it, carrier.index);
   }
 
   // A phase that adds no points: what it recovered is looked up at its end.
   template <typename Work>
   void run_flips(const Phase phase, const Work& work)
   {
+    CGAL_precondition(m_steiner_points.vertices().empty()); // what flips keep are the constraints, not their parts
     run(phase, [&] { work(); look_up_lost(); });
   }
 
@@ -565,15 +639,19 @@ private:
   }
 
   Tr& m_tr;
+  // what the constructor without a visitor points to; other visitors need not be default constructible
+  Default_boundary_recovery_visitor_3 m_no_visitor;
   Constraints m_constraints;
   Boundary_recovery_3::internal::Steiner_points_3<Tr> m_steiner_points; // those on constraints
   Boundary_recovery_3::internal::Constraint_parts_3<Tr> m_parts;
   std::vector<Vertex_handle> m_free_steiner_vertices;                   // those that came off them
+  std::unordered_map<const void*, Carrier> m_origins;                   // of these; look-up only
   std::size_t m_number_of_steiner_points = 0;
   std::size_t m_number_of_constraint_points = 0;
   Boundary_recovery_3::internal::Vertex_predicates_3<Tr> m_predicates;
   Boundary_recovery_3::internal::Recovery_context<Visitor> m_context;
   Lost_constraints m_lost;
+  Lost_constraints m_unrepresentable;
   std::vector<std::size_t> m_treatable_facets; // lost facets whose edges are in the mesh
   std::vector<Phase_report> m_phases;
   std::vector<Recursion_level_report> m_levels;

@@ -72,7 +72,7 @@ public:
   /// shells of a larger degree are left alone.
   static constexpr int max_degree = 24;
 
-  /// default bound on the number of shells visited in one call of `remove_edge()` or `remove_facet()`.
+  /// default bound on the number of shells visited in one call of `remove_edge()` or `remove_facet()`, 300.
   static constexpr std::size_t default_max_number_of_shells = 300;
 
   /// what a shell transformation did
@@ -116,6 +116,8 @@ public:
    * alone.
    * \param p if not the default handle, the face of `e` and this vertex is to be avoided
    *
+   * \return what was done: `UNCHANGED` also if there is no such face
+   *
    * \pre `tr.dimension() == 3`
    */
   Outcome operator()(const Edge& e, const Vertex_handle p = Vertex_handle())
@@ -124,8 +126,9 @@ public:
     const Supporting_edge root(e.first->vertex(e.second), e.first->vertex(e.third), e.first, nullptr);
     if(m_tr.is_infinite(root.a) || m_tr.is_infinite(root.b))
       return UNCHANGED;
-    Shell shell(m_tr, e.first, e.second, e.third);
-    return transform(shell, root, p == Vertex_handle() ? Shell::none : shell.index(p));
+    const Shell shell(m_tr, e.first, e.second, e.third);
+    const int f = p == Vertex_handle() ? Shell::none : shell.index(p);
+    return p != Vertex_handle() && f == Shell::none ? UNCHANGED : transform(shell, root, f);
   }
 
   /*!
@@ -297,7 +300,9 @@ private:
     }
   }
 
-  // Lines 8 to 14 of [CZZ+17, Alg. 1]: returns true as soon as the shell of e shrank.
+  // Lines 8 to 14 of [CZZ+17, Alg. 1]: returns true as soon as the shell of e shrank. Until then, the cells of the shell
+  // are those that were there first: the cells around e change only if its degree falls, for no new face around an
+  // ancestor is allowed.
   bool reduce_by_link_edges(const Shell& shell, const Supporting_edge& e, const int l, const int l_max)
   {
     const bool is_ab_constrained = m_validity.is_constrained(shell.a(), shell.b()); // else none of its faces is

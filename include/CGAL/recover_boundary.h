@@ -122,8 +122,11 @@ namespace CGAL {
  *         to be inserted then, all constraints are listed as missing, and the vertices of these points are default
  *         handles. If the status is `invalid_input`, the triangulation was not changed, with these exceptions: the
  *         points have been inserted if they and the vertices of a triangulation of a dimension less than 3 turn out
- *         to be coplanar, or if a vertex that was in the triangulation before is on a constraint; and constraints
- *         that intersect are, unless `list_defects` is set, found only after points were inserted and cells flipped.
+ *         to be coplanar, or if a vertex is on a constraint that is not its own, be it of the triangulation or a
+ *         point that no constraint uses; and constraints that intersect are, unless `list_defects` is set, found only
+ *         after points were inserted and cells flipped.
+ *
+ * \pre `tr` is valid: `tr.is_valid()` as a `Triangulation_3`; it need not be Delaunay.
  */
 template <typename Triangulation, typename PointRange, typename TriangleRange, typename CGAL_NP_TEMPLATE_PARAMETERS
 #ifndef DOXYGEN_RUNNING
@@ -152,8 +155,8 @@ recover_boundary(Triangulation& tr, const PointRange& points, const TriangleRang
  *
  * \brief recovers the faces of a surface mesh in a triangulation: every face becomes a facet of `tr`.
  *
- * It does what the other overload does for a soup, and has its named parameters except `point_map` and
- * `constrained_edges`.
+ * It does what the other overload does for a soup, and has its named parameters except `point_map`; the indices in
+ * `constrained_edges` are positions in `vertices(surface)` here.
  *
  * \tparam Triangulation see the other overload
  * \tparam FaceListGraph a model of `FaceListGraph`

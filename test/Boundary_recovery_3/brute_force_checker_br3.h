@@ -304,6 +304,9 @@ private:
     const bool is_all_there = m_result.missing_edges.empty() && m_result.missing_facets.empty();
     require((m_result.status == Status::recovered) == is_all_there, "the status contradicts the lists");
     require(is_all_there || ! must_be_complete(), "a valid input was not recovered");
+    const bool is_explained = ! m_result.unrepresentable_constraints.empty();
+    require(m_mode == Mode::flips_only || is_all_there || is_explained, "points failed for no reason");
+    require(! is_explained || (! is_all_there && m_mode != Mode::flips_only), "points were said to fail, but did not");
   }
 
   // Where coordinates differ by rounding errors only, no number may fit between two constraints.

@@ -115,6 +115,29 @@ void test_rounding_beyond_the_next_numbers()
   assert(br3_test::recover_and_judge(c) == Recovery_status::recovered);
 }
 
+// Multiples of a tenth are so nearly coplanar that no number fits where a Steiner point is needed, and other Steiner
+// points do not help. The result says so (br3_test::Brute_force_checker looks for the constraints that it names); with
+// exact numbers all is recovered.
+void test_no_number_for_a_point()
+{
+  const double x = 0.1, y = 0.2, z = 0.30000000000000004, w = 0.4;
+  Fuzz_case c; // in the default mode
+  c.plc.points = { {{ 1, 0, 0 }}, {{ y, w, 0 }}, {{ x, y, y }}, {{ 0, w, y }}, {{ w, x, x }}, {{ y, x, z }} };
+  c.plc.triangles = { { 4, 1, 3 }, { 1, 5, 3 } };
+  c.plc.edges = { { 0, 2 } };
+  assert(br3_test::recover_and_judge(c) == Recovery_status::incomplete);
+  c.plc.points = { {{ w, .5, 0 }}, {{ 1, 0, 1 }}, {{ 0, .5, 0 }}, {{ 0, x, .5 }}, {{ w, .5, 1 }}, {{ z, w, 0 }},
+                   {{ 1, 0, 0 }} };
+  c.plc.triangles = { { 4, 6, 5 }, { 5, 3, 0 } };
+  c.plc.edges = { { 2, 1 } };
+  assert(br3_test::recover_and_judge(c) == Recovery_status::incomplete);
+  c.plc.points = { {{ 1, 0, 0 }}, {{ y, .5, 0 }}, {{ 0, 0, 0.60000000000000009 }}, {{ x, 0, .5 }}, {{ y, .5, y }},
+                   {{ y, .5, 1 }}, {{ 0, z, z }}, {{ x, w, z }} }; // in the mode conforming
+  c.plc.triangles = { { 2, 4, 0 }, { 1, 3, 2 }, { 7, 4, 6 } };
+  c.plc.edges = { { 3, 7 } };
+  assert(br3_test::recover_and_judge(c) == Recovery_status::incomplete);
+}
+
 int main()
 {
   test_no_vertices_for_a_late_refusal();
@@ -124,5 +147,6 @@ int main()
   test_more_than_three_attempts();
   test_kernels_thinner_than_numbers();
   test_rounding_beyond_the_next_numbers();
+  test_no_number_for_a_point();
   std::cout << "done" << std::endl;
 }

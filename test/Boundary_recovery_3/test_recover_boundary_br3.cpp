@@ -333,6 +333,28 @@ struct Watching_visitor
   Recovery_phase current = Recovery_phase::insertion;
 };
 
+// Given by value, a copy of it is called.
+struct Visitor_to_be_copied
+  : public CGAL::Default_boundary_recovery_visitor_3
+{
+  explicit Visitor_to_be_copied(std::size_t& calls) : calls(calls) { }
+  void on_phase_end(const CGAL::Boundary_recovery_3::Phase_report&) { ++calls; ++own_calls; }
+
+  std::size_t& calls;
+  std::size_t own_calls = 0;
+};
+
+void test_visitor_by_value()
+{
+  const Soup<K> soup = read<K>("gear_br3.off");
+  Tr tr;
+  std::size_t calls = 0;
+  const Visitor_to_be_copied visitor(calls);
+  const auto result = CGAL::recover_boundary(tr, soup.points, soup.triangles,
+                                             params::visitor(visitor).maximum_running_time(1000.));
+  assert(result && calls == result.phases.size() && visitor.own_calls == 0);
+}
+
 void test_visitor()
 {
   const Soup<K> soup = read<K>("gear_br3.off");
@@ -386,6 +408,7 @@ int main()
   test_custom_base();
   test_determinism();
   test_visitor();
+  test_visitor_by_value();
   std::cout << "done" << std::endl;
   return EXIT_SUCCESS;
 }

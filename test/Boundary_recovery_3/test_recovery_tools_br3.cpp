@@ -122,14 +122,13 @@ void test_snapshot(const br3_test::Lattice_points& points, const int number_of_n
   const Mesh_portrait before(tr);
   const internal::Mesh_snapshot_3<Tr> snapshot(tr);
 
-  std::set<Vertex_handle> inserted; // the order does not matter
+  std::size_t number_of_inserted_points = 0;
   for(int i = 0; i < number_of_new_points; ++i)
   {
     const double x = br3_test::random_int(rng, 100), y = br3_test::random_int(rng, 100);
     const std::size_t n = tr.number_of_vertices();
-    const Vertex_handle v = tr.insert(Point_3(x / 20 - 1, y / 20 - 1, (x + y) / 30 - 1));
-    if(tr.number_of_vertices() > n)
-      inserted.insert(v);
+    tr.insert(Point_3(x / 20 - 1, y / 20 - 1, (x + y) / 30 - 1));
+    number_of_inserted_points += tr.number_of_vertices() - n;
   }
   int number_of_flips = 0;
   for(int k = 0; k < 50; ++k)
@@ -138,11 +137,12 @@ void test_snapshot(const br3_test::Lattice_points& points, const int number_of_n
     const Tr::Facet f = facets[static_cast<std::size_t>(br3_test::random_int(rng, static_cast<int>(facets.size())))];
     number_of_flips += tr.flip(f.first, f.second);
   }
-  assert((number_of_flips > 0 || ! inserted.empty()) && ! (before == Mesh_portrait(tr)));
+  assert((number_of_flips > 0 || number_of_inserted_points > 0) && ! (before == Mesh_portrait(tr)));
+  assert(snapshot.new_vertices(tr).size() == number_of_inserted_points);
 
   Counting_visitor visitor;
   const std::size_t number_of_changed_cells = tr.number_of_cells();
-  snapshot.restore(tr, inserted, visitor);
+  snapshot.restore(tr, visitor);
   assert(visitor.removed == number_of_changed_cells && visitor.created == number_of_cells);
   assert(tr.number_of_cells() == number_of_cells && tr.number_of_vertices() == number_of_vertices);
   assert(before == Mesh_portrait(tr));

@@ -74,7 +74,8 @@ void catch_complaints(const std::string& name, const Check& check)
   }
 }
 
-// The cells that are in the triangulation, if the visitor is told the truth: by addresses, with their vertices.
+// The cells that are in the triangulation, if the visitor is told the truth: by addresses, with their vertices. And the
+// visitor sees a valid data structure.
 template <typename Tr>
 class Cell_mirror
   : public CGAL::Default_boundary_recovery_visitor_3
@@ -82,7 +83,7 @@ class Cell_mirror
 public:
   typedef std::map<const void*, std::set<const void*> > Cells;
 
-  explicit Cell_mirror(const Tr& tr) : m_cells(cells(tr)) { }
+  explicit Cell_mirror(const Tr& tr) : m_tr(tr), m_cells(cells(tr)) { }
 
   template <typename CellRange>
   void before_cells_removal(const CellRange& cells)
@@ -100,6 +101,7 @@ public:
   {
     for(const auto c : cells)
       require(m_cells.emplace(&*c, vertices(c)).second, "a cell is created that was there");
+    require(m_tr.tds().is_valid(), "the visitor sees a data structure that is not valid");
   }
 
   void check(const Tr& tr) const { require(m_cells == cells(tr), "the visitor missed some cells"); }
@@ -119,6 +121,7 @@ private:
     return result;
   }
 
+  const Tr& m_tr;
   Cells m_cells;
 };
 
@@ -458,6 +461,110 @@ void test_stops()
   assert(stopped[Phase::conforming_edge_recovery] > 0 && stopped[Phase::steiner_splitting] > 0);
 }
 
+struct Thrown { };
+
+// Throws at one of the calls in a phase.
+struct Throwing_visitor
+  : public CGAL::Default_boundary_recovery_visitor_3
+{
+  void on_phase_begin(const Phase phase) { is_in_phase = phase == phase_to_throw_in; }
+  void on_progress(Phase, std::size_t, std::size_t) { count(); }
+  bool go_further() { count(); return true; }
+  template <typename CellRange> void before_cells_removal(const CellRange&) { count(); }
+  template <typename CellRange> void after_cells_creation(const CellRange&) { count(); }
+
+  void count()
+  {
+    if(is_in_phase && ++number_of_calls == last_call)
+      throw Thrown();
+  }
+
+  Phase phase_to_throw_in = Phase::insertion;
+  std::size_t last_call = 0, number_of_calls = 0;
+  bool is_in_phase = false;
+};
+
+template <typename K>
+bool is_valid(const CGAL::Delaunay_triangulation_3<K>& tr)
+{
+  for(const auto c : tr.finite_cell_handles())
+    if(CGAL::orientation(c->vertex(0)->point(), c->vertex(1)->point(), c->vertex(2)->point(), c->vertex(3)->point())
+       != CGAL::POSITIVE)
+      return false;
+  return tr.tds().is_valid();
+}
+
+// Whatever a visitor does, the caller's triangulation is valid afterwards, without points that nobody asked for.
+template <typename K>
+void test_exceptions()
+{
+  std::map<Phase, std::size_t> thrown;
+  const Plc plc = br3_test::twisted_prism(6, .3, 1000, 1000);
+  std::vector<typename K::Point_3> points;
+  for(const Coordinates& c : plc.points)
+    points.emplace_back(c[0], c[1], c[2]);
+  for(const Recovery_mode mode : { Recovery_mode::constrained, Recovery_mode::conforming })
+    for(const Phase phase : { Phase::plain_removal, Phase::edge_recovery_brc1, Phase::conforming_edge_recovery,
+                              Phase::conforming_facet_recovery, Phase::steiner_splitting, Phase::steiner_suppression })
+    {
+      bool is_thrown = true;
+      for(std::size_t n = 1; is_thrown; ++n)
+      {
+        Throwing_visitor visitor;
+        visitor.phase_to_throw_in = phase;
+        visitor.last_call = n;
+        CGAL::Delaunay_triangulation_3<K> tr;
+        try {
+          CGAL::recover_boundary(tr, points, plc.triangles, CGAL::parameters::recovery_mode(mode),
+                                 CGAL::parameters::visitor(std::ref(visitor)));
+          is_thrown = false;
+        } catch(const Thrown&) {
+          ++thrown[phase];
+          assert(is_valid(tr) && tr.number_of_vertices() == points.size());
+          assert(CGAL::recover_boundary(tr, points, plc.triangles));
+          assert(is_valid(tr));
+        }
+      }
+    }
+  for(const Phase phase : { Phase::edge_recovery_brc1, Phase::conforming_edge_recovery, Phase::steiner_splitting,
+                            Phase::steiner_suppression })
+    assert(thrown[phase] > 2);
+}
+
+// Stops after the first Steiner point that is split.
+struct Half_splitting_visitor
+  : public CGAL::Default_boundary_recovery_visitor_3
+{
+  bool go_further() const { return ! is_over; }
+  void on_progress(const Phase phase, std::size_t, std::size_t) { is_over = phase == Phase::steiner_splitting; }
+
+  bool is_over = false;
+};
+
+// A point off its constraint may have an exact position, too, which is lost if nobody looks.
+void test_rounding_of_points_that_are_half_split()
+{
+  typedef CGAL::Delaunay_triangulation_3<Epick> Tr;
+  typedef CGAL::Constrained_boundary_recovery_3<Tr, Half_splitting_visitor> Recovery;
+  Tr tr;
+  Half_splitting_visitor visitor;
+  std::vector<Tr::Vertex_handle> v;
+  const Plc plc = br3_test::twisted_prism(3, .3, 1000, 1);
+  for(const double height : { std::ldexp(1., -52), 1000. }) // no number is between 1 and 1 + height
+    for(const Coordinates& c : plc.points)
+      v.push_back(tr.insert(Epick::Point_3(c[0] + 100 * height, c[1], 1 + height * c[2])));
+  Recovery recovery(tr, visitor);
+  for(const std::size_t first : { std::size_t(0), plc.points.size() })
+    for(const Simplex& t : plc.triangles)
+      recovery.insert_constraint(v[first + t[0]], v[first + t[1]], v[first + t[2]]);
+  recovery.search();
+  recovery.recover_conforming();
+  assert(recovery.lost_edges().empty() && recovery.lost_facets().empty());
+  assert(! recovery.split_steiner_points());
+  assert(recovery.steiner_vertices().size() > recovery.split_edges().size() && ! recovery.split_edges().empty());
+  assert(! recovery.round_steiner_points());
+}
+
 Plc moved(Plc plc, const int exponent, const double shift)
 {
   for(Coordinates& c : plc.points)
@@ -521,9 +628,12 @@ int main()
 {
   test_phases();
   test_scales();
+  test_rounding_of_points_that_are_half_split();
   test_stops<Epick>();
+  test_exceptions<Epick>();
 #ifndef BR3_TEST_EPICK_ONLY
   test_stops<Epeck>();
+  test_exceptions<Epeck>();
 #endif
   assert(number_of_failures == 0);
   std::cout << "done" << std::endl;

@@ -6,8 +6,12 @@ The concept `BoundaryRecoveryVisitor_3` describes what is told about a boundary 
 progress, the cells that go and come, and whether to go on. All calls come from the thread that called the recovery.
 
 A visitor must not change the triangulation. It may look at it, and it sees a valid data structure, in which the
-coordinates of Steiner points may be rounded ones until the end, and cells may be inverted by that. It may write to
-the cells that came.
+coordinates of Steiner points may be rounded ones until the end, and cells may be inverted by that; only in
+`before_cells_removal()`, vertices that are about to get their first cells have none. It may write to the cells that
+came.
+
+A member may throw. The exception reaches the caller of the recovery, with a valid triangulation: as flips left it, and
+without Steiner points if these were not finished. The visitor is not told about what is put back then.
 
 A model that cares for few of the members is derived from `CGAL::Default_boundary_recovery_visitor_3`, and hides
 those.

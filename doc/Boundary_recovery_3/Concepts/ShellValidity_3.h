@@ -21,6 +21,7 @@ A model that has a condition on few of the members is derived from
 \cgalHasModels{CGAL::Boundary_recovery_3::BRC1}
 \cgalHasModels{CGAL::Boundary_recovery_3::BRC2}
 \cgalHasModels{CGAL::Boundary_recovery_3::BRC3}
+\cgalHasModels{CGAL::Boundary_recovery_3::BRC4}
 \cgalHasModels{CGAL::Boundary_recovery_3::Kept_constraints_3}
 \cgalHasModels{CGAL::Boundary_recovery_3::No_shell_validity_3}
 \cgalHasModels{CGAL::Boundary_recovery_3::Shell_validity_conjunction_3}

@@ -74,9 +74,10 @@ enum class Input_defect_kind
   degenerate_facet,         ///< the vertices of a facet are collinear, or not distinct
   degenerate_edge,          ///< both ends of a constrained edge are the same vertex
   duplicate_facet,          ///< two facets have the same three vertices
-  coincident_vertices,      ///< two vertices are at one point
+  coincident_vertices,      ///< two vertices of constraints are at one point
   dimension_less_than_3,    ///< all the points are coplanar
-  intersecting_constraints  ///< two constraints intersect elsewhere than in a common vertex or edge
+  intersecting_constraints  ///< two constraints intersect elsewhere than in a common vertex or edge, or a vertex is on a
+                            ///< constraint that is not its own
 };
 
 /// \ingroup PkgBoundaryRecovery3Classes
@@ -86,17 +87,18 @@ struct Input_simplex_3
 {
   typedef Point_3_ Point_3; ///< the point type
 
-  /// value of `index` of an edge that was given as an edge of a facet only
+  /// value of `index` of an edge that was given as an edge of a facet only, and of a vertex that is in the
+  /// triangulation but not in the input
   static constexpr std::size_t no_index = std::size_t(-1);
 
   int dimension = -1;                ///< 0: vertex, 1: edge, 2: facet
   std::size_t index = no_index;      ///< position of the vertex, constrained edge or facet in its input range
-  std::vector<std::size_t> vertices; ///< the input indices of its vertices
+  std::vector<std::size_t> vertices; ///< the input indices of its vertices; none for a vertex without index
   std::vector<Point_3> points;       ///< the coordinates of its vertices; empty where an index has no finite point
 };
 
 /// \ingroup PkgBoundaryRecovery3Classes
-/// one defect of the input, and the simplices that cause it: one or two.
+/// one defect of the input, and the simplices that cause it: one or two, or none where it is in the input as a whole.
 template <typename Point_3_>
 struct Input_defect_3
 {
@@ -167,6 +169,11 @@ struct Boundary_recovery_result_3
   /// the constrained facets that are not in the triangulation
   std::vector<Input_simplex> missing_facets;
 
+  /// the constraints for which a Steiner point was needed, on them or beside them, whose position the number type of
+  /// the kernel cannot store, in the last attempt: the edges, then the facets. Not empty only if `status` is
+  /// `incomplete` and the mode is not `flips_only`.
+  std::vector<Input_simplex> unrepresentable_constraints;
+
   /// what is wrong with the input, if `status` is `invalid_input`
   std::vector<Input_defect> defects;
 
@@ -181,13 +188,15 @@ struct Boundary_recovery_result_3
   /// the Steiner points that are left in the triangulation, those outside of the domain included
   std::vector<Vertex_handle> steiner_vertices;
 
-  std::size_t number_of_edges = 0;             ///< number of constrained edges, those of the facets included
+  std::size_t number_of_edges = 0;             ///< number of constrained edges, those of the facets included (of
+                                               ///< faces that are no triangles, none)
   std::size_t number_of_facets = 0;            ///< number of constrained facets
   std::size_t number_of_constraint_points = 0; ///< number of Steiner points that were put on constraints
   std::size_t number_of_steiner_points = 0;    ///< number of Steiner points that came off the constraints in their
                                                ///< place, before any was removed; 0 in the mode `conforming`
   std::size_t number_of_inserted_vertices = 0; ///< number of input points that were not in the triangulation before
-  std::size_t number_of_shell_transformations = 0; ///< number of covering meshes that were replaced
+  std::size_t number_of_shell_transformations = 0; ///< number of replacements of cells by flips and reconnections, those
+                                                   ///< that were taken back included
 
   std::vector<Phase_report> phases;           ///< one entry for each run of a phase; those with Steiner points run
                                               ///< again if other points have to be tried, up to six times
@@ -295,7 +304,7 @@ using Boundary_recovery_3::Boundary_recovery_result_3;
 namespace Boundary_recovery_3 {
 
 /// \ingroup PkgBoundaryRecovery3Classes
-/// writes the status and, a line each, all defects and all missing constraints.
+/// writes the status and, a line each, all defects, all missing constraints, and those without storable points.
 template <typename Triangulation>
 std::ostream& operator<<(std::ostream& os, const Boundary_recovery_result_3<Triangulation>& result)
 {
@@ -306,6 +315,8 @@ std::ostream& operator<<(std::ostream& os, const Boundary_recovery_result_3<Tria
     os << "\nmissing " << edge;
   for(const auto& facet : result.missing_facets)
     os << "\nmissing " << facet;
+  for(const auto& constraint : result.unrepresentable_constraints)
+    os << "\nunrepresentable point of " << constraint;
   return os;
 }
 

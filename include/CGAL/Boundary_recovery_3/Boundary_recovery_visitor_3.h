@@ -47,7 +47,7 @@ struct Default_boundary_recovery_visitor_3
   template <typename CellRange>
   void before_cells_removal(const CellRange& /* cells */) { }
 
-  /// is called after the cells in `cells`, a range of cell handles, came into the triangulation.
+  /// is called after the cells in `cells`, a range of cell handles, came into the triangulation, which is valid then.
   /// They cover what the cells of the last `before_cells_removal()` covered.
   template <typename CellRange>
   void after_cells_creation(const CellRange& /* cells */) { }

@@ -147,6 +147,8 @@ private:
  * pierced in a point inside both. A face in a plane with the segment is not an intersection; those of its edges that
  * are crossed are.
  *
+ * \tparam Tr an instance of `CGAL::Triangulation_3`
+ *
  * \cgalModels{ShellValidity_3}
  */
 template <typename Tr>
@@ -200,6 +202,8 @@ private:
  * \brief condition BRC2 of [CZZ+17, Section 3.2]: no new mesh entity intersects a given triangle.
  *
  * The edges of the triangle being edges of the mesh, it can be intersected by mesh edges only.
+ *
+ * \tparam Tr an instance of `CGAL::Triangulation_3`
  *
  * \cgalModels{ShellValidity_3}
  */

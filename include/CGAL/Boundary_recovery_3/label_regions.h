@@ -12,9 +12,10 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <CGAL/Boundary_recovery_3/internal/Simplex_key_3.h>
+
 #include <CGAL/Unique_hash_map.h>
 
-#include <boost/functional/hash.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <array>
@@ -40,22 +41,13 @@ class Region_labeller_3
   // a facet that separates: where it is in the triangulation, and how often it was given, with signs
   struct Wall
   {
+    Triple vertices;     // as it was given first
     Facet facet;         // seen from this cell the three vertices turn as in `Tr::vertex_triple_index()`
     bool found = false;  // whether it is a facet of the triangulation
-    long weight = 0;     // number of given facets that turn like it minus those that turn the other way
+    long weight = 0;     // number of given facets that turn like it minus those that turn the other way; until it is
+                         // found, like the first one
     bool odd = false;    // whether it was given an odd number of times
     bool agrees = true;  // whether the first one that was given turns like `facet`
-  };
-
-  struct Triple_hash
-  {
-    std::size_t operator()(const Triple& t) const
-    {
-      std::size_t seed = 0;
-      for(const Vertex_handle v : t)
-        boost::hash_combine(seed, &*v);
-      return seed;
-    }
   };
 
   // a way out of a component through a wall, and what it adds to the winding number
@@ -66,12 +58,12 @@ class Region_labeller_3
   };
 
   const Tr& m_tr;
-  std::vector<Wall> m_walls;                                          // in the order of the facets
-  std::unordered_map<Triple, std::size_t, Triple_hash> m_wall_index;  // for looking up only
-  Unique_hash_map<Cell_handle, std::size_t> m_cell_index;             // for looking up only
+  std::vector<Wall> m_walls;                               // in the order of the facets
+  Simplex_index_3<3> m_wall_index;
+  Unique_hash_map<Cell_handle, std::size_t> m_cell_index;  // for looking up only
   std::vector<Cell_handle> m_cells;
-  std::vector<unsigned char> m_closed;                                // bit i: facet i of the cell is a wall
-  std::vector<std::size_t> m_component;                               // of each cell; 0 has the infinite cells
+  std::vector<unsigned char> m_closed;                     // bit i: facet i of the cell is a wall
+  std::vector<std::size_t> m_component;                    // of each cell; 0 has the infinite cells
   std::size_t m_number_of_components = 0;
 
 public:
@@ -98,35 +90,25 @@ public:
   }
 
 private:
-  // sorts a triple by address, which is only good for looking it up, and returns whether the permutation is even
-  static bool sort(Triple& t)
+  static Simplex_key_3<3> key(const Triple& t) { return internal::simplex_key(t[0], t[1], t[2]); }
+
+  // whether two triples of the same vertices turn alike
+  static bool turn_alike(const Triple& s, const Triple& t)
   {
-    bool even = true;
-    const auto order = [&](const int i, const int j)
-    {
-      if(&*t[j] < &*t[i])
-      {
-        std::swap(t[i], t[j]);
-        even = ! even;
-      }
-    };
-    order(0, 1);
-    order(1, 2);
-    order(0, 1);
-    return even;
+    const int i = s[0] == t[0] ? 0 : s[0] == t[1] ? 1 : 2;
+    return s[1] == t[(i + 1) % 3];
   }
 
-  void add_wall(Triple triple)
+  void add_wall(const Triple& triple)
   {
-    const bool even = sort(triple);
-    const auto inserted = m_wall_index.emplace(triple, m_walls.size());
+    const auto inserted = m_wall_index.insert(key(triple));
     if(inserted.second)
     {
       m_walls.emplace_back();
-      m_walls.back().agrees = even; // with respect to the sorted triple, until the facet is found
+      m_walls.back().vertices = triple;
     }
-    Wall& wall = m_walls[inserted.first->second];
-    wall.weight += even ? 1 : -1;
+    Wall& wall = m_walls[inserted.first];
+    wall.weight += turn_alike(wall.vertices, triple) ? 1 : -1;
     wall.odd = ! wall.odd;
   }
 
@@ -155,19 +137,16 @@ private:
       Triple triple;
       for(int i = 0; i < 3; ++i)
         triple[i] = f.first->vertex(Tr::vertex_triple_index(f.second, i));
-      const bool even = sort(triple);
-      const auto found = m_wall_index.find(triple);
-      if(found == m_wall_index.end())
+      const std::size_t index = m_wall_index[key(triple)];
+      if(index == Simplex_index_3<3>::none)
         continue;
 
-      Wall& wall = m_walls[found->second];
+      Wall& wall = m_walls[index];
       wall.facet = f;
       wall.found = true;
-      if(! even)
-      {
+      wall.agrees = turn_alike(wall.vertices, triple);
+      if(! wall.agrees)
         wall.weight = -wall.weight;
-        wall.agrees = ! wall.agrees;
-      }
       close(f);
       close(m_tr.mirror_facet(f));
     }

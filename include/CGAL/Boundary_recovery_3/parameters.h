@@ -85,7 +85,7 @@ constrained_edges(const K& k)
 }
 
 /// \ingroup PkgBoundaryRecovery3Functions
-/// whether intersections of constraints are searched before anything else is done, a Boolean.
+/// whether intersections of constraints, and vertices on them, are searched before any cell is flipped, a Boolean.
 template <typename K>
 Named_function_parameters<K, Boundary_recovery_3::internal::list_defects_t>
 list_defects(const K& k)

@@ -49,7 +49,7 @@ public:
   // Adds a cell, if it is finite and not there yet.
   void add(const Cell_handle c)
   {
-    if(! m_tr.is_infinite(c) && ! contains(m_cells, c))
+    if(! m_tr.is_infinite(c) && ! internal::contains(m_cells, c))
       m_cells.push_back(c);
   }
 
@@ -60,7 +60,7 @@ public:
       for(int i = 0; i < 4; ++i)
       {
         const Cell_handle c = m_cells[k], n = c->neighbor(i);
-        if(contains(vertices, n->vertex(n->index(c))))
+        if(internal::contains(vertices, n->vertex(n->index(c))))
           add(n);
       }
   }
@@ -71,7 +71,7 @@ public:
     std::vector<Cell_handle> result;
     for_each_face([&](const Triangle& f, const Cell_handle n, Vertex_handle)
     {
-      if(! is_constrained(f) && ! contains(result, n))
+      if(! is_constrained(f) && ! internal::contains(result, n))
         result.push_back(n);
     });
     return result;
@@ -105,8 +105,8 @@ public:
     for(const Cell_handle c : m_cells)
       for(int i = 0; i < 4; ++i)
       {
-        const Triangle f = facet_vertices(c, i);
-        if(contains(m_cells, c->neighbor(i)))
+        const Triangle f = internal::facet_vertices(c, i);
+        if(internal::contains(m_cells, c->neighbor(i)))
         {
           if(is_constrained(f))
             return false;
@@ -129,8 +129,8 @@ private:
       for(int i = 0; i < 4; ++i)
       {
         const Cell_handle n = c->neighbor(i);
-        if(! m_tr.is_infinite(n) && ! contains(m_cells, n))
-          visit(facet_vertices(c, i), n, n->vertex(n->index(c)));
+        if(! m_tr.is_infinite(n) && ! internal::contains(m_cells, n))
+          visit(internal::facet_vertices(c, i), n, n->vertex(n->index(c)));
       }
   }
 
@@ -141,9 +141,9 @@ private:
       for(int i = 0; i < 4; ++i)
       {
         const Vertex_handle p = c->vertex(i);
-        if(contains(outer_vertices, p) || contains(inner_points, p))
+        if(internal::contains(outer_vertices, p) || internal::contains(inner_points, p))
           continue;
-        if(! contains(points, p))
+        if(! internal::contains(points, p))
           return false;
         inner_points.push_back(p);
       }
@@ -161,7 +161,7 @@ private:
         for(int j = 0; j < 4; ++j)
         {
           const std::array<Vertex_handle, 2> e = {{ c->vertex(i), c->vertex(j) }};
-          if(i != j && m_constraints.is_constrained(e[0], e[1]) && ! contains(edges, e))
+          if(i != j && m_constraints.is_constrained(e[0], e[1]) && ! internal::contains(edges, e))
             return true;
         }
     return false;

@@ -99,11 +99,11 @@ private:
 
   void add(const Cell_handle c)
   {
-    if(contains(m_cells, c))
+    if(internal::contains(m_cells, c))
       return;
     m_cells.push_back(c);
     for(int i = 0; i < 4; ++i)
-      if(! contains(m_vertices, c->vertex(i)))
+      if(! internal::contains(m_vertices, c->vertex(i)))
         m_vertices.push_back(c->vertex(i));
   }
 
@@ -118,7 +118,7 @@ private:
   {
     add(c);
     for(int i = 0; i < 4; ++i)
-      if(! contains(f, c->vertex(i)))
+      if(! internal::contains(f, c->vertex(i)))
         add(c->neighbor(i));
   }
 
@@ -136,7 +136,7 @@ private:
   {
     std::size_t n = m_vertices.size();
     for(int i = 0; i < 4; ++i)
-      if(! contains(m_vertices, extra->vertex(i)))
+      if(! internal::contains(m_vertices, extra->vertex(i)))
         ++n;
     return n;
   }

@@ -20,6 +20,7 @@
 #include <boost/container/small_vector.hpp>
 
 #include <array>
+#include <cstddef>
 
 namespace CGAL {
 namespace Boundary_recovery_3 {
@@ -43,12 +44,16 @@ public:
   // The new cells of the last replacement, in the order in which they were given.
   const Cells& new_cells() const { return m_new_cells; }
 
-  // As below, and tells a visitor which cells go and come.
-  template <typename CellRange, typename TetrahedronRange, typename Visitor>
-  void operator()(Tr& tr, const CellRange& old_cells, const TetrahedronRange& tetrahedra, Visitor& visitor)
+  // As below, and tells a visitor which cells go and come. The vertices in `dropped` are those that no cell has any more.
+  template <typename CellRange, typename TetrahedronRange, typename Visitor,
+            typename VertexRange = std::array<Vertex_handle, 0> >
+  void operator()(Tr& tr, const CellRange& old_cells, const TetrahedronRange& tetrahedra, Visitor& visitor,
+                  const VertexRange& dropped = VertexRange())
   {
     visitor.before_cells_removal(old_cells);
     (*this)(tr, old_cells, tetrahedra);
+    for(const Vertex_handle v : dropped)
+      tr.tds().delete_vertex(v);
     visitor.after_cells_creation(m_new_cells);
   }
 
@@ -84,7 +89,7 @@ private:
 
   static Simplex_key_3<3> facet_key(const Cell_handle c, const int i)
   {
-    return simplex_key(c->vertex((i + 1) & 3), c->vertex((i + 2) & 3), c->vertex((i + 3) & 3));
+    return internal::simplex_key(c->vertex((i + 1) & 3), c->vertex((i + 2) & 3), c->vertex((i + 3) & 3));
   }
 
   // The facets of the cells around the polyhedron, seen from outside.
@@ -95,7 +100,7 @@ private:
       for(int i = 0; i < 4; ++i)
       {
         const Cell_handle n = c->neighbor(i);
-        if(! contains(old_cells, n))
+        if(! internal::contains(old_cells, n))
           m_open_facets.push_back({ facet_key(c, i), n, n->index(c) });
       }
   }

@@ -115,7 +115,7 @@ public:
         split_facet(crossing.cell, crossing.vertices, v);
       simplify_position(v, [&](const int bits) { return point_on_edge(edge, rounded(t, bits)); });
       m_steiner_points.insert_on_edge(e, part[0], v);
-      CGAL_expensive_assertion(is_mesh_valid(m_tr, m_predicates));
+      CGAL_expensive_assertion(internal::is_mesh_valid(m_tr, m_predicates));
       parts.push_back({{ v, part[1] }});
       parts.push_back({{ part[0], v }});
     }
@@ -149,7 +149,7 @@ public:
           return point_in_facet(facet, {{ rounded(weights[0], bits), rounded(weights[1], bits) }});
         });
         m_steiner_points.insert_in_facet(f, v);
-        CGAL_expensive_assertion(is_mesh_valid(m_tr, m_predicates));
+        CGAL_expensive_assertion(internal::is_mesh_valid(m_tr, m_predicates));
       }
     return true;
   }
@@ -279,8 +279,8 @@ private:
     m_tetrahedra.clear();
     for(const Cell_handle cell : shell.cells())
     {
-      m_tetrahedra.push_back(with_exchanged_vertex(cell, a, v));
-      m_tetrahedra.push_back(with_exchanged_vertex(cell, b, v));
+      m_tetrahedra.push_back(internal::with_exchanged_vertex(cell, a, v));
+      m_tetrahedra.push_back(internal::with_exchanged_vertex(cell, b, v));
     }
     m_replacement(m_tr, shell.cells(), m_tetrahedra, m_visitor);
   }
@@ -288,7 +288,7 @@ private:
   void split_facet(const Cell_handle c, const std::array<Vertex_handle, 3>& facet, const Vertex_handle v)
   {
     int i = 0;
-    while(contains(facet, c->vertex(i)))
+    while(internal::contains(facet, c->vertex(i)))
       ++i;
     const std::array<Cell_handle, 2> cells = {{ c, c->neighbor(i) }};
     m_replacement(m_tr, cells, internal::split_facet(cells, facet, v), m_visitor);

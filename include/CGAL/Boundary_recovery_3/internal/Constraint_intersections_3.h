@@ -26,12 +26,25 @@
 #include <utility>
 #include <vector>
 
-// The dear half of the diagnosis: which constraints intersect. The filter is CGAL's box intersection, as in
+// The expensive half of the diagnosis: which constraints intersect. The filter is CGAL's box intersection, as in
 // PMP::self_intersections(); that function itself accepts manifold meshes only (no soups, no edges) up to CGAL 6.0.
 
 namespace CGAL {
 namespace Boundary_recovery_3 {
 namespace internal {
+
+// A box with the number of what is in it. CGAL's own boxes number themselves by their address or by a global counter.
+// All the boxes of one search have to have different numbers, also where two ranges are searched.
+class Numbered_box_3
+  : public Box_intersection_d::Box_d<double, 3, Box_intersection_d::ID_NONE>
+{
+  typedef Box_intersection_d::Box_d<double, 3, Box_intersection_d::ID_NONE> Base;
+  std::size_t m_id;
+
+public:
+  Numbered_box_3(const Bbox_3& bbox, const std::size_t id) : Base(bbox), m_id(id) { }
+  std::size_t id() const { return m_id; }
+};
 
 /// finds the pairs of constraints that intersect elsewhere than in a common vertex or a common edge.
 /// Vertices at one point count as one vertex here. Left out are degenerate constraints, those with an unknown vertex,
@@ -50,17 +63,7 @@ class Constraint_intersections_3
     std::array<std::size_t, 3> vertices; // sorted; as representatives; the first `dimension + 1` entries
   };
 
-  // The default boxes number themselves by their address or by a global counter.
-  class Box
-    : public Box_intersection_d::Box_d<double, 3, Box_intersection_d::ID_NONE>
-  {
-    typedef Box_intersection_d::Box_d<double, 3, Box_intersection_d::ID_NONE> Base;
-    std::size_t m_id;
-
-  public:
-    Box(const Bbox_3& bbox, const std::size_t id) : Base(bbox), m_id(id) { }
-    std::size_t id() const { return m_id; }
-  };
+  typedef Numbered_box_3 Box;
 
   // A face of a constraint, or a whole one.
   typedef std::vector<std::size_t> Vertices;

@@ -82,7 +82,7 @@ private:
 
   static void toggle(Edges& edges, const Vertex_handle u, const Vertex_handle v)
   {
-    const auto inserted = edges.insert(simplex_key(u, v));
+    const auto inserted = edges.insert(internal::simplex_key(u, v));
     if(! inserted.second)
       edges.erase(inserted.first);
   }
@@ -152,8 +152,8 @@ private:
       for(const Cell_handle c : star)
         for(int i = 0; i < 4; ++i)
         {
-          const Facet facet = facet_vertices(c, i);
-          if(is_on(facet, f) && seen.insert(simplex_key(facet[0], facet[1], facet[2])).second)
+          const Facet facet = internal::facet_vertices(c, i);
+          if(is_on(facet, f) && seen.insert(internal::simplex_key(facet[0], facet[1], facet[2])).second)
             facets.push_back(facet);
         }
     }

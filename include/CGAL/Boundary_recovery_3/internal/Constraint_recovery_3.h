@@ -126,7 +126,7 @@ private:
   // An entity is tried once between two decreases of the number of crossings.
   bool is_new(const Crossing& crossing)
   {
-    if(contains(m_tried, crossing.key()))
+    if(internal::contains(m_tried, crossing.key()))
       return false;
     m_tried.push_back(crossing.key());
     return true;

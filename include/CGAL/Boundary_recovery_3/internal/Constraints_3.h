@@ -57,7 +57,7 @@ public:
   // Adds an edge, unless it is there already, and returns its index.
   std::size_t insert(const Vertex_handle u, const Vertex_handle v)
   {
-    const auto inserted = m_edge_indices.insert(simplex_key(u, v));
+    const auto inserted = m_edge_indices.insert(internal::simplex_key(u, v));
     if(inserted.second)
       m_edges.push_back({{ u, v }});
     return inserted.first;
@@ -66,7 +66,7 @@ public:
   // Adds a facet with its edges, unless it is there already, and returns its index.
   std::size_t insert(const Vertex_handle u, const Vertex_handle v, const Vertex_handle w)
   {
-    const auto inserted = m_facet_indices.insert(simplex_key(u, v, w));
+    const auto inserted = m_facet_indices.insert(internal::simplex_key(u, v, w));
     if(inserted.second)
     {
       m_facets.push_back({{ u, v, w }});
@@ -83,12 +83,12 @@ public:
 
   std::size_t index(const Vertex_handle u, const Vertex_handle v) const
   {
-    return m_edge_indices[simplex_key(u, v)];
+    return m_edge_indices[internal::simplex_key(u, v)];
   }
 
   std::size_t index(const Vertex_handle u, const Vertex_handle v, const Vertex_handle w) const
   {
-    return m_facet_indices[simplex_key(u, v, w)];
+    return m_facet_indices[internal::simplex_key(u, v, w)];
   }
 
   bool is_constrained(const Vertex_handle u, const Vertex_handle v) const

@@ -48,7 +48,7 @@ public:
       {
         if(contains(c->neighbor(i)))
           continue;
-        const std::array<Vertex_handle, 3> f = facet_vertices(c, i);
+        const std::array<Vertex_handle, 3> f = internal::facet_vertices(c, i);
         if(tr.is_infinite(c, i) || ! constraints.is_constrained(f[0], f[1], f[2]))
           add(c->neighbor(i), stack);
       }

@@ -64,7 +64,7 @@ public:
     m_blocking_vertex = Vertex_handle();
     const Outcome outcome = find_first_crossing(c);
     for(std::size_t i = 0; i < m_crossings.size(); ++i)
-      find_crossings_around(Crossing(m_crossings[i]));
+      find_crossings_around(Crossing(m_crossings[i])); // a copy, for the list grows
     return m_blocking_vertex == Vertex_handle() ? outcome : BLOCKED;
   }
 
@@ -90,7 +90,7 @@ private:
   Outcome find_first_crossing(const Cell_handle c)
   {
     m_shell.assign(m_tr, c, c->index(m_u), c->index(m_v));
-    const Shell_wedge wedge = find_wedge(m_shell, m_predicates, m_w);
+    const Shell_wedge wedge = internal::find_wedge(m_shell, m_predicates, m_w);
     if(wedge.index == Shell::none)
       return IS_FACET;
     const Vertex_handle p = m_shell.vertex(wedge.index), q = m_shell.vertex(m_shell.next(wedge.index));
@@ -135,7 +135,7 @@ private:
   {
     if(m_tr.is_infinite(p) || m_tr.is_infinite(q) || ! m_predicates.segment_pierces_triangle(p, q, m_u, m_v, m_w))
       return;
-    if(m_crossed.insert(simplex_key(p, q)).second)
+    if(m_crossed.insert(internal::simplex_key(p, q)).second)
       m_crossings.push_back({ 1, {{ p, q, Vertex_handle() }}, c });
   }
 

@@ -25,7 +25,6 @@
 #include <array>
 #include <cstddef>
 #include <limits>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -87,7 +86,7 @@ public:
 
 private:
   typedef Constrained_boundary_recovery_3<Tr, Visitor> Recovery;
-  typedef std::array<std::size_t, 2> Edge;
+  typedef typename Input::Edge Edge;
 
   void find_vertices()
   {
@@ -128,7 +127,7 @@ private:
   {
     m_result.status = Recovery_status::invalid_input;
     m_result.vertices.clear();
-    for_each_edge([this](std::size_t, const Edge&) { ++m_result.number_of_edges; });
+    m_result.number_of_edges = internal::number_of_edges(m_input);
     m_result.number_of_facets = m_input.facets.size();
     return std::move(m_result);
   }
@@ -137,7 +136,7 @@ private:
   Result stopped_early()
   {
     m_result.status = Recovery_status::stopped;
-    for_each_edge([this](const std::size_t index, const Edge& e)
+    internal::for_each_edge(m_input, [this](const std::size_t index, const Edge& e)
     {
       m_result.missing_edges.push_back(describe_simplex(m_input, index, e));
     });
@@ -161,32 +160,16 @@ private:
       // only now, for in most cases flips are enough, and prove the input valid
       describe_missing(recovery);
       judge_missing_constraints();
-      if(m_result.defects.empty())
+      if(m_result.defects.empty() && ! m_context.is_stopped())
         is_recovered = recovery.recover_by_points(m_options.mode);
     }
     take_account(recovery);
     m_result.status = is_recovered               ? Recovery_status::recovered
-                    : recovery.is_stopped()      ? Recovery_status::stopped
-                    : ! m_result.defects.empty() ? Recovery_status::invalid_input : Recovery_status::incomplete;
+                    : ! m_result.defects.empty() ? Recovery_status::invalid_input
+                    : recovery.is_stopped() || m_context.is_stopped() ? Recovery_status::stopped
+                    : Recovery_status::incomplete;
     if(m_result.status == Recovery_status::invalid_input)
       m_result.vertices.clear(); // as for input that is refused at once
-  }
-
-  // Calls `visit` with each constrained edge once: those given as edges with their indices, then the others of facets.
-  template <typename Visit>
-  void for_each_edge(const Visit& visit) const
-  {
-    std::set<std::pair<std::size_t, std::size_t> > visited;
-    const auto visit_once = [&](const std::size_t index, const Edge& e)
-    {
-      if(visited.insert(std::minmax({ e[0], e[1] })).second)
-        visit(index, e);
-    };
-    for(std::size_t e = 0; e < m_input.edges.size(); ++e)
-      visit_once(e, m_input.edges[e]);
-    for(const auto& f : m_input.facets)
-      for(int i = 0; i < 3; ++i)
-        visit_once(Simplex::no_index, {{ f[i], f[(i + 1) % 3] }});
   }
 
   // The facets, then the edges, those of the facets included.
@@ -195,7 +178,7 @@ private:
     std::vector<Simplex> constraints;
     for(std::size_t f = 0; f < m_input.facets.size(); ++f)
       constraints.push_back(describe_facet(m_input, f));
-    for_each_edge([&](const std::size_t index, const Edge& e)
+    internal::for_each_edge(m_input, [&](const std::size_t index, const Edge& e)
     {
       constraints.push_back(describe_simplex(m_input, index, e));
     });
@@ -228,6 +211,9 @@ private:
     m_result.number_of_steiner_points = recovery.number_of_steiner_points();
     describe_missing(recovery);
     describe_parts(recovery);
+    m_result.unrepresentable_constraints = describe_edges(recovery, recovery.unrepresentable_edges());
+    for(const std::size_t f : recovery.unrepresentable_facets())
+      m_result.unrepresentable_constraints.push_back(describe_facet(m_input, f));
   }
 
   // The parts of constraints with Steiner points on them.
@@ -274,14 +260,16 @@ private:
     return described;
   }
 
-  // Constraints that intersect cannot be in one triangulation; nor can one with a foreign vertex inside.
+  // Constraints that intersect cannot be in one triangulation; nor can one with a foreign vertex inside. Once stopped,
+  // this is left open.
   void judge_missing_constraints()
   {
     std::vector<Simplex> missing = m_result.missing_facets;
     missing.insert(missing.end(), m_result.missing_edges.begin(), m_result.missing_edges.end());
     const Recovery_diagnosis<GT> diagnosis(m_input, m_gt);
-    m_result.defects = diagnosis.intersecting_pairs(missing);
-    if(m_result.defects.empty())
+    if(m_context.go_further())
+      m_result.defects = diagnosis.intersecting_pairs(missing);
+    if(m_result.defects.empty() && m_context.go_further())
       m_result.defects = diagnosis.vertices_on_constraints(missing, m_tr, m_result.vertices);
   }
 

@@ -21,6 +21,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <set>
+#include <utility>
 #include <vector>
 
 // The input in index form, and the few questions about it that every part of the diagnosis asks.
@@ -93,6 +95,34 @@ bool is_degenerate(const Indexed_input_3<typename GT::Point_3>& input,
                    const std::array<std::size_t, 2>& edge, const GT& gt)
 {
   return edge[0] == edge[1] || gt.equal_3_object()(input.points[edge[0]], input.points[edge[1]]);
+}
+
+/// calls `visit` with each constrained edge once, and its index: those given as edges, then the others of facets, which
+/// have none.
+template <typename Point_3, typename Visit>
+void for_each_edge(const Indexed_input_3<Point_3>& input, const Visit& visit)
+{
+  typedef typename Indexed_input_3<Point_3>::Edge Edge;
+  std::set<std::pair<std::size_t, std::size_t> > visited;
+  const auto visit_once = [&](const std::size_t index, const Edge& e)
+  {
+    if(visited.insert(std::minmax({ e[0], e[1] })).second)
+      visit(index, e);
+  };
+  for(std::size_t e = 0; e < input.edges.size(); ++e)
+    visit_once(e, input.edges[e]);
+  for(const auto& f : input.facets)
+    for(int i = 0; i < 3; ++i)
+      visit_once(Input_simplex_3<Point_3>::no_index, {{ f[i], f[(i + 1) % 3] }});
+}
+
+/// returns the number of constrained edges, those of the facets included.
+template <typename Point_3>
+std::size_t number_of_edges(const Indexed_input_3<Point_3>& input)
+{
+  std::size_t n = 0;
+  internal::for_each_edge(input, [&n](std::size_t, const auto&) { ++n; });
+  return n;
 }
 
 /// returns, for each point, whether it is finite and is used by a facet or an edge whose indices are all in range.

@@ -59,7 +59,7 @@ public:
 
   int number_of_crossings(const Vertex_handle u, const Vertex_handle v)
   {
-    const auto inserted = m_edges.emplace(simplex_key(u, v), 0);
+    const auto inserted = m_edges.emplace(internal::simplex_key(u, v), 0);
     if(inserted.second)
       inserted.first->second = count(std::array<Vertex_handle, 2>{{ u, v }});
     return inserted.first->second;
@@ -69,7 +69,7 @@ public:
   {
     if(N == 3) // where a lost facet has its edges, a mesh face can meet it along its own edges only
       return 0;
-    const auto inserted = m_faces.emplace(simplex_key(u, v, w), 0);
+    const auto inserted = m_faces.emplace(internal::simplex_key(u, v, w), 0);
     if(inserted.second)
       inserted.first->second = count(std::array<Vertex_handle, 3>{{ u, v, w }});
     return inserted.first->second;

@@ -16,9 +16,11 @@
 
 #include <CGAL/assertions.h>
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <unordered_map>
-#include <utility>
+#include <unordered_set>
 #include <vector>
 
 namespace CGAL {
@@ -42,11 +44,29 @@ public:
       m_cells.push_back({{ c->vertex(0), c->vertex(1), c->vertex(2), c->vertex(3) }});
   }
 
-  // Makes the triangulation what it was. `new_vertices` are those that came into it since; the others are still in it.
-  template <typename VertexRange, typename Visitor>
-  void restore(Tr& tr, const VertexRange& new_vertices, Visitor& visitor) const
+  // The vertices that came into the triangulation since; no other may have gone.
+  std::vector<Vertex_handle> new_vertices(const Tr& tr) const
   {
+    std::unordered_set<const void*> old; // look-up only
+    for(const Tetrahedron& t : m_cells)
+      for(const Vertex_handle v : t)
+        old.insert(&*v);
+    std::vector<Vertex_handle> result;
+    for(auto v = tr.tds().vertices().begin(); v != tr.tds().vertices().end(); ++v)
+      if(old.count(&*v) == 0)
+        result.push_back(v);
+    return result;
+  }
+
+  // Makes the triangulation what it was, also if the data structure is not valid. What may fail for want of memory
+  // comes first: the cells take the room of those that go.
+  template <typename Visitor>
+  void restore(Tr& tr, Visitor& visitor) const
+  {
+    const std::vector<Adjacency> adjacencies = this->adjacencies();
+    const std::vector<Vertex_handle> new_vertices = this->new_vertices(tr);
     std::vector<Cell_handle> cells;
+    cells.reserve((std::max)(tr.number_of_cells(), m_cells.size()));
     for(auto c = tr.all_cells_begin(); c != tr.all_cells_end(); ++c)
       cells.push_back(c);
     visitor.before_cells_removal(cells);
@@ -55,31 +75,49 @@ public:
     for(const Vertex_handle v : new_vertices)
       tr.tds().delete_vertex(v);
     cells.clear();
-    std::unordered_map<Simplex_key_3<3>, std::pair<Cell_handle, int>, Simplex_key_hash> open_facets; // look-up only
-    for(const std::array<Vertex_handle, 4>& v : m_cells)
+    for(const Tetrahedron& v : m_cells)
     {
-      const Cell_handle c = tr.tds().create_cell(v[0], v[1], v[2], v[3]);
-      cells.push_back(c);
+      cells.push_back(tr.tds().create_cell(v[0], v[1], v[2], v[3]));
       for(int i = 0; i < 4; ++i)
-      {
-        v[i]->set_cell(c);
-        const Simplex_key_3<3> key = simplex_key(v[(i + 1) & 3], v[(i + 2) & 3], v[(i + 3) & 3]);
-        const auto it = open_facets.find(key);
-        if(it == open_facets.end())
-          open_facets.emplace(key, std::make_pair(c, i));
-        else
-        {
-          tr.tds().set_adjacency(c, i, it->second.first, it->second.second);
-          open_facets.erase(it);
-        }
-      }
+        v[i]->set_cell(cells.back());
     }
-    CGAL_postcondition(open_facets.empty());
+    for(const Adjacency& a : adjacencies)
+      tr.tds().set_adjacency(cells[a[0].cell], a[0].index, cells[a[1].cell], a[1].index);
     visitor.after_cells_creation(cells);
   }
 
 private:
-  std::vector<std::array<Vertex_handle, 4> > m_cells;
+  typedef std::array<Vertex_handle, 4> Tetrahedron;
+
+  struct Facet
+  {
+    std::size_t cell; // position in `m_cells`
+    int index;
+  };
+
+  typedef std::array<Facet, 2> Adjacency;
+
+  std::vector<Adjacency> adjacencies() const
+  {
+    std::vector<Adjacency> result;
+    result.reserve(2 * m_cells.size());
+    std::unordered_map<Simplex_key_3<3>, Facet, Simplex_key_hash> open_facets; // look-up only
+    for(std::size_t c = 0; c < m_cells.size(); ++c)
+      for(int i = 0; i < 4; ++i)
+      {
+        const Tetrahedron& v = m_cells[c];
+        const Simplex_key_3<3> key = internal::simplex_key(v[(i + 1) & 3], v[(i + 2) & 3], v[(i + 3) & 3]);
+        const auto inserted = open_facets.insert({ key, Facet{ c, i } });
+        if(inserted.second)
+          continue;
+        result.push_back({{ Facet{ c, i }, inserted.first->second }});
+        open_facets.erase(inserted.first);
+      }
+    CGAL_postcondition(open_facets.empty());
+    return result;
+  }
+
+  std::vector<Tetrahedron> m_cells;
 };
 
 } // namespace internal

@@ -61,22 +61,22 @@ public:
                                               const std::vector<typename Tr::Vertex_handle>& vertices) const
   {
     typedef typename Tr::Vertex_handle Vertex_handle;
-    typedef Box_intersection_d::Box_with_info_d<double, 3, std::size_t> Box;
     std::vector<Vertex_handle> all;
     std::vector<Box> vertex_boxes, constraint_boxes;
+    const std::size_t n = constraints.size();
+    for(std::size_t i = 0; i < n; ++i)
+      constraint_boxes.push_back(Box(bbox(constraints[i].points), i));
     for(const Vertex_handle v : tr.finite_vertex_handles())
     {
-      vertex_boxes.push_back(Box(v->point().bbox(), all.size()));
+      vertex_boxes.push_back(Box(v->point().bbox(), n + all.size()));
       all.push_back(v);
     }
-    for(std::size_t i = 0; i < constraints.size(); ++i)
-      constraint_boxes.push_back(Box(bbox(constraints[i].points), i));
     std::vector<std::pair<std::size_t, std::size_t> > found; // constraint and vertex
     box_intersection_d(constraint_boxes.begin(), constraint_boxes.end(), vertex_boxes.begin(), vertex_boxes.end(),
                        [&](const Box& c, const Box& v)
                        {
-                         if(is_inside(all[v.info()]->point(), constraints[c.info()]))
-                           found.push_back(std::make_pair(c.info(), v.info()));
+                         if(is_inside(all[v.id() - n]->point(), constraints[c.id()]))
+                           found.push_back(std::make_pair(c.id(), v.id() - n));
                        });
     std::sort(found.begin(), found.end());
     std::vector<Defect> defects;
@@ -87,6 +87,8 @@ public:
   }
 
 private:
+  typedef Numbered_box_3 Box;
+
   // A vertex that is not of the input has no index.
   template <typename Vertex_handle>
   static Simplex describe(const Vertex_handle v, const std::vector<Vertex_handle>& vertices)
@@ -123,25 +125,28 @@ private:
   // The constraints whose bounding boxes meet that of a missing one.
   Input neighborhood(const std::vector<Simplex>& missing) const
   {
-    std::vector<Bbox_3> boxes;
-    for(const Simplex& simplex : missing)
-      boxes.push_back(bbox(simplex.points));
-    const auto is_near = [&](const auto& simplex)
-    {
-      const Bbox_3 b = bbox(simplex);
-      for(const Bbox_3& box : boxes)
-        if(do_overlap(b, box))
-          return true;
-      return false;
-    };
     Input near;
     near.points = m_input.points;
-    for(const auto& facet : m_input.facets)
-      if(is_near(facet))
-        near.facets.push_back(facet);
-    for(const auto& edge : m_input.edges)
-      if(is_near(edge))
-        near.edges.push_back(edge);
+    near.facets = meeting(m_input.facets, missing);
+    near.edges = meeting(m_input.edges, missing);
+    return near;
+  }
+
+  template <typename Simplices>
+  Simplices meeting(const Simplices& simplices, const std::vector<Simplex>& missing) const
+  {
+    std::vector<Box> simplex_boxes, missing_boxes;
+    for(std::size_t i = 0; i < simplices.size(); ++i)
+      simplex_boxes.push_back(Box(bbox(simplices[i]), i));
+    for(const Simplex& simplex : missing)
+      missing_boxes.push_back(Box(bbox(simplex.points), simplices.size() + missing_boxes.size()));
+    std::vector<bool> is_near(simplices.size(), false);
+    box_intersection_d(simplex_boxes.begin(), simplex_boxes.end(), missing_boxes.begin(), missing_boxes.end(),
+                       [&](const Box& simplex, const Box&) { is_near[simplex.id()] = true; });
+    Simplices near;
+    for(std::size_t i = 0; i < simplices.size(); ++i)
+      if(is_near[i])
+        near.push_back(simplices[i]);
     return near;
   }
 

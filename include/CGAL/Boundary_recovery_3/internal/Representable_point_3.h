@@ -41,7 +41,8 @@ namespace internal {
  * meet the polyhedron if there is no lattice point in it, and all of them are searched, line by line.
  *
  * All is exact. What is not looked at are numbers closer to each other than at the largest coordinates of the
- * polyhedron, and more lattice planes and lines than `max_number_of_visits`.
+ * polyhedron, more lattice planes and lines than `max_number_of_visits`, and polyhedra with more than
+ * `max_number_of_planes` faces, since the time is cubic in that number.
  */
 template <typename Rational>
 class Representable_point_3
@@ -55,6 +56,8 @@ public:
   // The polyhedron is the intersection of the open negative sides of the planes, and is bounded.
   std::optional<Coordinates> operator()(const std::vector<Plane_3>& planes)
   {
+    if(planes.size() > max_number_of_planes)
+      return std::nullopt;
     collect_vertices(planes);
     find_spacings();
     if(! find_shape())
@@ -323,6 +326,7 @@ private:
   }
 
   static constexpr int max_number_of_visits = 200;
+  static constexpr std::size_t max_number_of_planes = 64; // they take about 0.3 s
 
   std::vector<Vector_3> m_vertices;
   Coordinates m_spacings;

@@ -152,7 +152,7 @@ private:
     const Cell_handle c = from.cell;
     Vertex_handle s;
     for(int i = 0; i < 4; ++i)
-      if(! contains(from.vertices, c->vertex(i)))
+      if(! internal::contains(from.vertices, c->vertex(i)))
         s = c->vertex(i);
     if(s == m_v)
       return true;
@@ -183,7 +183,7 @@ private:
     const Crossing from = m_crossings.back();
     const Vertex_handle p = from.vertices[0], q = from.vertices[1];
     m_shell.assign(m_tr, from.cell, from.cell->index(p), from.cell->index(q));
-    const Shell_wedge wedge = find_wedge(m_shell, m_predicates, m_v);
+    const Shell_wedge wedge = internal::find_wedge(m_shell, m_predicates, m_v);
     if(wedge.index == Shell::none) // v is opposite to the edge
       return true;
     const Vertex_handle r = m_shell.vertex(wedge.index), s = m_shell.vertex(m_shell.next(wedge.index));
@@ -229,7 +229,7 @@ private:
     {
       crossing.vertices[2] = vertices[2];
       for(int i = 0; i < 4; ++i)
-        if(! contains(vertices, c->vertex(i)))
+        if(! internal::contains(vertices, c->vertex(i)))
           crossing.cell = c->neighbor(i);
     }
     m_crossings.push_back(crossing);

@@ -110,7 +110,7 @@ private:
     std::vector<Vertex_handle> vertices;
     for(const Cell_handle c : cells)
       for(int i = 0; i < 4; ++i)
-        if(c->vertex(i) != superfluous && ! contains(vertices, c->vertex(i)))
+        if(c->vertex(i) != superfluous && ! internal::contains(vertices, c->vertex(i)))
           vertices.push_back(c->vertex(i));
     return m_orientations.set_vertices(vertices);
   }
@@ -148,7 +148,7 @@ private:
           f[k] = position(c->vertex(Tr::vertex_triple_index(i, k)));
         if(any_of(f, [this](const int p) { return p == n(); }))
           continue; // a face at the superfluous vertex
-        if(! contains(cells, c->neighbor(i)))
+        if(! internal::contains(cells, c->neighbor(i)))
           m_front.push_back(f);
         state(f) |= in_mesh;
         for(int k = 0; k < 3; ++k)

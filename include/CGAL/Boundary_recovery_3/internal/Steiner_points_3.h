@@ -170,11 +170,11 @@ public:
     if(it == m_carriers.end())
     {
       const auto& facet = m_constraints.facets()[f];
-      return contains(facet, v);
+      return internal::contains(facet, v);
     }
     const auto& edges = m_constraints.edges_of_facet(f);
     return it->second.dimension == 2 ? it->second.index == f
-                                     : contains(edges, it->second.index);
+                                     : internal::contains(edges, it->second.index);
   }
 
   // The constrained facets that have the edge e, on which there are Steiner points.
@@ -261,7 +261,7 @@ private:
     for(std::size_t f = 0; f < m_constraints.facets().size(); ++f)
     {
       const auto& edges = m_constraints.edges_of_facet(f);
-      if(contains(edges, e))
+      if(internal::contains(edges, e))
         facets.push_back(f);
     }
   }
@@ -298,7 +298,7 @@ private:
     if(std::any_of(star.begin(), star.end(), [&](const Cell_handle c) { return tr.is_infinite(c); }))
       return false;
     Kernel_point_3<Tr> kernel_point(predicates, m_positions);
-    const auto faces = faces_of_ball(star, v);
+    const auto faces = internal::faces_of_ball(star, v);
     const double largest = (std::max)({ std::abs(CGAL::to_double(exact.x())), std::abs(CGAL::to_double(exact.y())),
                                         std::abs(CGAL::to_double(exact.z())) });
     const double spacing = largest - std::nextafter(largest, 0.);
@@ -313,7 +313,7 @@ private:
   {
     return std::all_of(cells.begin(), cells.end(), [&](const Cell_handle c)
     {
-      return is_cell_valid(tr, predicates, c);
+      return internal::is_cell_valid(tr, predicates, c);
     });
   }
 

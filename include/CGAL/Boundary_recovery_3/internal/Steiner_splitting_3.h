@@ -82,7 +82,7 @@ public:
     {
       replace_ball();
       release_free_points();
-      CGAL_expensive_postcondition(is_mesh_valid(m_tr, m_predicates));
+      CGAL_expensive_postcondition(internal::is_mesh_valid(m_tr, m_predicates));
       return true;
     }
     m_points.insert(m_points.end(), m_free_points.begin(), m_free_points.end()); // they are in the mesh
@@ -92,7 +92,7 @@ public:
         m_steiner_points.positions().erase(v);
         m_tr.tds().delete_vertex(v);
       }
-    CGAL_expensive_postcondition(is_mesh_valid(m_tr, m_predicates));
+    CGAL_expensive_postcondition(internal::is_mesh_valid(m_tr, m_predicates));
     return false;
   }
 
@@ -178,7 +178,7 @@ private:
   {
     std::vector<Half_facet> facets;
     for(const Half_facet& h : m_half_facets)
-      if(contains(vertices, h.v) && contains(vertices, h.w) && is_above(h, plane))
+      if(internal::contains(vertices, h.v) && internal::contains(vertices, h.w) && is_above(h, plane))
         facets.push_back(h);
     return add_fan(facets, is_closed);
   }
@@ -339,7 +339,7 @@ private:
     m_tr.is_facet(m_s, cut.v, cut.w, c, i, j, k);
     CGAL_assertion(is_facet);
     const std::array<Cell_handle, 2> cells = {{ c, c->neighbor(6 - i - j - k) }};
-    m_replacement(m_tr, cells, split_facet(cells, Triangle{{ m_s, cut.v, cut.w }}, free_point), m_visitor);
+    m_replacement(m_tr, cells, internal::split_facet(cells, Triangle{{ m_s, cut.v, cut.w }}, free_point), m_visitor);
     return free_point;
   }
 
@@ -515,7 +515,7 @@ private:
     m_mean_directions.assign(m_is_infinite.size(), CGAL::NULL_VECTOR);
     m_sector_points.assign(m_is_infinite.size(), Vertex_handle());
     for(const Cell_handle c : m_star)
-      m_faces[sector(c)].push_back(facet_vertices(c, c->index(m_s)));
+      m_faces[sector(c)].push_back(internal::facet_vertices(c, c->index(m_s)));
     for(std::size_t i = 0; i < m_faces.size(); ++i)
       if(m_is_infinite[i])
         m_faces[i].clear(); // the infinite vertex is on the old ones
@@ -566,9 +566,8 @@ private:
     for(std::size_t i = 0; i < m_faces.size(); ++i)
       for(const Triangle& t : m_faces[i])
         m_tetrahedra.push_back({{ t[0], t[1], t[2], m_is_infinite[i] ? m_tr.infinite_vertex() : m_sector_points[i] }});
-    m_replacement(m_tr, m_star, m_tetrahedra, m_visitor);
     m_steiner_points.erase(m_s);
-    m_tr.tds().delete_vertex(m_s);
+    m_replacement(m_tr, m_star, m_tetrahedra, m_visitor, std::array<Vertex_handle, 1>{{ m_s }});
     for(const Vertex_handle v : m_sector_points)
       if(v != Vertex_handle())
         m_points.push_back(v);
@@ -581,7 +580,7 @@ private:
     {
       m_star.clear();
       m_tr.incident_cells(v, std::back_inserter(m_star));
-      const std::vector<Triangle> faces = faces_of_ball(m_star, v);
+      const std::vector<Triangle> faces = internal::faces_of_ball(m_star, v);
       m_points.push_back(v);
       const Exact_point exact = position(v);
       m_steiner_points.positions().erase(v);

@@ -116,7 +116,7 @@ public:
     const std::vector<Vertex_handle> points = m_points;
     return std::count_if(points.begin(), points.end(), [&](const Vertex_handle v)
     {
-      return contains(m_points, v) && ! round(v, context);
+      return internal::contains(m_points, v) && ! round(v, context);
     }) == 0;
   }
 
@@ -201,9 +201,9 @@ private:
       if(! context.go_further())
         break;
       m_reconnection.forget(); // work moves points
-      if(contains(m_points, v) && (which == ALL_POINTS || ! contains(*m_exterior_points, v)))
+      if(internal::contains(m_points, v) && (which == ALL_POINTS || ! internal::contains(*m_exterior_points, v)))
         work(v);
-      CGAL_expensive_assertion(is_mesh_valid(m_tr, m_predicates));
+      CGAL_expensive_assertion(internal::is_mesh_valid(m_tr, m_predicates));
       context.visitor().on_progress(Recovery_phase::steiner_suppression,
                                     points.size() - m_points.size(), points.size());
     }
@@ -236,7 +236,7 @@ private:
   {
     if(! collect_ball(v))
       return;
-    const std::vector<Triangle> faces = faces_of_ball(m_ball, v);
+    const std::vector<Triangle> faces = internal::faces_of_ball(m_ball, v);
     const typename Positions::Exact_point_3 exact = m_positions(v);
     const typename Positions::Point_3 before = v->point();
     const bool is_exact = m_positions.contains(v);
@@ -256,7 +256,7 @@ private:
       return true;
     m_reconnection.forget(); // v moves
     collect_ball(v);
-    const std::vector<Triangle> faces = faces_of_ball(m_ball, v);
+    const std::vector<Triangle> faces = internal::faces_of_ball(m_ball, v);
     const typename Positions::Exact_point_3 exact = m_positions(v);
     m_positions.erase(v);
     if(m_kernel_point.is_kernel_point(v, faces) || m_kernel_point(v, faces)
@@ -291,11 +291,12 @@ private:
         Cavity larger(cavity);
         larger.add(n);
         std::vector<Triangle> faces;
-        if(! larger.collect_boundary(m_points, faces, m_inner_points))
+        std::vector<Vertex_handle> inner_points;
+        if(! larger.collect_boundary(m_points, faces, inner_points))
           continue;
         if(m_kernel_point(v, faces))
         {
-          star(v, larger.cells(), faces);
+          star(v, larger.cells(), faces, inner_points);
           return true;
         }
         if(best == Cell_handle() || m_kernel_point.depth() > depth)
@@ -322,7 +323,7 @@ private:
     const typename Positions::Point_3 before = v->point();
     for(const Vertex_handle w : m_neighbors)
     {
-      if(! contains(m_points, w) || ! collect_ball(w))
+      if(! internal::contains(m_points, w) || ! collect_ball(w))
         continue;
       if(! context.go_further())
         return;
@@ -330,26 +331,39 @@ private:
       for(const Cell_handle c : m_ball)
         cavity.add(c);
       std::vector<Triangle> faces;
-      if(! m_positions.contains(v) && cavity.collect_boundary(m_points, faces, m_inner_points)
+      std::vector<Vertex_handle> inner_points;
+      if(! m_positions.contains(v) && cavity.collect_boundary(m_points, faces, inner_points)
          && m_kernel_point(v, faces))
       {
-        star(v, cavity.cells(), faces);
+        star(v, cavity.cells(), faces, inner_points);
         return;
       }
       v->set_point(before);
     }
   }
 
-  // Stars the cavity from v; other points inside are gone then.
-  void star(const Vertex_handle v, const std::vector<Cell_handle>& cavity, const std::vector<Triangle>& faces)
+  // Stars the cavity from v, one of the points inside; the others are gone then.
+  void star(const Vertex_handle v, const std::vector<Cell_handle>& cavity, const std::vector<Triangle>& faces,
+            std::vector<Vertex_handle> inner_points)
   {
     m_tetrahedra.clear();
     for(const Triangle& f : faces)
       m_tetrahedra.push_back({{ f[0], f[1], f[2], v }});
-    m_replacement(m_tr, cavity, m_tetrahedra, m_visitor);
-    for(const Vertex_handle p : m_inner_points)
-      if(p != v)
-        drop(p);
+    inner_points.erase(std::find(inner_points.begin(), inner_points.end(), v));
+    replace(cavity, m_tetrahedra, inner_points);
+  }
+
+  // Fills the cavity with other cells, none of which has the points in `dropped`.
+  template <typename TetrahedronRange>
+  void replace(const std::vector<Cell_handle>& cavity, const TetrahedronRange& tetrahedra,
+               const std::vector<Vertex_handle>& dropped)
+  {
+    for(const Vertex_handle v : dropped)
+    {
+      m_points.erase(std::find(m_points.begin(), m_points.end(), v));
+      m_positions.erase(v);
+    }
+    m_replacement(m_tr, cavity, tetrahedra, m_visitor, dropped);
   }
 
   void collect_neighbors(const Vertex_handle v)
@@ -357,7 +371,7 @@ private:
     m_neighbors.clear();
     for(const Cell_handle c : m_ball)
       for(int i = 0; i < 4; ++i)
-        if(c->vertex(i) != v && ! contains(m_neighbors, c->vertex(i)))
+        if(c->vertex(i) != v && ! internal::contains(m_neighbors, c->vertex(i)))
           m_neighbors.push_back(c->vertex(i));
   }
 
@@ -371,9 +385,8 @@ private:
         m_tetrahedra.clear();
         for(const Cell_handle c : m_ball)
           if(! c->has_vertex(x))
-            m_tetrahedra.push_back(with_exchanged_vertex(c, v, x));
-        m_replacement(m_tr, m_ball, m_tetrahedra, m_visitor);
-        drop(v);
+            m_tetrahedra.push_back(internal::with_exchanged_vertex(c, v, x));
+        replace(m_ball, m_tetrahedra, { v });
         return true;
       }
     return false;
@@ -385,7 +398,7 @@ private:
     {
       if(c->has_vertex(x))
         return true;
-      const Tetrahedron t = with_exchanged_vertex(c, v, x);
+      const Tetrahedron t = internal::with_exchanged_vertex(c, v, x);
       return m_predicates.orientation(t[0], t[1], t[2], t[3]) == POSITIVE;
     });
   }
@@ -437,10 +450,7 @@ private:
     m_constraints.collect(cells, edges, facets);
     const typename Reconnection::Outcome outcome = m_reconnection(cells, edges, facets, v);
     if(outcome == Reconnection::FOUND)
-    {
-      m_replacement(m_tr, cells, m_reconnection.tetrahedra(), m_visitor);
-      drop(v);
-    }
+      replace(cells, m_reconnection.tetrahedra(), { v });
     return outcome;
   }
 
@@ -474,13 +484,6 @@ private:
     return false;
   }
 
-  void drop(const Vertex_handle v)
-  {
-    m_points.erase(std::find(m_points.begin(), m_points.end(), v));
-    m_positions.erase(v);
-    m_tr.tds().delete_vertex(v);
-  }
-
   // Raising the level from 0, as for lost edges, left a few more points in twice the time.
   static constexpr int low_recursion_level = 4;
 
@@ -502,7 +505,6 @@ private:
   std::optional<std::vector<Vertex_handle> > m_exterior_points; // where there is a domain; none until asked for
   std::vector<Cell_handle> m_ball;
   std::vector<Vertex_handle> m_neighbors;
-  std::vector<Vertex_handle> m_inner_points; // of a cavity
   std::vector<Tetrahedron> m_tetrahedra;
 };
 

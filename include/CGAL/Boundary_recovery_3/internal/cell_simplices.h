@@ -37,7 +37,7 @@ std::vector<std::array<Vertex_handle, 3> > faces_of_ball(const std::vector<Cell_
 {
   std::vector<std::array<Vertex_handle, 3> > faces;
   for(const Cell_handle c : star)
-    faces.push_back(facet_vertices(c, c->index(v)));
+    faces.push_back(internal::facet_vertices(c, c->index(v)));
   return faces;
 }
 
@@ -60,7 +60,7 @@ std::vector<std::array<Vertex_handle, 4> > split_facet(const CellRange& cells,
   std::vector<std::array<Vertex_handle, 4> > tetrahedra;
   for(const auto c : cells)
     for(const Vertex_handle replaced : facet)
-      tetrahedra.push_back(with_exchanged_vertex(c, replaced, v));
+      tetrahedra.push_back(internal::with_exchanged_vertex(c, replaced, v));
   return tetrahedra;
 }
 

@@ -23,7 +23,9 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <limits>
+#include <type_traits>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -46,15 +48,26 @@ Recovery_options recovery_options(const NamedParameters& np)
   return options;
 }
 
+// The visitor itself if it was given by reference, else a copy that can be called. (`get_parameter_reference()` gives a
+// constant one then.)
+template <typename Visitor>
+Visitor visitor_to_call(const Visitor& visitor) { return visitor; }
+
+template <typename Visitor>
+Visitor& visitor_to_call(const std::reference_wrapper<Visitor>& visitor) { return visitor; }
+
+inline Default_boundary_recovery_visitor_3 visitor_to_call(const internal_np::Param_not_found&)
+{
+  return Default_boundary_recovery_visitor_3();
+}
+
 // Runs the recovery of indexed input with the caller's traits and visitor.
 template <typename Tr, typename NamedParameters>
 Boundary_recovery_result_3<Tr>
 recover_indexed_boundary(Tr& tr, const Indexed_input_3<typename Tr::Geom_traits::Point_3>& input,
                          std::vector<typename Tr::Vertex_handle> vertices, const NamedParameters& np)
 {
-  Default_boundary_recovery_visitor_3 default_visitor;
-  auto& visitor = parameters::choose_parameter(parameters::get_parameter_reference(np, internal_np::visitor),
-                                               default_visitor);
+  decltype(auto) visitor = visitor_to_call(parameters::get_parameter(np, internal_np::visitor));
   const auto traits = parameters::choose_parameter(parameters::get_parameter(np, internal_np::geom_traits),
                                                    tr.geom_traits());
   const Recovery_options options = recovery_options(np);
@@ -143,7 +156,7 @@ private:
     Result result;
     result.status = Recovery_status::invalid_input;
     result.number_of_facets = m_input.facets.size() + m_not_triangles.size();
-    result.number_of_edges = m_input.edges.size();
+    result.number_of_edges = internal::number_of_edges(m_input);
     for(auto face : m_not_triangles)
     {
       face.dimension = 2;
@@ -207,7 +220,7 @@ private:
     Result result;
     result.status = Recovery_status::invalid_input;
     result.number_of_facets = m_input.facets.size();
-    result.number_of_edges = m_input.edges.size();
+    result.number_of_edges = internal::number_of_edges(m_input);
     for(const std::size_t v : m_unknown)
     {
       Input_simplex_3<Point_3> vertex;

@@ -42,7 +42,7 @@ bool is_hull_convex_at(const Tr& tr, const Predicates& predicates, const typenam
 template <typename Tr, typename Predicates>
 bool is_cell_valid(const Tr& tr, const Predicates& predicates, const typename Tr::Cell_handle c)
 {
-  return tr.is_infinite(c) ? is_hull_convex_at(tr, predicates, c)
+  return tr.is_infinite(c) ? internal::is_hull_convex_at(tr, predicates, c)
        : predicates.orientation(c->vertex(0), c->vertex(1), c->vertex(2), c->vertex(3)) == POSITIVE;
 }
 
@@ -55,7 +55,7 @@ bool is_mesh_valid(const Tr& tr, const Predicates& predicates)
   return tr.tds().is_valid()
       && std::all_of(cells.begin(), cells.end(), [&](const typename Tr::Cell_handle c)
          {
-           return is_cell_valid(tr, predicates, c);
+           return internal::is_cell_valid(tr, predicates, c);
          });
 }
 
