@@ -21,6 +21,7 @@
 #include <CGAL/Origin.h>
 #include <CGAL/QP_functions.h>
 #include <CGAL/QP_models.h>
+#include <CGAL/QP_options.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/number_utils.h>
 #ifdef CGAL_USE_GMP
@@ -364,7 +365,9 @@ private:
     if(r_max == 0)
       lp.set_l(3, true, 0);
     lp.set_c(3, - r_max);
-    const CGAL::Quadratic_program_solution<ET> solution = CGAL::solve_linear_program(lp, ET());
+    CGAL::Quadratic_program_options options;
+    options.set_pricing_strategy(CGAL::QP_BLAND); // the others may cycle where many planes meet in a point
+    const CGAL::Quadratic_program_solution<ET> solution = CGAL::solve_linear_program(lp, ET(), options);
     if(! solution.is_optimal())
       return false;
     const double denominator = CGAL::to_double(solution.variables_common_denominator());
