@@ -124,8 +124,11 @@ void print_summary(std::ostream& os, const Result& result, const Domain& domain,
   const std::streamsize precision = os.precision(3);
   print_phases(os, result.phases);
   os << to_string(result.status) << ": " << result.missing_edges.size() << " of " << result.number_of_edges
-     << " edges and " << result.missing_facets.size() << " of " << result.number_of_facets << " facets are missing\n"
-     << "Steiner points: " << result.number_of_constraint_points << " put on constraints, "
+     << " edges and " << result.missing_facets.size() << " of " << result.number_of_facets << " facets are missing\n";
+  if(! result.unrepresentable_constraints.empty())
+    os << count(result.unrepresentable_constraints.size(), "constraint")
+       << " would take points for which there are no floating point numbers: --report lists them\n";
+  os << "Steiner points: " << result.number_of_constraint_points << " put on constraints, "
      << result.number_of_steiner_points << " after splitting, " << result.steiner_vertices.size() << " left, "
      << domain.number_of_steiner_points << " of them in the domain\n"
      << "mesh: " << count(domain.points.size(), "point") << ", " << domain.tetrahedra.size() << " tetrahedra in "

@@ -61,6 +61,7 @@ void use_vertex_numbers_of_file(Result& result, const Surface<Point>& surface)
   };
   std::for_each(result.missing_edges.begin(), result.missing_edges.end(), translate);
   std::for_each(result.missing_facets.begin(), result.missing_facets.end(), translate);
+  std::for_each(result.unrepresentable_constraints.begin(), result.unrepresentable_constraints.end(), translate);
   for(Result::Input_defect& defect : result.defects)
     std::for_each(defect.simplices.begin(), defect.simplices.end(), translate);
 }

@@ -126,6 +126,8 @@ public:
     m_json.list(result.missing_edges, [&](const Input_simplex& s) { write_simplex(s); });
     m_json.key("missing_facets");
     m_json.list(result.missing_facets, [&](const Input_simplex& s) { write_simplex(s); });
+    m_json.key("unrepresentable_constraints");
+    m_json.list(result.unrepresentable_constraints, [&](const Input_simplex& s) { write_simplex(s); });
     m_json.key("defects");
     m_json.list(result.defects, [&](const Input_defect& defect)
     {

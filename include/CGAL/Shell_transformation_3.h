@@ -300,9 +300,8 @@ private:
     }
   }
 
-  // Lines 8 to 14 of [CZZ+17, Alg. 1]: returns true as soon as the shell of e shrank. Until then, the cells of the shell
-  // are those that were there first: the cells around e change only if its degree falls, for no new face around an
-  // ancestor is allowed.
+  // Lines 8 to 14 of [CZZ+17, Alg. 1]: returns true as soon as the shell of e shrank. Until then, its cells are those
+  // that were there first: they change only if its degree falls, for no new face around an ancestor is allowed.
   bool reduce_by_link_edges(const Shell& shell, const Supporting_edge& e, const int l, const int l_max)
   {
     const bool is_ab_constrained = m_validity.is_constrained(shell.a(), shell.b()); // else none of its faces is

@@ -467,7 +467,7 @@ def test_report():
     assert report['number_of_regions'] == 1 and report['domain'] == 'regions'
     assert abs(report['max_dihedral_angle'] - 90) < 1e-9
     assert abs(report['min_dihedral_angle'] - math.degrees(math.acos(3 ** -0.5))) < 1e-9
-    for key in ('missing_edges', 'missing_facets', 'defects', 'steiner_points'):
+    for key in ('missing_edges', 'missing_facets', 'unrepresentable_constraints', 'defects', 'steiner_points'):
         assert report[key] == []
     phases = [phase['name'] for phase in report['phases']]
     assert phases[0] == 'insertion' and 'search' in phases

@@ -76,8 +76,8 @@ enum class Input_defect_kind
   duplicate_facet,          ///< two facets have the same three vertices
   coincident_vertices,      ///< two vertices of constraints are at one point
   dimension_less_than_3,    ///< all the points are coplanar
-  intersecting_constraints  ///< two constraints intersect elsewhere than in a common vertex or edge, or a vertex is on a
-                            ///< constraint that is not its own
+  intersecting_constraints  ///< two constraints intersect elsewhere than in a common vertex or edge, or a vertex is
+                            ///< on a constraint that is not its own
 };
 
 /// \ingroup PkgBoundaryRecovery3Classes
@@ -195,8 +195,8 @@ struct Boundary_recovery_result_3
   std::size_t number_of_steiner_points = 0;    ///< number of Steiner points that came off the constraints in their
                                                ///< place, before any was removed; 0 in the mode `conforming`
   std::size_t number_of_inserted_vertices = 0; ///< number of input points that were not in the triangulation before
-  std::size_t number_of_shell_transformations = 0; ///< number of replacements of cells by flips and reconnections, those
-                                                   ///< that were taken back included
+  std::size_t number_of_shell_transformations = 0; ///< number of replacements of cells by flips and reconnections,
+                                                   ///< those that were taken back included
 
   std::vector<Phase_report> phases;           ///< one entry for each run of a phase; those with Steiner points run
                                               ///< again if other points have to be tried, up to six times

@@ -44,7 +44,7 @@ public:
   // The new cells of the last replacement, in the order in which they were given.
   const Cells& new_cells() const { return m_new_cells; }
 
-  // As below, and tells a visitor which cells go and come. The vertices in `dropped` are those that no cell has any more.
+  // As below, and tells a visitor which cells go and come. The vertices in `dropped` go with the old cells.
   template <typename CellRange, typename TetrahedronRange, typename Visitor,
             typename VertexRange = std::array<Vertex_handle, 0> >
   void operator()(Tr& tr, const CellRange& old_cells, const TetrahedronRange& tetrahedra, Visitor& visitor,
