@@ -1,10 +1,13 @@
 #!/usr/bin/env python3
-"""Draws a tetrahedral mesh that is cut open, as SVG: boundary triangles in blue, what the cut lays bare in orange.
+"""Draws a tetrahedral mesh that is cut open, as SVG: boundary triangles in blue, what the cut lays bare in orange, and
+Steiner points, the vertices that no boundary triangle has, as red dots.
 
-usage: draw_cut_mesh.py IN.mesh OUT.svg
+usage: draw_cut_mesh.py IN.mesh OUT.svg [WIDTH]
 
 recovered_gear.svg is the default surface of the program:
   recover_boundary -o gear.mesh && draw_cut_mesh.py gear.mesh recovered_gear.svg
+recovered_schoenhardt.svg is the smallest surface of data/meshes that takes a point:
+  recover_boundary schoenhardt_br3.off -o prism.mesh && draw_cut_mesh.py prism.mesh recovered_schoenhardt.svg 440
 
 To cut it open, tetrahedra whose centroid lies to the right and to the front of the middle (larger x, smaller y) are left
 out. Only Python's standard library is used.
@@ -137,8 +140,9 @@ def colour(base, n):
     return "#%02x%02x%02x" % tuple(min(255, round(c * light * 1.12)) for c in base)
 
 
-def draw(points, tetrahedra, boundary):
+def draw(points, tetrahedra, boundary, width):
     seen = project(points)
+    given = {v for t in boundary for v in t}
     boundary = {frozenset(t) for t in boundary}
     faces = []
     for key, f in visible_skin(points, tetrahedra).items():
@@ -147,23 +151,27 @@ def draw(points, tetrahedra, boundary):
             faces.append((f, colour(BOUNDARY if key in boundary else INSIDE, normal(points, f))))
     used = [seen[v] for f, _ in faces for v in f]
     low, high = ([f(p[i] for p in used) for i in (0, 1)] for f in (min, max))
-    scale = (WIDTH - 2 * MARGIN) / (high[0] - low[0])
+    scale = (width - 2 * MARGIN) / (high[0] - low[0])
+
+    def corner(v):
+        return MARGIN + (seen[v][0] - low[0]) * scale, MARGIN + (high[1] - seen[v][1]) * scale
+
     height = round((high[1] - low[1]) * scale + 2 * MARGIN)
     lines = ['<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 %d %d" stroke="#23313f" stroke-width=".7" '
-             'stroke-linejoin="round">' % (WIDTH, height), '<rect width="100%" height="100%" fill="#fff" stroke="none"/>']
+             'stroke-linejoin="round">' % (width, height), '<rect width="100%" height="100%" fill="#fff" stroke="none"/>']
     for i in back_to_front([[seen[v] for v in f] for f, _ in faces], 1e-4 * (high[0] - low[0])):
         f, fill = faces[i]
-        corners = " ".join("%.1f,%.1f" % (MARGIN + (seen[v][0] - low[0]) * scale, MARGIN + (high[1] - seen[v][1]) * scale)
-                           for v in f)
-        lines.append('<path fill="%s" d="M%sz"/>' % (fill, corners))
+        lines.append('<path fill="%s" d="M%sz"/>' % (fill, " ".join("%.1f,%.1f" % corner(v) for v in f)))
+    for v in sorted({v for f, _ in faces for v in f} - given):
+        lines.append('<circle fill="#d0312d" cx="%.1f" cy="%.1f" r="5"/>' % corner(v))
     return "\n".join(lines + ["</svg>", ""])
 
 
 def main(arguments):
-    if len(arguments) != 2:
+    if len(arguments) not in (2, 3):
         print(__doc__)
         return 1
-    picture = draw(*read_medit(arguments[0]))
+    picture = draw(*read_medit(arguments[0]), int(arguments[2]) if len(arguments) == 3 else WIDTH)
     with open(arguments[1], "w") as file:
         file.write(picture)
     return 0
