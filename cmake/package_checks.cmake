@@ -36,8 +36,10 @@ function(br3_add_clang_tests)
       get_target_property(type ${target} TYPE)
       if(type STREQUAL "EXECUTABLE")
         get_target_property(sources ${target} SOURCES)
+        set(definitions $<TARGET_PROPERTY:${target},COMPILE_DEFINITIONS>)
         add_test(NAME program_clang__${target}
-                 COMMAND ${BR3_CLANG} ${br3_syntax} -Wno-unknown-warning-option ${sources} COMMAND_EXPAND_LISTS)
+                 COMMAND ${BR3_CLANG} ${br3_syntax} -Wno-unknown-warning-option
+                         "$<$<BOOL:${definitions}>:-D$<JOIN:${definitions},;-D>>" ${sources} COMMAND_EXPAND_LISTS)
         set_tests_properties(program_clang__${target} PROPERTIES LABELS "program;clang")
       endif()
     endforeach()
