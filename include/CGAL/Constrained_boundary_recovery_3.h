@@ -22,6 +22,7 @@
 #include <CGAL/Boundary_recovery_3/internal/Recovery_context.h>
 #include <CGAL/Boundary_recovery_3/internal/Recursive_recovery_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Steiner_points_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Steiner_rounding_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Steiner_splitting_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Steiner_suppression_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
@@ -353,9 +354,10 @@ public:
   /// constraint is without such a position.
   bool round_steiner_points()
   {
+    Boundary_recovery_3::internal::Steiner_rounding_3<Tr> round(m_tr, m_predicates, m_steiner_points.positions());
     bool is_done = true;
     for(const Vertex_handle v : m_steiner_points.vertices())
-      if(! m_steiner_points.round(m_tr, m_predicates, v, is_done && m_context.go_further()))
+      if(! round(v, is_done && m_context.go_further()))
       {
         is_done = false;
         add_unrepresentable(m_steiner_points.carrier(v));

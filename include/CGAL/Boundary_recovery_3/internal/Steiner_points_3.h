@@ -14,20 +14,13 @@
 
 #include <CGAL/Boundary_recovery_3/internal/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Exact_positions_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Kernel_point_3.h>
-#include <CGAL/Boundary_recovery_3/internal/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/contains.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh_validity.h>
 
 #include <CGAL/assertions.h>
-#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <iterator>
-#include <limits>
 #include <unordered_map>
 #include <vector>
 
@@ -48,10 +41,8 @@ class Steiner_points_3
 {
 public:
   typedef typename Tr::Vertex_handle     Vertex_handle;
-  typedef typename Tr::Cell_handle       Cell_handle;
   typedef Constraints_3<Tr>              Constraints;
   typedef Exact_positions_3<Tr>          Positions;
-  typedef typename Positions::Point_3    Point_3;
   typedef std::vector<Vertex_handle>     Vertices;
 
   // The constraint that a Steiner point is on: an edge (dimension 1) or a facet (dimension 2), in its interior.
@@ -101,34 +92,6 @@ public:
     erase_from(m_vertices, v);
     m_carriers.erase(&*v);
     m_positions.erase(v);
-  }
-
-  // Moves v to the point next to its exact position that the triangulation can store, or else to one of those around
-  // it, or else, if v is not on the hull and it may take time, to one up to 2^10 times as far away as numbers are from
-  // each other at the largest coordinate; such that all the cells around v are positively oriented and the hull is
-  // convex. Returns false if none will do.
-  template <typename Predicates>
-  bool round(const Tr& tr, const Predicates& predicates, const Vertex_handle v, const bool may_take_time)
-  {
-    if(! m_positions.contains(v))
-      return true;
-    const typename Positions::Exact_point_3 exact = m_positions(v);
-    const Point_3 nearest = v->point();
-    std::vector<Cell_handle> star;
-    tr.incident_cells(v, std::back_inserter(star));
-    m_positions.erase(v);
-    for(int number_of_moves = 0; number_of_moves <= 3; ++number_of_moves)
-      for(const Moves& moves : moves_of_coordinates(number_of_moves))
-      {
-        v->set_point(moved(nearest, moves));
-        if(is_valid(tr, predicates, star))
-          return true;
-      }
-    if(may_take_time && move_near(tr, predicates, v, star, exact))
-      return true;
-    v->set_point(nearest);
-    m_positions.set(v, exact);
-    return false;
   }
 
   // All of them, in the order in which they were inserted.
@@ -264,57 +227,6 @@ private:
       if(internal::contains(edges, e))
         facets.push_back(f);
     }
-  }
-
-  typedef std::array<int, 3> Moves; // of the coordinates: to the next number below, none, or to the next above
-
-  static std::vector<Moves> moves_of_coordinates(const int number_of_moves)
-  {
-    std::vector<Moves> result;
-    for(int x = -1; x <= 1; ++x)
-      for(int y = -1; y <= 1; ++y)
-        for(int z = -1; z <= 1; ++z)
-          if(x * x + y * y + z * z == number_of_moves)
-            result.push_back({{ x, y, z }});
-    return result;
-  }
-
-  static Point_3 moved(const Point_3& p, const Moves& moves)
-  {
-    std::array<double, 3> x;
-    for(int i = 0; i < 3; ++i)
-    {
-      x[i] = CGAL::to_double(p[i]);
-      if(moves[i] != 0)
-        x[i] = std::nextafter(x[i], moves[i] * std::numeric_limits<double>::infinity());
-    }
-    return Point_3(x[0], x[1], x[2]);
-  }
-
-  template <typename Predicates>
-  bool move_near(const Tr& tr, const Predicates& predicates, const Vertex_handle v,
-                 const std::vector<Cell_handle>& star, const typename Positions::Exact_point_3& exact)
-  {
-    if(std::any_of(star.begin(), star.end(), [&](const Cell_handle c) { return tr.is_infinite(c); }))
-      return false;
-    Kernel_point_3<Tr> kernel_point(predicates, m_positions);
-    const auto faces = internal::faces_of_ball(star, v);
-    const double largest = (std::max)({ std::abs(CGAL::to_double(exact.x())), std::abs(CGAL::to_double(exact.y())),
-                                        std::abs(CGAL::to_double(exact.z())) });
-    const double spacing = largest - std::nextafter(largest, 0.);
-    for(const int exponent : { 2, 6, 10 })
-      if(kernel_point.move_near(v, faces, exact, std::ldexp(spacing, exponent)))
-        return true;
-    return false;
-  }
-
-  template <typename Predicates>
-  static bool is_valid(const Tr& tr, const Predicates& predicates, const std::vector<Cell_handle>& cells)
-  {
-    return std::all_of(cells.begin(), cells.end(), [&](const Cell_handle c)
-    {
-      return internal::is_cell_valid(tr, predicates, c);
-    });
   }
 
   static std::vector<std::size_t> sorted(std::vector<std::size_t> indices)
