@@ -312,7 +312,7 @@ public:
     }
     m_free_steiner_vertices.insert(m_free_steiner_vertices.begin(), earlier.points.begin(), earlier.points.end());
     if(mode == Mode::flips_only || m_context.is_stopped())
-      m_unrepresentable = Lost_constraints(); // points are not wanted, or no time was left for them
+      m_unrepresentable = Lost_constraints(); // points are not wanted, or the last attempt was not finished
     return is_nothing_lost();
   }
 
@@ -542,9 +542,12 @@ private:
     earlier.snapshot.restore(m_tr, visitor);
   }
 
-  // The constraint that a Steiner point is or was on gets into the account.
+  // The constraint that a Steiner point is or was on gets into the account, unless there was no time to look for a
+  // position.
   void add_unrepresentable(const Carrier& carrier)
   {
+    if(m_context.is_stopped())
+      return;
     std::vector<std::size_t>& indices = carrier.dimension == 1 ? m_unrepresentable.edges : m_unrepresentable.facets;
     const auto it = std::lower_bound(indices.begin(), indices.end(), carrier.index);
     if(it == indices.end() || *it != carrier.index)

@@ -23,6 +23,7 @@
 #include <CGAL/Boundary_recovery_3/internal/contains.h>
 
 #include <CGAL/assertions.h>
+#include <CGAL/enum.h>
 
 #include <boost/container/small_vector.hpp>
 

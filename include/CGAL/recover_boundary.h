@@ -24,6 +24,7 @@
 
 #include <boost/range/has_range_iterator.hpp>
 
+#include <cstddef>
 #include <type_traits>
 
 namespace CGAL {

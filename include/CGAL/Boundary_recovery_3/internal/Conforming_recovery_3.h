@@ -29,6 +29,7 @@
 
 #include <CGAL/Kernel/global_functions_3.h>
 #include <CGAL/assertions.h>
+#include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>

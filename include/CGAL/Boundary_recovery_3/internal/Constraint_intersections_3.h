@@ -16,6 +16,7 @@
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/box_intersection_d.h>
+#include <CGAL/enum.h>
 #include <CGAL/intersections.h>
 
 #include <algorithm>

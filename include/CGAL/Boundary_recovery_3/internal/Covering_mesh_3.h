@@ -16,6 +16,8 @@
 #include <CGAL/Boundary_recovery_3/Shell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
 
+#include <CGAL/enum.h>
+
 #include <boost/container/small_vector.hpp>
 
 #include <algorithm>

@@ -18,8 +18,10 @@
 #include <CGAL/Boundary_recovery_3/internal/walk_elements.h>
 
 #include <CGAL/assertions.h>
+#include <CGAL/enum.h>
 
 #include <array>
+#include <cstddef>
 #include <unordered_set>
 #include <vector>
 

@@ -23,6 +23,7 @@
 #include <CGAL/QP_models.h>
 #include <CGAL/QP_options.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
 #ifdef CGAL_USE_GMP
 #include <CGAL/Gmpzf.h>

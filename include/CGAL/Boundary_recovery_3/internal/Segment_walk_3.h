@@ -18,10 +18,12 @@
 #include <CGAL/Boundary_recovery_3/internal/walk_elements.h>
 
 #include <CGAL/assertions.h>
+#include <CGAL/enum.h>
 
 #include <boost/container/small_vector.hpp>
 
 #include <array>
+#include <iterator>
 #include <vector>
 
 namespace CGAL {

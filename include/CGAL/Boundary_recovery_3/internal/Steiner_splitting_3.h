@@ -24,6 +24,7 @@
 #include <CGAL/Kernel/global_functions_3.h>
 #include <CGAL/Origin.h>
 #include <CGAL/assertions.h>
+#include <CGAL/enum.h>
 
 #include <algorithm>
 #include <array>

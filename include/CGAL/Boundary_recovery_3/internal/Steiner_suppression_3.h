@@ -29,6 +29,7 @@
 #include <CGAL/Shell_transformation_3.h>
 
 #include <CGAL/assertions.h>
+#include <CGAL/enum.h>
 
 #include <algorithm>
 #include <array>

@@ -16,6 +16,7 @@
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Spatial_sort_traits_adapter_3.h>
 #include <CGAL/Triangulation_3.h>
+#include <CGAL/enum.h>
 #include <CGAL/property_map.h>
 #include <CGAL/spatial_sort.h>
 
