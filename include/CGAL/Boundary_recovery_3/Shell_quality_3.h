@@ -39,12 +39,26 @@ struct No_shell_quality_3
   /// \name Values
   /// All of them are equal.
   /// @{
+
+  /// returns the value.
   Value best() const { return true; }
+
+  /// returns the value.
   Value combine(Value, Value) const { return true; }
+
+  /// returns the value.
   template <typename Shell> Value of_triangle(const Shell&, int, int, int) const { return true; }
+
+  /// returns the value.
   template <typename Shell> Value of_chord(const Shell&, int, int) const { return true; }
+
+  /// returns the value.
   template <typename Shell> Value of_core_edge(const Shell&, int, int) const { return true; }
+
+  /// returns the value.
   template <typename Shell> Value of_core_vertex(const Shell&, int) const { return true; }
+
+  /// returns the value.
   template <typename Shell> Value of_supporting_edge(const Shell&) const { return true; }
   /// @}
 };
@@ -97,8 +111,14 @@ public:
   /// \name Faces and Edges
   /// They do not count.
   /// @{
+
+  /// returns `best()`.
   Value of_chord(const Shell&, int, int) const { return best(); }
+
+  /// returns `best()`.
   Value of_core_vertex(const Shell&, int) const { return best(); }
+
+  /// returns `best()`.
   Value of_supporting_edge(const Shell&) const { return best(); }
   /// @}
 

@@ -34,8 +34,14 @@ struct No_shell_validity_3
   /// \name Conditions
   /// All of them hold.
   /// @{
+
+  /// returns `true`.
   template <typename Shell> bool is_valid_triangle(const Shell&, int, int, int) const { return true; }
+
+  /// returns `true`.
   template <typename Shell> bool is_valid_chord(const Shell&, int, int) const { return true; }
+
+  /// returns `true`.
   template <typename Shell>
   bool is_valid_covering_mesh(const Shell&, const Partial_triangulation&) const { return true; }
   /// @}
@@ -43,7 +49,11 @@ struct No_shell_validity_3
   /// \name Constraints
   /// There are none.
   /// @{
+
+  /// returns `false`.
   template <typename Vertex_handle> bool is_constrained(Vertex_handle, Vertex_handle) const { return false; }
+
+  /// returns `false`.
   template <typename Vertex_handle>
   bool is_constrained(Vertex_handle, Vertex_handle, Vertex_handle) const { return false; }
   /// @}
@@ -53,6 +63,9 @@ struct No_shell_validity_3
  * \ingroup PkgBoundaryRecovery3Classes
  *
  * \brief both of two validity conditions.
+ *
+ * \tparam Validity_1 a model of `ShellValidity_3`
+ * \tparam Validity_2 a model of `ShellValidity_3`
  *
  * \cgalModels{ShellValidity_3}
  */
@@ -65,16 +78,20 @@ public:
 
   /// \name Conditions
   /// @{
+
+  /// returns whether both allow the new face \f$ p_i p_k p_j \f$ of the shell `s`.
   template <typename Shell> bool is_valid_triangle(const Shell& s, const int i, const int k, const int j) const
   {
     return m_v1.is_valid_triangle(s, i, k, j) && m_v2.is_valid_triangle(s, i, k, j);
   }
 
+  /// returns whether both allow the new edge \f$ p_i p_j \f$ and its faces.
   template <typename Shell> bool is_valid_chord(const Shell& s, const int i, const int j) const
   {
     return m_v1.is_valid_chord(s, i, j) && m_v2.is_valid_chord(s, i, j);
   }
 
+  /// returns whether both allow the covering mesh that `k` stands for.
   template <typename Shell> bool is_valid_covering_mesh(const Shell& s, const Partial_triangulation& k) const
   {
     return m_v1.is_valid_covering_mesh(s, k) && m_v2.is_valid_covering_mesh(s, k);
@@ -84,12 +101,15 @@ public:
   /// \name Constraints
   /// A simplex is constrained if one of the conditions says so.
   /// @{
+
+  /// returns whether one of both wants the edge `uv` to stay.
   template <typename Vertex_handle>
   bool is_constrained(const Vertex_handle u, const Vertex_handle v) const
   {
     return m_v1.is_constrained(u, v) || m_v2.is_constrained(u, v);
   }
 
+  /// returns whether one of both wants the facet `uvw` to stay.
   template <typename Vertex_handle>
   bool is_constrained(const Vertex_handle u, const Vertex_handle v, const Vertex_handle w) const
   {
@@ -121,12 +141,15 @@ public:
 
   /// \name Constraints
   /// @{
+
+  /// returns whether the edge `uv` is a constraint.
   template <typename Vertex_handle>
   bool is_constrained(const Vertex_handle u, const Vertex_handle v) const
   {
     return m_constraints->is_constrained(u, v);
   }
 
+  /// returns whether the facet `uvw` is a constraint.
   template <typename Vertex_handle>
   bool is_constrained(const Vertex_handle u, const Vertex_handle v, const Vertex_handle w) const
   {
@@ -171,12 +194,15 @@ public:
 
   /// \name Conditions
   /// @{
+
+  /// returns whether the segment does not pierce the new face \f$ p_i p_k p_j \f$.
   bool is_valid_triangle(const Shell& s, const int i, const int k, const int j) const
   {
     return i == s.infinite_index() || k == s.infinite_index() || j == s.infinite_index()
         || ! is_pierced(s.vertex(i), s.vertex(k), s.vertex(j));
   }
 
+  /// returns whether the segment neither crosses the new edge \f$ p_i p_j \f$ nor pierces its faces with `a` and `b`.
   bool is_valid_chord(const Shell& s, const int i, const int j) const
   {
     const Vertex_handle p = s.vertex(i), q = s.vertex(j);
@@ -230,6 +256,8 @@ public:
 
   /// \name Conditions
   /// @{
+
+  /// returns whether the new edge \f$ p_i p_j \f$ does not pierce the triangle.
   bool is_valid_chord(const Shell& s, const int i, const int j) const
   {
     return ! m_predicates.segment_pierces_triangle(s.vertex(i), s.vertex(j), m_u, m_v, m_w);
@@ -268,6 +296,8 @@ public:
 
   /// \name Conditions
   /// @{
+
+  /// returns whether the covering mesh that `k` stands for has no more intersections than the present one.
   bool is_valid_covering_mesh(const Shell& s, const Partial_triangulation& k) const
   {
     return number_of_intersections(s, k) <= number_of_intersections(s);
