@@ -13,6 +13,8 @@
 #define CGAL_NDEBUG // as most programs have it: assertions must not be what finds bad input, and with them, numbers of
                     // exact constructions cannot be infinite
 
+#include "mesh_validity_br3.h"
+
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -149,10 +151,7 @@ struct Test
                   Kind::intersecting_constraints, e);
     const auto r = CGAL::recover_boundary(tr, p, f, params::constrained_edges(edges));
     assert(defects(r, Kind::intersecting_constraints) == e);
-    assert(tr.tds().is_valid());
-    for(const auto c : tr.finite_cell_handles())
-      assert(CGAL::orientation(c->vertex(0)->point(), c->vertex(1)->point(), c->vertex(2)->point(),
-                               c->vertex(3)->point()) == CGAL::POSITIVE);
+    assert(br3_test::is_valid_mesh(tr));
   }
 
   void intersections()

@@ -3,6 +3,8 @@
 
 #undef NDEBUG
 
+#include "mesh_validity_br3.h"
+
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -70,16 +72,6 @@ Cells cells_by_index(const Tr& tr, const Vertices& vertices)
   return cells;
 }
 
-// By its own means: is_valid() of CGAL 5.5 does not see inverted cells where assertions are off.
-template <typename Tr>
-void check_validity(const Tr& tr)
-{
-  assert(tr.tds().is_valid());
-  for(const auto c : tr.finite_cell_handles())
-    assert(CGAL::orientation(c->vertex(0)->point(), c->vertex(1)->point(),
-                             c->vertex(2)->point(), c->vertex(3)->point()) == CGAL::POSITIVE);
-}
-
 // What the result says is missing is missing, and nothing else.
 template <typename Tr, typename Soup>
 void check_account(const Tr& tr, const Soup& soup, const CGAL::Boundary_recovery_result_3<Tr>& result)
@@ -130,7 +122,7 @@ CGAL::Boundary_recovery_result_3<Tr> recover_and_check(Tr& tr, const Soup& soup,
   for(std::size_t i = 0; i < soup.points.size(); ++i)
     assert(result.vertices[i]->point() == soup.points[i]);
   assert(tr.number_of_vertices() == soup.points.size());
-  check_validity(tr);
+  assert(br3_test::is_valid_mesh(tr));
   check_account(tr, soup, result);
   assert(result.phases.front().phase == Recovery_phase::insertion);
   assert(result.phases.back().phase == Recovery_phase::recount);
@@ -160,7 +152,7 @@ void test_surfaces()
   const auto recovered = CGAL::recover_boundary(with_points, soup.points, soup.triangles);
   assert(recovered.status == Recovery_status::recovered && recovered.steiner_vertices.size() == 1);
   assert(with_points.number_of_vertices() == soup.points.size() + 1);
-  check_validity(with_points);
+  assert(br3_test::is_valid_mesh(with_points));
 }
 
 template <typename K>
@@ -251,7 +243,7 @@ void test_parameters()
     assert(tr.is_facet(result.vertices[0], result.vertices[3], result.vertices[4], c, i, j, k));
     assert(tr.is_edge(result.vertices[3], result.vertices[4], c, i, j));
     assert(tr.is_edge(result.vertices[1], result.vertices[5], c, i, j));
-    check_validity(tr);
+    assert(br3_test::is_valid_mesh(tr));
   }
 }
 
@@ -378,7 +370,7 @@ void test_visitor()
     assert(! visitor.is_in_phase);
     assert(result.status == Recovery_status::stopped || result.status == Recovery_status::recovered);
     stopped += result.status == Recovery_status::stopped;
-    check_validity(tr);
+    assert(br3_test::is_valid_mesh(tr));
     check_account(tr, soup, result);
   }
   assert(stopped > 20);

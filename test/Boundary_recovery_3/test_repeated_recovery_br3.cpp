@@ -1,6 +1,7 @@
 // Recoveries one after the other: with one object, and in one triangulation.
 #undef NDEBUG
 
+#include "mesh_validity_br3.h"
 #include "steiner_inputs_br3.h"
 
 #include <CGAL/Constrained_boundary_recovery_3.h>
@@ -44,15 +45,6 @@ struct Counting_visitor
   }
 };
 
-bool is_valid(const Triangulation& tr)
-{
-  for(const auto c : tr.finite_cell_handles())
-    if(CGAL::orientation(c->vertex(0)->point(), c->vertex(1)->point(), c->vertex(2)->point(), c->vertex(3)->point())
-       != CGAL::POSITIVE)
-      return false;
-  return tr.tds().is_valid();
-}
-
 // The Steiner points of an earlier recovery stay, whatever becomes of a later one.
 void test_one_object()
 {
@@ -85,12 +77,12 @@ void test_one_object()
   assert(! recovery.lost_edges().empty());
   assert(recovery.steiner_vertices() == points);
   assert(tr.number_of_vertices() == 2 * prism.points.size() + points.size());
-  assert(is_valid(tr));
+  assert(br3_test::is_valid_mesh(tr));
 
   assert(recovery(Mode::constrained));
   assert(recovery.steiner_vertices().size() > points.size());
   assert(visitor.number_of_lost_facets() == 0);
-  assert(is_valid(tr));
+  assert(br3_test::is_valid_mesh(tr));
 }
 
 // After a recovery the triangulation is not Delaunay, and takes no new points.

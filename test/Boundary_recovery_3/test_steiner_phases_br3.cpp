@@ -26,6 +26,7 @@
 
 #include "brute_force_checker_br3.h"
 #include "constraint_parts_checker_br3.h"
+#include "mesh_validity_br3.h"
 #include "steiner_inputs_br3.h"
 
 #include <CGAL/Constrained_boundary_recovery_3.h>
@@ -484,16 +485,6 @@ struct Throwing_visitor
   bool is_in_phase = false;
 };
 
-template <typename K>
-bool is_valid(const CGAL::Delaunay_triangulation_3<K>& tr)
-{
-  for(const auto c : tr.finite_cell_handles())
-    if(CGAL::orientation(c->vertex(0)->point(), c->vertex(1)->point(), c->vertex(2)->point(), c->vertex(3)->point())
-       != CGAL::POSITIVE)
-      return false;
-  return tr.tds().is_valid();
-}
-
 // Whatever a visitor does, the caller's triangulation is valid afterwards, without points that nobody asked for.
 template <typename K>
 void test_exceptions()
@@ -520,9 +511,9 @@ void test_exceptions()
           is_thrown = false;
         } catch(const Thrown&) {
           ++thrown[phase];
-          assert(is_valid(tr) && tr.number_of_vertices() == points.size());
+          assert(br3_test::is_valid_mesh(tr) && tr.number_of_vertices() == points.size());
           assert(CGAL::recover_boundary(tr, points, plc.triangles));
-          assert(is_valid(tr));
+          assert(br3_test::is_valid_mesh(tr));
         }
       }
     }
