@@ -534,12 +534,13 @@ private:
   {
     for(const Vertex_handle v : std::vector<Vertex_handle>(m_steiner_points.vertices()))
       m_steiner_points.erase(v);
-    for(const Vertex_handle v : earlier.snapshot.new_vertices(m_tr))
+    const std::vector<Vertex_handle> new_vertices = earlier.snapshot.new_vertices(m_tr);
+    for(const Vertex_handle v : new_vertices)
       m_steiner_points.positions().erase(v);
     m_free_steiner_vertices.clear();
     m_number_of_constraint_points = earlier.number_of_constraint_points;
     m_number_of_steiner_points = earlier.number_of_steiner_points;
-    earlier.snapshot.restore(m_tr, visitor);
+    earlier.snapshot.restore(m_tr, new_vertices, visitor);
   }
 
   // The constraint that a Steiner point is or was on gets into the account, unless there was no time to look for a

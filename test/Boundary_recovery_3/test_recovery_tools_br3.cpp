@@ -138,11 +138,12 @@ void test_snapshot(const br3_test::Lattice_points& points, const int number_of_n
     number_of_flips += tr.flip(f.first, f.second);
   }
   assert((number_of_flips > 0 || number_of_inserted_points > 0) && ! (before == Mesh_portrait(tr)));
-  assert(snapshot.new_vertices(tr).size() == number_of_inserted_points);
+  const std::vector<Vertex_handle> new_vertices = snapshot.new_vertices(tr);
+  assert(new_vertices.size() == number_of_inserted_points);
 
   Counting_visitor visitor;
   const std::size_t number_of_changed_cells = tr.number_of_cells();
-  snapshot.restore(tr, visitor);
+  snapshot.restore(tr, new_vertices, visitor);
   assert(visitor.removed == number_of_changed_cells && visitor.created == number_of_cells);
   assert(tr.number_of_cells() == number_of_cells && tr.number_of_vertices() == number_of_vertices);
   assert(before == Mesh_portrait(tr));

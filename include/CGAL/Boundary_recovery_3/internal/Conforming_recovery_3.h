@@ -328,8 +328,7 @@ private:
     m_tr.incident_cells(s, std::back_inserter(m_star));
     return std::all_of(m_star.begin(), m_star.end(), [this](const Cell_handle c)
     {
-      return m_tr.is_infinite(c)
-          || m_predicates.orientation(c->vertex(0), c->vertex(1), c->vertex(2), c->vertex(3)) == POSITIVE;
+      return m_tr.is_infinite(c) || internal::is_positive(m_predicates, c);
     });
   }
 

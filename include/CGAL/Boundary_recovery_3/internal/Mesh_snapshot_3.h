@@ -58,13 +58,12 @@ public:
     return result;
   }
 
-  // Makes the triangulation what it was, also if the data structure is not valid. What may fail for want of memory
-  // comes first: the cells take the room of those that go.
+  // Makes the triangulation what it was, also if the data structure is not valid; `new_vertices` are those. What may
+  // fail for want of memory comes first: the cells take the room of those that go.
   template <typename Visitor>
-  void restore(Tr& tr, Visitor& visitor) const
+  void restore(Tr& tr, const std::vector<Vertex_handle>& new_vertices, Visitor& visitor) const
   {
     const std::vector<Adjacency> adjacencies = this->adjacencies();
-    const std::vector<Vertex_handle> new_vertices = this->new_vertices(tr);
     std::vector<Cell_handle> cells;
     cells.reserve((std::max)(tr.number_of_cells(), m_cells.size()));
     for(auto c = tr.all_cells_begin(); c != tr.all_cells_end(); ++c)

@@ -125,23 +125,26 @@ private:
   // The constraints whose bounding boxes meet that of a missing one.
   Input neighborhood(const std::vector<Simplex>& missing) const
   {
+    std::vector<Box> missing_boxes; // numbered behind the facets and edges
+    for(const Simplex& simplex : missing)
+      missing_boxes.push_back(Box(bbox(simplex.points),
+                                  m_input.facets.size() + m_input.edges.size() + missing_boxes.size()));
     Input near;
     near.points = m_input.points;
-    near.facets = meeting(m_input.facets, missing);
-    near.edges = meeting(m_input.edges, missing);
+    near.facets = meeting(m_input.facets, missing_boxes);
+    near.edges = meeting(m_input.edges, missing_boxes);
     return near;
   }
 
+  // Those of the simplices whose bounding boxes meet one of the boxes, which are put in another order.
   template <typename Simplices>
-  Simplices meeting(const Simplices& simplices, const std::vector<Simplex>& missing) const
+  Simplices meeting(const Simplices& simplices, std::vector<Box>& boxes) const
   {
-    std::vector<Box> simplex_boxes, missing_boxes;
+    std::vector<Box> simplex_boxes;
     for(std::size_t i = 0; i < simplices.size(); ++i)
       simplex_boxes.push_back(Box(bbox(simplices[i]), i));
-    for(const Simplex& simplex : missing)
-      missing_boxes.push_back(Box(bbox(simplex.points), simplices.size() + missing_boxes.size()));
     std::vector<bool> is_near(simplices.size(), false);
-    box_intersection_d(simplex_boxes.begin(), simplex_boxes.end(), missing_boxes.begin(), missing_boxes.end(),
+    box_intersection_d(simplex_boxes.begin(), simplex_boxes.end(), boxes.begin(), boxes.end(),
                        [&](const Box& simplex, const Box&) { is_near[simplex.id()] = true; });
     Simplices near;
     for(std::size_t i = 0; i < simplices.size(); ++i)

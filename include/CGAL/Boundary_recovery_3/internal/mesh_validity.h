@@ -38,12 +38,17 @@ bool is_hull_convex_at(const Tr& tr, const Predicates& predicates, const typenam
   return true;
 }
 
+template <typename Predicates, typename Cell_handle>
+bool is_positive(const Predicates& predicates, const Cell_handle c)
+{
+  return predicates.orientation(c->vertex(0), c->vertex(1), c->vertex(2), c->vertex(3)) == POSITIVE;
+}
+
 // Whether a finite cell is positively oriented, or the convex hull is convex at the facet of an infinite one.
 template <typename Tr, typename Predicates>
 bool is_cell_valid(const Tr& tr, const Predicates& predicates, const typename Tr::Cell_handle c)
 {
-  return tr.is_infinite(c) ? internal::is_hull_convex_at(tr, predicates, c)
-       : predicates.orientation(c->vertex(0), c->vertex(1), c->vertex(2), c->vertex(3)) == POSITIVE;
+  return tr.is_infinite(c) ? internal::is_hull_convex_at(tr, predicates, c) : internal::is_positive(predicates, c);
 }
 
 // Whether a 3-dimensional triangulation is valid where vertices are at the positions that the predicates know, which
