@@ -63,13 +63,15 @@ public:
 
   // These three return the number of covering meshes that were replaced.
 
-  // Complete removals of single shells, as long as they help.
+  // Complete removals of single shells, as long as a pass halves what is lost: what is left then needs recursion, and
+  // further passes would churn the mesh. (Passes as long as one edge comes back: 4 % more time on 128 surfaces, 18 %
+  // where these are stretched by 1024 in one direction, and no fewer points.)
   std::size_t remove_plainly(const Phase phase)
   {
     typedef Shell_transformation_3<Tr, No_shell_quality_3, Target_validity, Visitor> Transformation;
     Transformation st(m_tr, No_shell_quality_3(), target_validity(all().front()), m_context.visitor());
     start(std::size_t(-1));
-    for(std::size_t before = 0; before != m_lost.size() && ! m_lost.empty(); )
+    for(std::size_t before = std::size_t(-1); ! m_lost.empty() && m_lost.size() <= before / 2; )
     {
       before = m_lost.size();
       report(); // for the order

@@ -87,19 +87,13 @@ private:
       outcome = IS_EDGE;
       return true;
     }
-    // The direction to v is in the closed cone of c at u. The facets at u that contain it decide.
+    // The direction to v is in the closed cone of c at u. The facets at u that contain it decide: w[k] is an end of the
+    // crossed entity unless the direction is in the plane opposite to it.
     const int i = c->index(m_u);
-    std::array<Vertex_handle, 3> w;
-    for(int k = 0; k < 3; ++k)
-      w[k] = c->vertex(Tr::vertex_triple_index(i, k));
     boost::container::small_vector<Vertex_handle, 3> ends;
-    std::array<bool, 3> is_in_plane; // of u, w[k], w[k+1]
     for(int k = 0; k < 3; ++k)
-      is_in_plane[k] = m_predicates.orientation(m_u, w[k], w[(k + 1) % 3], m_v) == COPLANAR;
-    // w[k] is an end of the crossed entity unless the direction is in the plane opposite to it
-    for(int k = 0; k < 3; ++k)
-      if(! is_in_plane[(k + 1) % 3])
-        ends.push_back(w[k]);
+      if(m_start_sides[(k + 1) % 3] != COPLANAR)
+        ends.push_back(c->vertex(Tr::vertex_triple_index(i, k)));
     return cross(ends, c, outcome);
   }
 
@@ -133,15 +127,17 @@ private:
     return Cell_handle();
   }
 
-  // The index in c of a facet at u that has v strictly on its other side; -1 if there is none.
-  int separating_facet(const Cell_handle c) const
+  // The index in c of a facet at u that has v strictly on its other side; -1 if there is none. Then, the sides of the
+  // three facets at u on which v is are known.
+  int separating_facet(const Cell_handle c)
   {
     const int i = c->index(m_u);
     for(int k = 0; k < 3; ++k)
     {
       const Vertex_handle p = c->vertex(Tr::vertex_triple_index(i, k));
       const Vertex_handle q = c->vertex(Tr::vertex_triple_index(i, (k + 1) % 3));
-      if(m_predicates.orientation(m_u, p, q, m_v) == POSITIVE)
+      m_start_sides[k] = m_predicates.orientation(m_u, p, q, m_v);
+      if(m_start_sides[k] == POSITIVE)
         return Tr::vertex_triple_index(i, (k + 2) % 3);
     }
     return -1;
@@ -158,25 +154,19 @@ private:
         s = c->vertex(i);
     if(s == m_v)
       return true;
-    // Seen along uv, s is beside, on, or behind each vertex of the facet.
-    std::array<Orientation, 3> side; // of s with respect to the plane of u, v and vertex k
-    for(int k = 0; k < 3; ++k)
-      side[k] = m_predicates.orientation(m_u, m_v, from.vertices[k], s);
-    const Orientation turn = m_predicates.orientation(m_u, m_v, from.vertices[0], from.vertices[1]);
-    boost::container::small_vector<Vertex_handle, 3> ends;
-    for(int k = 0; k < 3; ++k)
-    {
-      const int n = (k + 1) % 3;
-      if(side[k] == COPLANAR && side[n] == COPLANAR)
-        return cross({ s }, c, outcome);
-      if(side[k] == - turn && side[n] == turn)
-        ends = { from.vertices[k], from.vertices[n], s };
-    }
-    if(ends.empty()) // in the plane of exactly one vertex of the facet, and on its side of the line
-      for(int k = 0; k < 3; ++k)
-        if(side[k] == COPLANAR && side[(k + 1) % 3] == turn)
-          ends = { from.vertices[k], s };
-    return cross(ends, c, outcome);
+    // Around uv, s comes within half a turn after the vertex k of the facet if turn(k) is NEGATIVE, before it if
+    // POSITIVE. The segment leaves the cell on the side opposite to s; two turns tell which entity is there.
+    const std::array<Vertex_handle, 3>& f = from.vertices;
+    const auto turn = [&](const int k) { return m_predicates.orientation(m_u, m_v, f[k], s); };
+    const Orientation first = turn(0);
+    const int k = first == NEGATIVE ? 2 : 1;
+    const Orientation second = turn(k);
+    if(first == COPLANAR && second != POSITIVE)
+      return second == COPLANAR ? cross({ s }, c, outcome) : cross({ f[0], s }, c, outcome);
+    if(second == COPLANAR)
+      return cross({ f[k], s }, c, outcome);
+    return second == NEGATIVE ? cross({ f[k - 1], f[k], s }, c, outcome)
+                              : cross({ f[k], f[(k + 1) % 3], s }, c, outcome);
   }
 
   // From the interior of an edge into the cell or facet at it that the segment enters.
@@ -210,16 +200,19 @@ private:
     const Orientation side = m_predicates.orientation(m_u, m_v, r, s);
     if(side == COPLANAR)
       return cross({ r, s }, c, outcome);
-    return m_predicates.orientation(m_u, m_v, p, r) == side ? cross({ p, r, s }, c, outcome)
-                                                            : cross({ q, r, s }, c, outcome);
+    const Vertex_handle x = m_predicates.orientation(m_u, m_v, p, r) == side ? p : q;
+    return side == NEGATIVE ? cross({ x, r, s }, c, outcome) : cross({ x, s, r }, c, outcome);
   }
 
   typedef boost::container::small_vector<Vertex_handle, 3> Vertices;
 
-  // Appends the entity of c with these vertices. For a facet, the cell behind it is stored, for that is where to go on.
+  // Appends the entity of c with these vertices. For a facet, the cell behind it is stored, for that is where to go on,
+  // and each vertex turns NEGATIVE to the next one around uv.
   bool cross(const Vertices& vertices, const Cell_handle c, Outcome& outcome)
   {
     CGAL_assertion(! vertices.empty());
+    CGAL_assertion(vertices.size() < 3
+                   || m_predicates.orientation(m_u, m_v, vertices[0], vertices[1]) == NEGATIVE);
     if(vertices.size() == 1)
     {
       m_blocking_vertex = vertices[0];
@@ -243,6 +236,7 @@ private:
   Vertex_handle m_u, m_v;
   std::vector<Crossing> m_crossings;
   Vertex_handle m_blocking_vertex;
+  std::array<Orientation, 3> m_start_sides;
   Shell m_shell;
   std::vector<Cell_handle> m_star;
 };
