@@ -10,6 +10,7 @@
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
+#include <CGAL/Lazy_exact_nt.h>
 
 #include <algorithm>
 #include <array>
@@ -66,10 +67,16 @@ inline Rational volume(const Rational_point& p, const Rational_point& q, const R
   return dot(cross(q - p, r - p), s - p);
 }
 
+template <typename FT>
+Rational to_rational_number(const FT& x) { return Rational(x); }
+
+template <typename ET>
+Rational to_rational_number(const CGAL::Lazy_exact_nt<ET>& x) { return Rational(CGAL::exact(x)); }
+
 template <typename Point_3>
 Rational_point to_rational(const Point_3& p)
 {
-  return { { Rational(CGAL::exact(p.x())), Rational(CGAL::exact(p.y())), Rational(CGAL::exact(p.z())) } };
+  return { { to_rational_number(p.x()), to_rational_number(p.y()), to_rational_number(p.z()) } };
 }
 
 inline Rational_point to_rational(const Coordinates& c)

@@ -26,7 +26,6 @@
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/cell_simplices.h>
 #include <CGAL/Delaunay_triangulation_3.h>
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
@@ -283,7 +282,7 @@ class Mixed_vertices
 {
 public:
   typedef internal::Exact_positions_3<Tr>                     Positions;
-  typedef CGAL::Exact_predicates_exact_constructions_kernel   EK;
+  typedef Positions::Exact_kernel                             EK;
 
   Mixed_vertices() : m_predicates(m_tr, &m_positions)
   {
@@ -316,8 +315,8 @@ public:
       const CGAL::Orientation o = CGAL::orientation(ep, eq, er, es);
       assert(m_predicates.orientation(p, q, r, s) == o);
       // Also if there is no exact position, and where filters suffice.
-      assert(Positions::Homogeneous_point::orientation(m_positions.homogeneous(p), m_positions.homogeneous(q),
-                                                       m_positions.homogeneous(r), m_positions.homogeneous(s)) == o);
+      assert(Positions::Homogeneous_point::orientation(homogeneous(p), homogeneous(q), homogeneous(r), homogeneous(s))
+             == o);
       const bool collinear = CGAL::collinear(ep, eq, er);
       assert(m_predicates.are_collinear(p, q, r) == collinear);
       if(o == CGAL::COPLANAR)
@@ -329,6 +328,11 @@ public:
   }
 
 private:
+  Positions::Homogeneous_point homogeneous(const Vertex_handle v) const
+  {
+    return Positions::homogeneous(v, m_positions.find(v));
+  }
+
   Tr m_tr;
   Positions m_positions;
   const internal::Vertex_predicates_3<Tr> m_predicates;

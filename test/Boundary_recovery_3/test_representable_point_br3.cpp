@@ -180,9 +180,26 @@ void test_nearest_integer()
   }
 }
 
+// Numbers just beside the middle of two neighbors, of either sign and size.
+void test_nearest_double()
+{
+  using CGAL::Boundary_recovery_3::internal::nearest_double;
+  const Rational tiny = Rational(std::ldexp(1., -300)) * Rational(std::ldexp(1., -900));
+  for(const double d : { 1., -1., .1, -3e200, 5e-300, 0., std::nextafter(2., 0.) })
+  {
+    const double next = std::nextafter(d, 2 * std::abs(d) + 1);
+    const Rational middle = (Rational(d) + Rational(next)) / Rational(2);
+    assert(nearest_double(Rational(d)) == d);
+    assert(nearest_double(Rational(middle - tiny)) == d);
+    assert(nearest_double(Rational(middle + tiny)) == next);
+    assert(nearest_double(Rational(middle)) == d || nearest_double(Rational(middle)) == next);
+  }
+}
+
 int main()
 {
   test_nearest_integer();
+  test_nearest_double();
   test_below_a_power_of_two();
   test_no_volume();
   test_against_brute_force();

@@ -7,9 +7,9 @@ of the triangulation, and of the one that is given as `geom_traits`.
 
 All predicates have to be exact: every decision rests on them, and there are no tolerances. Constructions need not
 be. If `FT` is an exact number type, in the sense of `CGAL::Algebraic_structure_traits<FT>::Is_exact`, Steiner
-points are constructed with it. Else positions on constraints are computed with
-`CGAL::Exact_predicates_exact_constructions_kernel` and converted, for which the points have to be those of a kernel
-of \cgal: the type `CGAL::Kernel_traits<Point_3>::Kernel` is a model of `Kernel` with a Cartesian representation.
+points are constructed with it. Else positions on constraints are computed with `CGAL::Exact_rational` and converted,
+for which the points have to be those of a kernel of \cgal: the type `CGAL::Kernel_traits<Point_3>::Kernel` is a model
+of `Kernel` with a Cartesian representation.
 
 Besides what is listed below, the triangulation asks for what the traits concept of its own class asks for. The
 concept `SpatialSortingTraits_3` matters only if points are inserted.

@@ -13,10 +13,11 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/Homogeneous_point_3.h>
+#include <CGAL/Boundary_recovery_3/internal/nearest_integer.h>
 
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Cartesian_converter.h>
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_rational.h>
 #include <CGAL/Interval_nt.h>
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Simple_cartesian.h>
@@ -24,7 +25,6 @@
 
 #include <type_traits>
 #include <unordered_map>
-#include <utility>
 
 namespace CGAL {
 namespace Boundary_recovery_3 {
@@ -48,7 +48,9 @@ public:
 
   static constexpr bool is_kernel_exact = Algebraic_structure_traits<FT>::Is_exact::value;
 
-  typedef std::conditional_t<is_kernel_exact, Kernel, Exact_predicates_exact_constructions_kernel> Exact_kernel;
+  // Not lazy numbers: most positions are needed exactly at once.
+  typedef CGAL::Exact_rational               Rational;
+  typedef std::conditional_t<is_kernel_exact, Kernel, Simple_cartesian<Rational> > Exact_kernel;
   typedef typename Exact_kernel::FT          Exact_FT;
   typedef typename Exact_kernel::Point_3     Exact_point_3;
 
@@ -56,15 +58,27 @@ public:
   typedef Simple_cartesian<Interval>         Interval_kernel;
   typedef Interval_kernel::Point_3           Interval_point_3;
 
-  // The numbers behind the lazy ones of the exact kernel. Not for exact kernels, which may have no such thing.
-  typedef std::decay_t<decltype(CGAL::exact(
-    std::declval<const Exact_predicates_exact_constructions_kernel::FT&>()))> Rational;
   typedef Homogeneous_point_3<Rational>      Homogeneous_point;
+
+  // A position that is not the one in the triangulation.
+  struct Position
+  {
+    Exact_point_3 exact;
+    Interval_point_3 box;          // around it, for filters
+    Homogeneous_point homogeneous; // for orientations when filters fail
+  };
 
   // Whether every vertex is where the triangulation says.
   bool empty() const { return m_positions.empty(); }
 
-  bool contains(const Vertex_handle v) const { return m_positions.count(&*v) != 0; }
+  bool contains(const Vertex_handle v) const { return find(v) != nullptr; }
+
+  // The position of v, or none if v is where the triangulation says.
+  const Position* find(const Vertex_handle v) const
+  {
+    const auto it = m_positions.find(&*v);
+    return it == m_positions.end() ? nullptr : &it->second;
+  }
 
   Exact_point_3 operator()(const Vertex_handle v) const
   {
@@ -72,24 +86,27 @@ public:
       return v->point();
     else
     {
-      const auto it = m_positions.find(&*v);
-      return it == m_positions.end() ? Cartesian_converter<Kernel, Exact_kernel>()(v->point()) : it->second.exact;
+      const Position* const position = find(v);
+      return position == nullptr ? Cartesian_converter<Kernel, Exact_kernel>()(v->point()) : position->exact;
     }
   }
 
-  // A box around the position, for filters. Not to be called with exact kernels.
-  Interval_point_3 box(const Vertex_handle v) const
+  // The same in other numbers, where the position is what find() returned. Not to be called with exact kernels.
+  static Interval_point_3 box(const Vertex_handle v, const Position* const position)
   {
-    const auto it = m_positions.find(&*v);
-    return it == m_positions.end() ? box(v->point()) : it->second.box;
+    return position == nullptr ? box(v->point()) : position->box;
   }
 
-  // The position in integers, for orientations when filters fail. Not to be called with exact kernels.
-  Homogeneous_point homogeneous(const Vertex_handle v) const
+  // Nor these two.
+  static Homogeneous_point homogeneous(const Exact_point_3& p)
   {
-    const auto it = m_positions.find(&*v);
-    if(it != m_positions.end())
-      return it->second.homogeneous;
+    return Homogeneous_point::from_rationals(p.x(), p.y(), p.z());
+  }
+
+  static Homogeneous_point homogeneous(const Vertex_handle v, const Position* const position)
+  {
+    if(position != nullptr)
+      return position->homogeneous;
     const Point_3& p = v->point();
     return Homogeneous_point::from_doubles(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
   }
@@ -100,10 +117,9 @@ public:
       v->set_point(p);
     else
     {
-      CGAL::exact(p); // or it would remember all the points that it was computed from, and be rounded badly
-      v->set_point(Point_3(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())));
-      m_positions[&*v] = { p, box(p), Homogeneous_point::from_rationals(CGAL::exact(p.x()), CGAL::exact(p.y()),
-                                                                         CGAL::exact(p.z())) };
+      v->set_point(Point_3(internal::nearest_double(p.x()), internal::nearest_double(p.y()),
+                           internal::nearest_double(p.z())));
+      m_positions[&*v] = { p, box(p), homogeneous(p) };
     }
   }
 
@@ -111,13 +127,6 @@ public:
   void erase(const Vertex_handle v) { m_positions.erase(&*v); }
 
 private:
-  struct Position
-  {
-    Exact_point_3 exact;
-    Interval_point_3 box;
-    Homogeneous_point homogeneous;
-  };
-
   template <typename Point>
   static Interval_point_3 box(const Point& p)
   {

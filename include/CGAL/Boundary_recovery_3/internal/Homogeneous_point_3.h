@@ -13,7 +13,7 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Fraction_traits.h>
-#include <CGAL/MP_Float.h>
+#include <CGAL/Number_types/internal/Exact_type_selector.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/predicates/sign_of_determinant.h>
@@ -21,7 +21,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <type_traits>
 
 namespace CGAL {
@@ -29,17 +28,19 @@ namespace Boundary_recovery_3 {
 namespace internal {
 
 /*
- * A point in integers: numerators over a common positive denominator.
+ * A point in numbers of a ring: numerators over a common positive denominator.
  *
- * The sign of a determinant is found much faster from integers than from rational numbers, which are reduced after
- * each operation. `Rational` is a type of fractions of integers.
+ * The sign of a determinant is found much faster from these than from rational numbers, which are reduced after each
+ * operation. Most positions are multiples of powers of two, so multi-precision floating point numbers have them without
+ * a denominator. `Rational` is a type of fractions of integers.
  */
 template <typename Rational>
 class Homogeneous_point_3
 {
 public:
-  typedef Fraction_traits<Rational>                Fractions;
-  typedef typename Fractions::Numerator_type       Integer;
+  typedef Fraction_traits<Rational>                                  Fractions;
+  typedef typename Fractions::Numerator_type                         Integer;
+  typedef typename CGAL::internal::Exact_ring_selector<double>::Type RT;
 
   Homogeneous_point_3() { }
 
@@ -48,26 +49,39 @@ public:
   {
     Homogeneous_point_3 p;
     const std::array<const Rational*, 3> coordinates = {{ &x, &y, &z }};
-    std::array<Integer, 3> denominators;
-    p.m_w = Integer(1);
+    std::array<Integer, 3> numerators, denominators;
+    std::array<RT, 3> inverses;
+    bool are_inverses_known = true;
     for(int i = 0; i < 3; ++i)
     {
-      typename Fractions::Decompose()(*coordinates[i], p.m_xyz[i], denominators[i]);
-      const Integer common = typename Fractions::Common_factor()(p.m_w, denominators[i]);
-      p.m_w *= CGAL::integral_division(denominators[i], common); // their least common multiple, to have few digits
+      typename Fractions::Decompose()(*coordinates[i], numerators[i], denominators[i]);
+      are_inverses_known = are_inverses_known && invert_power_of_two(denominators[i], inverses[i]);
     }
+    Integer w(1);
+    if(! are_inverses_known)
+      for(const Integer& d : denominators) // their least common multiple, to have few digits
+        w *= CGAL::integral_division(d, typename Fractions::Common_factor()(w, d));
+    p.m_w = ring_number(w);
     for(int i = 0; i < 3; ++i)
-      p.m_xyz[i] *= CGAL::integral_division(p.m_w, denominators[i]);
+      p.m_xyz[i] = are_inverses_known ? RT(ring_number(numerators[i]) * inverses[i])
+                 : ring_number(Integer(numerators[i] * CGAL::integral_division(w, denominators[i])));
     return p;
   }
 
-  // The point (x, y, z) of finite numbers. The denominator is a power of two.
+  // The point (x, y, z) of finite numbers.
   static Homogeneous_point_3 from_doubles(const double x, const double y, const double z)
   {
-    if constexpr(std::is_same<Integer, MP_Float>::value) // without other libraries; these have exponents themselves
-      return Homogeneous_point_3({{ Integer(x), Integer(y), Integer(z) }}, Integer(1));
-    else
-      return from_mantissas(x, y, z);
+    return Homogeneous_point_3({{ RT(x), RT(y), RT(z) }}, RT(1));
+  }
+
+  // The point p + s d, where d is given by the point to which it goes from the origin of coordinates.
+  static Homogeneous_point_3 on_ray(const Homogeneous_point_3& p, const Homogeneous_point_3& d, const RT& s)
+  {
+    Homogeneous_point_3 x;
+    for(int i = 0; i < 3; ++i)
+      x.m_xyz[i] = p.m_xyz[i] * d.m_w + s * d.m_xyz[i] * p.m_w;
+    x.m_w = p.m_w * d.m_w;
+    return x;
   }
 
   // Sign of the volume of the tetrahedron pqrs.
@@ -82,55 +96,61 @@ public:
     });
     const bool is_odd = smallest != v.begin();
     std::iter_swap(v.begin(), smallest);
-    const std::array<Integer, 3> a = direction(*v[0], *v[1]), b = direction(*v[0], *v[2]), c = direction(*v[0], *v[3]);
-    const Orientation o = CGAL::sign_of_determinant<Integer>(a[0], a[1], a[2], b[0], b[1], b[2], c[0], c[1], c[2]);
+    const std::array<RT, 3> a = direction(*v[0], *v[1]), b = direction(*v[0], *v[2]), c = direction(*v[0], *v[3]);
+    const Orientation o = CGAL::sign_of_determinant<RT>(a[0], a[1], a[2], b[0], b[1], b[2], c[0], c[1], c[2]);
     return is_odd ? - o : o;
   }
 
 private:
-  Homogeneous_point_3(const std::array<Integer, 3>& xyz, const Integer& w) : m_xyz(xyz), m_w(w) { }
+  Homogeneous_point_3(const std::array<RT, 3>& xyz, const RT& w) : m_xyz(xyz), m_w(w) { }
 
-  static Homogeneous_point_3 from_mantissas(const double x, const double y, const double z)
+  // Returns whether the inverse of n > 0 is a floating point number.
+  static bool invert_power_of_two(const Integer& n, RT& inverse)
   {
-    constexpr int bits = std::numeric_limits<double>::digits;
-    Homogeneous_point_3 p;
-    const std::array<double, 3> coordinates = {{ x, y, z }};
-    std::array<int, 3> exponents;
-    int smallest = 0;
-    for(int i = 0; i < 3; ++i)
+    const double d = CGAL::to_double(n);
+    int exponent;
+    if(! std::isfinite(d) || std::frexp(d, &exponent) != .5 || Integer(d) != n)
+      return false;
+    inverse = RT(std::ldexp(.5, 2 - exponent));
+    return true;
+  }
+
+  // The same number.
+  static RT ring_number(const Integer& n)
+  {
+    if constexpr(std::is_same<Integer, RT>::value)
+      return n;
+    else
     {
-      p.m_xyz[i] = Integer(std::ldexp(std::frexp(coordinates[i], &exponents[i]), bits)); // an integer, even if tiny
-      exponents[i] = coordinates[i] == 0 ? 0 : exponents[i] - bits;
-      smallest = (std::min)(smallest, exponents[i]);
+      const double unit = std::ldexp(1., 900);
+      if(CGAL::abs(n) > Integer(unit))
+      {
+        const Integer quotient = CGAL::div(n, Integer(unit));
+        return ring_number(quotient) * RT(unit) + ring_number(Integer(n - quotient * Integer(unit)));
+      }
+      RT result(0);
+      for(Integer rest(n); ! CGAL::is_zero(rest); ) // each step takes the leading bits away
+      {
+        const double d = CGAL::to_double(rest);
+        result += RT(d);
+        rest -= Integer(d);
+      }
+      return result;
     }
-    for(int i = 0; i < 3; ++i)
-      p.m_xyz[i] <<= static_cast<unsigned long>(exponents[i] - smallest);
-    p.m_w = Integer(1);
-    p.m_w <<= static_cast<unsigned long>(- smallest);
-    return p;
   }
 
   // A positive multiple of q - p.
-  static std::array<Integer, 3> direction(const Homogeneous_point_3& p, const Homogeneous_point_3& q)
+  static std::array<RT, 3> direction(const Homogeneous_point_3& p, const Homogeneous_point_3& q)
   {
-    std::array<Integer, 3> d;
-    const bool have_same_denominator = p.m_w == q.m_w; // often, among points of floating point numbers
+    std::array<RT, 3> d;
+    const bool have_same_denominator = p.m_w == q.m_w;
     for(int i = 0; i < 3; ++i)
-    {
-      d[i] = q.m_xyz[i];
-      if(have_same_denominator)
-        d[i] -= p.m_xyz[i];
-      else
-      {
-        d[i] *= p.m_w;
-        d[i] -= p.m_xyz[i] * q.m_w;
-      }
-    }
+      d[i] = have_same_denominator ? RT(q.m_xyz[i] - p.m_xyz[i]) : RT(q.m_xyz[i] * p.m_w - p.m_xyz[i] * q.m_w);
     return d;
   }
 
-  std::array<Integer, 3> m_xyz; // numerators
-  Integer m_w;
+  std::array<RT, 3> m_xyz; // numerators
+  RT m_w;
 };
 
 } // namespace internal

@@ -24,11 +24,6 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
-#ifdef CGAL_USE_GMP
-#include <CGAL/Gmpzf.h>
-#else
-#include <CGAL/MP_Float.h>
-#endif
 
 #include <algorithm>
 #include <array>
@@ -109,9 +104,9 @@ public:
     {
       std::vector<Rational_plane> planes;
       for(const Triangle& f : faces) // with the kernel on their negative sides
-        planes.emplace_back(rational(m_positions(f[0])), rational(m_positions(f[2])), rational(m_positions(f[1])));
+        planes.emplace_back(m_positions(f[0]), m_positions(f[2]), m_positions(f[1]));
       if(std::isfinite(radius))
-        add_box(rational(inside), radius, planes);
+        add_box(inside, radius, planes);
       const auto found = Representable_point_3<Rational>()(planes);
       if(! found)
         return false;
@@ -126,34 +121,21 @@ public:
   // Whether v sees all the faces.
   bool is_kernel_point(const Vertex_handle v, const std::vector<Triangle>& faces) const
   {
-    const auto is_hidden = [&](const Triangle& f)
+    return is_none_hidden(faces, [&](const Triangle& f)
     {
       return m_predicates.orientation(f[0], f[1], f[2], v) != POSITIVE;
-    };
-    // Along a ray, the next point is likely to be on the wrong side of the same face.
-    if(m_last_hidden < faces.size() && is_hidden(faces[m_last_hidden]))
-      return false;
-    const auto hidden = std::find_if(faces.begin(), faces.end(), is_hidden);
-    m_last_hidden = static_cast<std::size_t>(hidden - faces.begin());
-    return hidden == faces.end();
+    });
   }
 
 private:
-#ifdef CGAL_USE_GMP
-  typedef CGAL::Gmpzf    ET; // exact type of the linear programs
-#else
-  typedef CGAL::MP_Float ET;
-#endif
+  // Exact type of the linear programs, as a rule `Mpzf`. (With `Gmpzf`, recovery took a third more time in all where
+  // thousands of points are needed.)
+  typedef typename Positions::Homogeneous_point::RT               ET;
 
   typedef typename Positions::Exact_FT                            FT;
   typedef typename Positions::Rational                            Rational;
   typedef typename Representable_point_3<Rational>::Point_3       Rational_point;
   typedef typename Representable_point_3<Rational>::Plane_3       Rational_plane;
-
-  static Rational_point rational(const Exact_point& p)
-  {
-    return Rational_point(CGAL::exact(p.x()), CGAL::exact(p.y()), CGAL::exact(p.z()));
-  }
 
   // With the inside on their negative sides.
   static void add_box(const Rational_point& center, const double radius, std::vector<Rational_plane>& planes)
@@ -170,6 +152,17 @@ private:
     Vector normal; // of length one
     double offset;
   };
+
+  // Along a ray, the next point is likely to be on the wrong side of the same face.
+  template <typename Is_hidden>
+  bool is_none_hidden(const std::vector<Triangle>& faces, const Is_hidden& is_hidden) const
+  {
+    if(m_last_hidden < faces.size() && is_hidden(faces[m_last_hidden]))
+      return false;
+    const auto hidden = std::find_if(faces.begin(), faces.end(), is_hidden);
+    m_last_hidden = static_cast<std::size_t>(hidden - faces.begin());
+    return hidden == faces.end();
+  }
 
   template <typename Predicate>
   static bool any_of(const std::vector<Exact_vector>& directions, const Predicate& predicate)
@@ -248,15 +241,18 @@ private:
   bool find_exactly_on_ray(const Vertex_handle v, const std::vector<Triangle>& faces,
                            const Vertex_handle origin, const Exact_vector& direction)
   {
-    typedef typename Positions::Exact_kernel Exact_kernel;
-    const typename Exact_kernel::Point_3 p = m_positions(origin);
-    const Vector d = approximate(direction);
-    const double length = (std::max)(std::abs(d[0]), (std::max)(std::abs(d[1]), std::abs(d[2])));
     if(direction == CGAL::NULL_VECTOR)
       return false;
-    const double start = m_diameter * m_unit / length;
-    typename Exact_kernel::FT s(std::isfinite(start) && start > 0 ? start : 1.);
-    for(int i = 0; i < max_number_of_exact_bisections; ++i)
+    const Exact_point p = m_positions(origin);
+    const Vector d = approximate(direction);
+    const double length = (std::max)(std::abs(d[0]), (std::max)(std::abs(d[1]), std::abs(d[2])));
+    const double quotient = m_diameter * m_unit / length;
+    const double start = std::isfinite(quotient) && quotient > 0 ? quotient : 1.;
+    FT s(start);
+    int i = 0;
+    for(const int first = first_on_ray(faces, origin, direction, start); i < first; ++i)
+      s /= 4;
+    for(; i < max_number_of_exact_bisections; ++i)
     {
       m_positions.set(v, p + s * direction);
       if(is_kernel_point(v, faces))
@@ -265,6 +261,32 @@ private:
     }
     m_positions.erase(v);
     return false;
+  }
+
+  // The first candidate of find_exactly_on_ray() that may see all the faces. There may be hundreds that do not, and it
+  // takes much longer to store an exact position than to decide on it.
+  int first_on_ray(const std::vector<Triangle>& faces, const Vertex_handle origin, const Exact_vector& direction,
+                   const double start) const
+  {
+    int i = 0;
+    if constexpr(! Positions::is_kernel_exact)
+    {
+      typedef typename Positions::Homogeneous_point Homogeneous_point;
+      typedef typename Homogeneous_point::RT        RT;
+      const auto homogeneous = [this](const Vertex_handle v) { return Positions::homogeneous(v, m_positions.find(v)); };
+      const Homogeneous_point p = homogeneous(origin), d = Positions::homogeneous(CGAL::ORIGIN + direction);
+      for(RT s(start); i < max_number_of_exact_bisections; s = s * RT(.25), ++i)
+      {
+        const Homogeneous_point x = Homogeneous_point::on_ray(p, d, s);
+        const auto is_hidden = [&](const Triangle& f)
+        {
+          return Homogeneous_point::orientation(homogeneous(f[0]), homogeneous(f[1]), homogeneous(f[2]), x) != POSITIVE;
+        };
+        if(is_none_hidden(faces, is_hidden))
+          break;
+      }
+    }
+    return i;
   }
 
   // Gives v, which has an exact position, another one near it that fewer bits describe, if this is in the kernel:

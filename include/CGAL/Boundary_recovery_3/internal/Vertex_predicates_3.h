@@ -19,6 +19,8 @@
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
 
+#include <array>
+
 namespace CGAL {
 namespace Boundary_recovery_3 {
 namespace internal {
@@ -42,6 +44,7 @@ public:
   typedef typename Geom_traits::Point_3    Point_3;
   typedef Exact_positions_3<Tr>            Positions;
   typedef typename Positions::Exact_kernel Exact_kernel;
+  typedef typename Positions::Position     Position;
   typedef Simple_cartesian<double>::Point_3 Approximate_point;
 
   // `positions`, if given, has to outlive this object.
@@ -66,8 +69,13 @@ public:
   Orientation orientation(const Vertex_handle p, const Vertex_handle q,
                           const Vertex_handle r, const Vertex_handle s) const
   {
-    if(has_exact_position(p, q, r, s))
-      return exact_orientation(p, q, r, s);
+    if(m_positions != nullptr && ! m_positions->empty())
+    {
+      const std::array<const Position*, 4> positions = {{ m_positions->find(p), m_positions->find(q),
+                                                          m_positions->find(r), m_positions->find(s) }};
+      if(positions[0] || positions[1] || positions[2] || positions[3])
+        return exact_orientation({{ p, q, r, s }}, positions);
+    }
     return m_orientation(p->point(), q->point(), r->point(), s->point());
   }
 
@@ -126,18 +134,20 @@ private:
   }
 
   // Only kernels with inexact constructions have such positions.
-  Orientation exact_orientation(const Vertex_handle p, const Vertex_handle q,
-                                const Vertex_handle r, const Vertex_handle s) const
+  static Orientation exact_orientation(const std::array<Vertex_handle, 4>& v,
+                                       const std::array<const Position*, 4>& positions)
   {
     {
       const typename Positions::Interval::Protector protector;
       const Uncertain<Orientation> o = typename Positions::Interval_kernel::Orientation_3()(
-        m_positions->box(p), m_positions->box(q), m_positions->box(r), m_positions->box(s));
+        Positions::box(v[0], positions[0]), Positions::box(v[1], positions[1]),
+        Positions::box(v[2], positions[2]), Positions::box(v[3], positions[3]));
       if(is_certain(o))
         return get_certain(o);
     }
-    return Positions::Homogeneous_point::orientation(m_positions->homogeneous(p), m_positions->homogeneous(q),
-                                                     m_positions->homogeneous(r), m_positions->homogeneous(s));
+    return Positions::Homogeneous_point::orientation(
+      Positions::homogeneous(v[0], positions[0]), Positions::homogeneous(v[1], positions[1]),
+      Positions::homogeneous(v[2], positions[2]), Positions::homogeneous(v[3], positions[3]));
   }
 
   const Tr* m_tr;

@@ -15,6 +15,7 @@
 #include <CGAL/number_utils.h>
 
 #include <cmath>
+#include <limits>
 
 namespace CGAL {
 namespace Boundary_recovery_3 {
@@ -50,6 +51,19 @@ template <typename FT>
 FT nearest_multiple(const FT& x, const FT& unit)
 {
   return nearest_integer(FT(x / unit)) * unit;
+}
+
+// The floating point number that is next to x, which is of an exact number type; to_double() may give its neighbor.
+template <typename FT>
+double nearest_double(const FT& x)
+{
+  const double d = CGAL::to_double(x);
+  if(! std::isfinite(d))
+    return d;
+  const double infinity = std::numeric_limits<double>::infinity();
+  const double neighbor = std::nextafter(d, FT(d) < x ? infinity : - infinity);
+  const bool is_neighbor_nearer = std::isfinite(neighbor) && CGAL::abs(FT(x - FT(neighbor))) < CGAL::abs(FT(x - FT(d)));
+  return is_neighbor_nearer ? neighbor : d;
 }
 
 } // namespace internal
