@@ -382,6 +382,15 @@ void test_predicates_of_exact_positions(const unsigned seed, const int range, co
   assert(found.size() == 3);
 }
 
+// Of denominators: powers of two within and beyond the range of floating point numbers, others, and products of both.
+Mixed_vertices::EK::FT random_divisor(std::mt19937& rng)
+{
+  typedef Mixed_vertices::EK::FT FT;
+  const FT large(std::ldexp(1., 600));
+  const std::array<FT, 6> divisors = {{ FT(1), FT(3), large, FT(7 * large), FT(large * large), FT(6 * large * large) }};
+  return divisors[static_cast<std::size_t>(br3_test::random_int(rng, 6))];
+}
+
 // Points of all scales, in one tetrahedron: subnormal, ordinary and huge numbers.
 void test_mixed_scales(const unsigned seed)
 {
@@ -394,7 +403,7 @@ void test_mixed_scales(const unsigned seed)
   std::mt19937 rng(seed);
   Mixed_vertices vertices;
   std::map<CGAL::Orientation, int> found;
-  for(int k = 0; k < 100; ++k)
+  for(int k = 0; k < 400; ++k)
   {
     for(int i = 0; i < 4; ++i)
     {
@@ -403,9 +412,38 @@ void test_mixed_scales(const unsigned seed)
       if(br3_test::random_int(rng, 2) == 0)
         vertices.set(i, p);
       else
-        vertices.set(i, EK::Point_3(p.x(), EK::FT(p.y()) / 3, p.z()));
+        vertices.set(i, EK::Point_3(p.x(), EK::FT(p.y()) / random_divisor(rng), p.z()));
     }
     ++found[vertices.check()];
+  }
+  assert(found.size() == 3);
+}
+
+// The points of a ray in homogeneous coordinates and as they are defined, seen from planes through them and others.
+void test_points_on_rays(const unsigned seed)
+{
+  typedef Mixed_vertices::Positions Positions;
+  typedef Mixed_vertices::EK EK;
+  std::mt19937 rng(seed);
+  const auto random_exact_point = [&]
+  {
+    const Point_3 p = random_point(rng, 3, 0);
+    return EK::Point_3(p.x() / random_divisor(rng), p.y(), p.z() / random_divisor(rng));
+  };
+  std::map<CGAL::Orientation, int> found;
+  for(int k = 0; k < 300; ++k)
+  {
+    const EK::Point_3 p = random_exact_point(), a = random_exact_point(), b = random_exact_point();
+    const EK::Vector_3 d = random_exact_point() - CGAL::ORIGIN;
+    const double s = std::ldexp(1., - br3_test::random_int(rng, 1000));
+    const EK::Point_3 x = p + EK::FT(s) * d;
+    const EK::Point_3 c = br3_test::random_int(rng, 2) == 0 ? random_exact_point() : a + EK::FT(2) * (x - b);
+    const CGAL::Orientation o = CGAL::orientation(a, b, c, x);
+    const Positions::Homogeneous_point on_ray = Positions::Homogeneous_point::on_ray(
+      Positions::to_homogeneous(p), Positions::to_homogeneous(CGAL::ORIGIN + d), s);
+    assert(Positions::Homogeneous_point::orientation(Positions::to_homogeneous(a), Positions::to_homogeneous(b),
+                                                     Positions::to_homogeneous(c), on_ray) == o);
+    ++found[o];
   }
   assert(found.size() == 3);
 }
@@ -490,6 +528,7 @@ int main()
       for(const int range : { 3, 1000000 })
         test_predicates_of_exact_positions(seed, range, exponent);
     test_mixed_scales(seed);
+    test_points_on_rays(seed);
   }
   std::cout << "done" << std::endl;
 }

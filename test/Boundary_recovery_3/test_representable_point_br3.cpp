@@ -21,6 +21,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iostream>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -185,7 +186,7 @@ void test_nearest_double()
 {
   using CGAL::Boundary_recovery_3::internal::nearest_double;
   const Rational tiny = Rational(std::ldexp(1., -300)) * Rational(std::ldexp(1., -900));
-  for(const double d : { 1., -1., .1, -3e200, 5e-300, 0., std::nextafter(2., 0.) })
+  for(const double d : { 1., -1., .1, -3e200, 5e-300, 0., -1e-320, std::nextafter(2., 0.) })
   {
     const double next = std::nextafter(d, 2 * std::abs(d) + 1);
     const Rational middle = (Rational(d) + Rational(next)) / Rational(2);
@@ -194,6 +195,9 @@ void test_nearest_double()
     assert(nearest_double(Rational(middle + tiny)) == next);
     assert(nearest_double(Rational(middle)) == d || nearest_double(Rational(middle)) == next);
   }
+  const double largest = std::numeric_limits<double>::max();
+  assert(nearest_double(Rational(largest)) == largest);
+  assert(nearest_double(Rational(Rational(- largest) + tiny)) == - largest);
 }
 
 int main()

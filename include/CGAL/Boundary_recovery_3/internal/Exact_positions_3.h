@@ -13,11 +13,11 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/Homogeneous_point_3.h>
+#include <CGAL/Boundary_recovery_3/internal/exact_numbers.h>
 #include <CGAL/Boundary_recovery_3/internal/nearest_integer.h>
 
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Cartesian_converter.h>
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Interval_nt.h>
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Simple_cartesian.h>
@@ -49,7 +49,6 @@ public:
   static constexpr bool is_kernel_exact = Algebraic_structure_traits<FT>::Is_exact::value;
 
   // Not lazy numbers: most positions are needed exactly at once.
-  typedef CGAL::Exact_rational               Rational;
   typedef std::conditional_t<is_kernel_exact, Kernel, Simple_cartesian<Rational> > Exact_kernel;
   typedef typename Exact_kernel::FT          Exact_FT;
   typedef typename Exact_kernel::Point_3     Exact_point_3;
@@ -58,7 +57,7 @@ public:
   typedef Simple_cartesian<Interval>         Interval_kernel;
   typedef Interval_kernel::Point_3           Interval_point_3;
 
-  typedef Homogeneous_point_3<Rational>      Homogeneous_point;
+  typedef Homogeneous_point_3                Homogeneous_point;
 
   // A position that is not the one in the triangulation.
   struct Position
@@ -91,16 +90,11 @@ public:
     }
   }
 
-  // The same in other numbers, where the position is what find() returned. Not to be called with exact kernels.
+  // The position of v as a box around it, for filters, and in homogeneous coordinates, for orientations when filters
+  // fail; `position` is what find(v) returned. Not to be called with exact kernels, nor is to_homogeneous().
   static Interval_point_3 box(const Vertex_handle v, const Position* const position)
   {
     return position == nullptr ? box(v->point()) : position->box;
-  }
-
-  // Nor these two.
-  static Homogeneous_point homogeneous(const Exact_point_3& p)
-  {
-    return Homogeneous_point::from_rationals(p.x(), p.y(), p.z());
   }
 
   static Homogeneous_point homogeneous(const Vertex_handle v, const Position* const position)
@@ -111,6 +105,11 @@ public:
     return Homogeneous_point::from_doubles(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
   }
 
+  static Homogeneous_point to_homogeneous(const Exact_point_3& p)
+  {
+    return Homogeneous_point::from_rationals(p.x(), p.y(), p.z());
+  }
+
   void set(const Vertex_handle v, const Exact_point_3& p)
   {
     if constexpr(is_kernel_exact)
@@ -119,7 +118,7 @@ public:
     {
       v->set_point(Point_3(internal::nearest_double(p.x()), internal::nearest_double(p.y()),
                            internal::nearest_double(p.z())));
-      m_positions[&*v] = { p, box(p), homogeneous(p) };
+      m_positions[&*v] = { p, box(p), to_homogeneous(p) };
     }
   }
 

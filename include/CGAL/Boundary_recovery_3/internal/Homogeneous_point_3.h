@@ -12,8 +12,10 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <CGAL/Boundary_recovery_3/internal/exact_numbers.h>
+
 #include <CGAL/Fraction_traits.h>
-#include <CGAL/Number_types/internal/Exact_type_selector.h>
+#include <CGAL/assertions.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/predicates/sign_of_determinant.h>
@@ -21,7 +23,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <type_traits>
 
 namespace CGAL {
 namespace Boundary_recovery_3 {
@@ -32,15 +33,14 @@ namespace internal {
  *
  * The sign of a determinant is found much faster from these than from rational numbers, which are reduced after each
  * operation. Most positions are multiples of powers of two, so multi-precision floating point numbers have them without
- * a denominator. `Rational` is a type of fractions of integers.
+ * a denominator.
  */
-template <typename Rational>
 class Homogeneous_point_3
 {
 public:
-  typedef Fraction_traits<Rational>                                  Fractions;
-  typedef typename Fractions::Numerator_type                         Integer;
-  typedef typename CGAL::internal::Exact_ring_selector<double>::Type RT;
+  typedef Fraction_traits<Rational>  Fractions;
+  typedef Fractions::Numerator_type  Integer;
+  typedef Exact_float                RT;
 
   Homogeneous_point_3() { }
 
@@ -54,13 +54,14 @@ public:
     bool are_inverses_known = true;
     for(int i = 0; i < 3; ++i)
     {
-      typename Fractions::Decompose()(*coordinates[i], numerators[i], denominators[i]);
+      Fractions::Decompose()(*coordinates[i], numerators[i], denominators[i]);
+      CGAL_assertion(CGAL::is_positive(denominators[i]));
       are_inverses_known = are_inverses_known && invert_power_of_two(denominators[i], inverses[i]);
     }
     Integer w(1);
     if(! are_inverses_known)
       for(const Integer& d : denominators) // their least common multiple, to have few digits
-        w *= CGAL::integral_division(d, typename Fractions::Common_factor()(w, d));
+        w *= CGAL::integral_division(d, Fractions::Common_factor()(w, d));
     p.m_w = ring_number(w);
     for(int i = 0; i < 3; ++i)
       p.m_xyz[i] = are_inverses_known ? RT(ring_number(numerators[i]) * inverses[i])
@@ -74,7 +75,7 @@ public:
     return Homogeneous_point_3({{ RT(x), RT(y), RT(z) }}, RT(1));
   }
 
-  // The point p + s d, where d is given by the point to which it goes from the origin of coordinates.
+  // The point p + s d, where the vector d goes from the origin of coordinates to the given point.
   static Homogeneous_point_3 on_ray(const Homogeneous_point_3& p, const Homogeneous_point_3& d, const RT& s)
   {
     Homogeneous_point_3 x;
@@ -104,7 +105,7 @@ public:
 private:
   Homogeneous_point_3(const std::array<RT, 3>& xyz, const RT& w) : m_xyz(xyz), m_w(w) { }
 
-  // Returns whether the inverse of n > 0 is a floating point number.
+  // Returns false unless n is a power of two below 2^1024, and sets its inverse.
   static bool invert_power_of_two(const Integer& n, RT& inverse)
   {
     const double d = CGAL::to_double(n);
@@ -118,25 +119,20 @@ private:
   // The same number.
   static RT ring_number(const Integer& n)
   {
-    if constexpr(std::is_same<Integer, RT>::value)
-      return n;
-    else
+    const double unit = std::ldexp(1., 900);
+    if(CGAL::abs(n) > Integer(unit))
     {
-      const double unit = std::ldexp(1., 900);
-      if(CGAL::abs(n) > Integer(unit))
-      {
-        const Integer quotient = CGAL::div(n, Integer(unit));
-        return ring_number(quotient) * RT(unit) + ring_number(Integer(n - quotient * Integer(unit)));
-      }
-      RT result(0);
-      for(Integer rest(n); ! CGAL::is_zero(rest); ) // each step takes the leading bits away
-      {
-        const double d = CGAL::to_double(rest);
-        result += RT(d);
-        rest -= Integer(d);
-      }
-      return result;
+      const Integer quotient = CGAL::div(n, Integer(unit));
+      return ring_number(quotient) * RT(unit) + ring_number(Integer(n - quotient * Integer(unit)));
     }
+    RT result(0);
+    for(Integer rest(n); ! CGAL::is_zero(rest); ) // each step takes the leading bits away
+    {
+      const double d = CGAL::to_double(rest);
+      result += RT(d);
+      rest -= Integer(d);
+    }
+    return result;
   }
 
   // A positive multiple of q - p.

@@ -15,6 +15,7 @@
 #include <CGAL/Boundary_recovery_3/internal/Exact_positions_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Representable_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
+#include <CGAL/Boundary_recovery_3/internal/exact_numbers.h>
 #include <CGAL/Boundary_recovery_3/internal/nearest_integer.h>
 
 #include <CGAL/Kernel/global_functions_3.h>
@@ -128,14 +129,9 @@ public:
   }
 
 private:
-  // Exact type of the linear programs, as a rule `Mpzf`. (With `Gmpzf`, recovery took a third more time in all where
-  // thousands of points are needed.)
-  typedef typename Positions::Homogeneous_point::RT               ET;
-
-  typedef typename Positions::Exact_FT                            FT;
-  typedef typename Positions::Rational                            Rational;
-  typedef typename Representable_point_3<Rational>::Point_3       Rational_point;
-  typedef typename Representable_point_3<Rational>::Plane_3       Rational_plane;
+  typedef typename Positions::Exact_FT              FT;
+  typedef Representable_point_3<Rational>::Point_3  Rational_point;
+  typedef Representable_point_3<Rational>::Plane_3  Rational_plane;
 
   // With the inside on their negative sides.
   static void add_box(const Rational_point& center, const double radius, std::vector<Rational_plane>& planes)
@@ -263,8 +259,9 @@ private:
     return false;
   }
 
-  // The first candidate of find_exactly_on_ray() that may see all the faces. There may be hundreds that do not, and it
-  // takes much longer to store an exact position than to decide on it.
+  // The first candidate of find_exactly_on_ray() that sees all the faces. There may be hundreds that do not, and it
+  // takes much longer to store an exact position than to decide on it. With exact kernels, which have nothing to store
+  // beside the triangulation, this is just the first of all.
   int first_on_ray(const std::vector<Triangle>& faces, const Vertex_handle origin, const Exact_vector& direction,
                    const double start) const
   {
@@ -272,9 +269,9 @@ private:
     if constexpr(! Positions::is_kernel_exact)
     {
       typedef typename Positions::Homogeneous_point Homogeneous_point;
-      typedef typename Homogeneous_point::RT        RT;
+      typedef Exact_float RT;
       const auto homogeneous = [this](const Vertex_handle v) { return Positions::homogeneous(v, m_positions.find(v)); };
-      const Homogeneous_point p = homogeneous(origin), d = Positions::homogeneous(CGAL::ORIGIN + direction);
+      const Homogeneous_point p = homogeneous(origin), d = Positions::to_homogeneous(CGAL::ORIGIN + direction);
       for(RT s(start); i < max_number_of_exact_bisections; s = s * RT(.25), ++i)
       {
         const Homogeneous_point x = Homogeneous_point::on_ray(p, d, s);
@@ -389,13 +386,14 @@ private:
     lp.set_c(3, - r_max);
     // With CGAL's default pricing, which was never seen to cycle. Bland's rule, which cannot, gives the same points and
     // takes a quarter longer in all on polyhedra that need thousands of points.
-    const CGAL::Quadratic_program_solution<ET> solution = CGAL::solve_linear_program(lp, ET());
+    const CGAL::Quadratic_program_solution<Exact_float> solution
+      = CGAL::solve_linear_program(lp, Exact_float());
     if(! solution.is_optimal())
       return false;
     const double denominator = CGAL::to_double(solution.variables_common_denominator());
     std::array<double, 4> values; // of the three coordinates and r
     std::transform(solution.variable_numerators_begin(), solution.variable_numerators_end(), values.begin(),
-                   [&](const ET& numerator) { return CGAL::to_double(numerator) / denominator; });
+                   [&](const Exact_float& numerator) { return CGAL::to_double(numerator) / denominator; });
     x = Vector(values[0], values[1], values[2]);
     m_depth = m_diameter * values[3];
     return true;

@@ -65,7 +65,7 @@ public:
 
   // Complete removals of single shells, as long as a pass halves what is lost: what is left then needs recursion, and
   // further passes would churn the mesh. (Passes as long as one edge comes back: 4 % more time on 128 surfaces, 18 %
-  // where these are stretched by 1024 in one direction, and no fewer points.)
+  // where these are stretched by 1024 in one direction, and as many points up to chance.)
   std::size_t remove_plainly(const Phase phase)
   {
     typedef Shell_transformation_3<Tr, No_shell_quality_3, Target_validity, Visitor> Transformation;

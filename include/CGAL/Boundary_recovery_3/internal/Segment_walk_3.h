@@ -127,8 +127,8 @@ private:
     return Cell_handle();
   }
 
-  // The index in c of a facet at u that has v strictly on its other side; -1 if there is none. Then, the sides of the
-  // three facets at u on which v is are known.
+  // The index in c of a facet at u that has v strictly on its other side; -1 if there is none. Then `m_start_sides`
+  // tells on which side of each of the three facets v is.
   int separating_facet(const Cell_handle c)
   {
     const int i = c->index(m_u);
@@ -154,8 +154,8 @@ private:
         s = c->vertex(i);
     if(s == m_v)
       return true;
-    // Around uv, s comes within half a turn after the vertex k of the facet if turn(k) is NEGATIVE, before it if
-    // POSITIVE. The segment leaves the cell on the side opposite to s; two turns tell which entity is there.
+    // In the order in which the vertices of the facet go around uv, s comes within half a turn after the vertex k if
+    // turn(k) is NEGATIVE, before it if POSITIVE. The segment leaves the cell opposite to s; two turns tell where.
     const std::array<Vertex_handle, 3>& f = from.vertices;
     const auto turn = [&](const int k) { return m_predicates.orientation(m_u, m_v, f[k], s); };
     const Orientation first = turn(0);
@@ -207,12 +207,10 @@ private:
   typedef boost::container::small_vector<Vertex_handle, 3> Vertices;
 
   // Appends the entity of c with these vertices. For a facet, the cell behind it is stored, for that is where to go on,
-  // and each vertex turns NEGATIVE to the next one around uv.
+  // and its vertices go around uv such that orientation(u, v, vertex k, vertex k + 1) is NEGATIVE.
   bool cross(const Vertices& vertices, const Cell_handle c, Outcome& outcome)
   {
     CGAL_assertion(! vertices.empty());
-    CGAL_assertion(vertices.size() < 3
-                   || m_predicates.orientation(m_u, m_v, vertices[0], vertices[1]) == NEGATIVE);
     if(vertices.size() == 1)
     {
       m_blocking_vertex = vertices[0];
@@ -222,6 +220,8 @@ private:
     Crossing crossing = { static_cast<int>(vertices.size()) - 1, {{ vertices[0], vertices[1], Vertex_handle() }}, c };
     if(vertices.size() == 3)
     {
+      for(int k = 0; k < 3; ++k)
+        CGAL_expensive_assertion(m_predicates.orientation(m_u, m_v, vertices[k], vertices[(k + 1) % 3]) == NEGATIVE);
       crossing.vertices[2] = vertices[2];
       for(int i = 0; i < 4; ++i)
         if(! internal::contains(vertices, c->vertex(i)))

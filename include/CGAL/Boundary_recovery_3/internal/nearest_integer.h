@@ -53,17 +53,19 @@ FT nearest_multiple(const FT& x, const FT& unit)
   return nearest_integer(FT(x / unit)) * unit;
 }
 
-// The floating point number that is next to x, which is of an exact number type; to_double() may give its neighbor.
+// The floating point number that is next to x. to_double() has to give one of its two neighbors.
 template <typename FT>
 double nearest_double(const FT& x)
 {
   const double d = CGAL::to_double(x);
   if(! std::isfinite(d))
     return d;
+  const FT error = x - FT(d);
+  if(CGAL::is_zero(error))
+    return d;
   const double infinity = std::numeric_limits<double>::infinity();
-  const double neighbor = std::nextafter(d, FT(d) < x ? infinity : - infinity);
-  const bool is_neighbor_nearer = std::isfinite(neighbor) && CGAL::abs(FT(x - FT(neighbor))) < CGAL::abs(FT(x - FT(d)));
-  return is_neighbor_nearer ? neighbor : d;
+  const double neighbor = std::nextafter(d, CGAL::is_positive(error) ? infinity : - infinity);
+  return std::isfinite(neighbor) && CGAL::abs(FT(x - FT(neighbor))) < CGAL::abs(error) ? neighbor : d;
 }
 
 } // namespace internal
