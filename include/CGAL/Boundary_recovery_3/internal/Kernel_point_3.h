@@ -269,10 +269,9 @@ private:
     if constexpr(! Positions::is_kernel_exact)
     {
       typedef typename Positions::Homogeneous_point Homogeneous_point;
-      typedef Exact_float RT;
       const auto homogeneous = [this](const Vertex_handle v) { return Positions::homogeneous(v, m_positions.find(v)); };
       const Homogeneous_point p = homogeneous(origin), d = Positions::to_homogeneous(CGAL::ORIGIN + direction);
-      for(RT s(start); i < max_number_of_exact_bisections; s = s * RT(.25), ++i)
+      for(Exact_float s(start); i < max_number_of_exact_bisections; s = s * Exact_float(.25), ++i)
       {
         const Homogeneous_point x = Homogeneous_point::on_ray(p, d, s);
         const auto is_hidden = [&](const Triangle& f)

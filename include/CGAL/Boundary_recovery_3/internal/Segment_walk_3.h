@@ -87,8 +87,8 @@ private:
       outcome = IS_EDGE;
       return true;
     }
-    // The direction to v is in the closed cone of c at u. The facets at u that contain it decide: w[k] is an end of the
-    // crossed entity unless the direction is in the plane opposite to it.
+    // The direction to v is in the closed cone of c at u. The facets at u that contain it decide: a vertex is an end of
+    // the crossed entity unless the direction is in the plane of the facet opposite to it.
     const int i = c->index(m_u);
     boost::container::small_vector<Vertex_handle, 3> ends;
     for(int k = 0; k < 3; ++k)
