@@ -10,6 +10,8 @@
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Cartesian_converter.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
 
@@ -94,6 +96,13 @@ std::size_t number_around(const Tetrahedra& tetrahedra, const Simplex& simplex)
   });
 }
 
+Point random_point(std::mt19937& rng, const bool on_grid)
+{
+  const auto coordinate = [&] { return on_grid ? random_int(rng, 5) : random_int(rng, 1 << 30) / 3.; };
+  const double x = coordinate(), y = coordinate(), z = coordinate();
+  return Point(x, y, z);
+}
+
 Cells finite_cells(const Tr& tr)
 {
   Cells result;
@@ -120,14 +129,150 @@ Tetrahedra reconnect(Tr& tr, Reconnection& reconnection, const Cells& cells, con
   return result;
 }
 
-// --- cavities in random triangulations -------------------------------------------------------------------------------
+// --- the table of orientations ---------------------------------------------------------------------------------------
 
-Point random_point(std::mt19937& rng, const bool on_grid)
+typedef CGAL::Exact_predicates_exact_constructions_kernel     Exact_kernel;
+typedef BR::internal::Orientation_table_3<Tr>                 Table;
+typedef Table::Vertex_set                                     Vertex_set;
+
+Exact_kernel::Point_3 exact_point(const Table& table, const int i)
 {
-  const auto coordinate = [&] { return on_grid ? random_int(rng, 5) : random_int(rng, 1 << 30) / 3.; };
-  const double x = coordinate(), y = coordinate(), z = coordinate();
-  return Point(x, y, z);
+  return CGAL::Cartesian_converter<Kernel, Exact_kernel>()(table.vertices()[i]->point());
 }
+
+typedef Exact_kernel::Segment_3   Exact_segment;
+typedef Exact_kernel::Triangle_3  Exact_triangle;
+
+// In a point inside both.
+bool do_cross(const Exact_segment& s, const Exact_segment& t)
+{
+  return CGAL::do_intersect(s, t) && ! s.has_on(t.source()) && ! s.has_on(t.target())
+      && ! t.has_on(s.source()) && ! t.has_on(s.target());
+}
+
+bool do_cross(const Exact_segment& s, const Exact_triangle& t)
+{
+  if(t.is_degenerate() || ! CGAL::do_intersect(s, t) || t.has_on(s.source()) || t.has_on(s.target()))
+    return false;
+  for(int k = 0; k < 3; ++k)
+    if(CGAL::do_intersect(s, Exact_segment(t[k], t[k + 1])))
+      return false;
+  return true;
+}
+
+void check_edges_and_faces(const Table& table)
+{
+  const int n = table.number_of_vertices();
+  const auto p = [&](const int i) { return exact_point(table, i); };
+  for(int a = 0; a < n; ++a)
+    for(int b = 0; b < n; ++b)
+    {
+      if(a == b)
+        continue;
+      const Exact_segment e(p(a), p(b));
+      std::map<std::array<int, 2>, Vertex_set> pierced;
+      table.for_each_pierced_face({{ a, b }}, [&](const int i, const int j, const Vertex_set apexes)
+      {
+        assert(i < j && apexes != 0);
+        assert(pierced.insert({ {{ i, j }}, apexes }).second);
+      });
+      for(int i = 0; i < n; ++i)
+        for(int j = i + 1; j < n; ++j)
+        {
+          if(i == a || i == b || j == a || j == b)
+            continue;
+          const bool is_edge_crossed = do_cross(e, Exact_segment(p(i), p(j)));
+          assert(((table.ends_of_crossing_edges({{ i, j }}, a) & Table::set_of(b)) != 0) == is_edge_crossed);
+          number_of["crossing edges"] += is_edge_crossed;
+          for(int k = 0; k < n; ++k)
+          {
+            if(k == a || k == b || k == i || k == j)
+              continue;
+            const bool is_pierced = do_cross(e, Exact_triangle(p(i), p(j), p(k)));
+            assert(((pierced[{{ i, j }}] & Table::set_of(k)) != 0) == is_pierced);
+            const Vertex_set positive = table.sides({{ i, j, k }}).positive;
+            if((positive & Table::set_of(a)) != 0)
+              assert(((table.ends_of_piercing_edges({{ i, j, k }}, a) & Table::set_of(b)) != 0) == is_pierced);
+            number_of["pierced faces"] += is_pierced;
+          }
+        }
+    }
+}
+
+void check_tetrahedra(const Table& table)
+{
+  const int n = table.number_of_vertices();
+  for(int i = 0; i < n; ++i)
+    for(int j = 0; j < n; ++j)
+      for(int k = 0; k < n; ++k)
+        for(int l = 0; l < n; ++l)
+        {
+          if(i == j || i == k || i == l || j == k || j == l || k == l)
+            continue;
+          const Exact_kernel::Tetrahedron_3 t(exact_point(table, i), exact_point(table, j), exact_point(table, k),
+                                              exact_point(table, l));
+          const Table::Sides s = table.sides({{ i, j, k }});
+          assert(((s.positive & Table::set_of(l)) != 0) == (t.orientation() == CGAL::POSITIVE));
+          assert(((s.negative & Table::set_of(l)) != 0) == (t.orientation() == CGAL::NEGATIVE));
+          if(t.orientation() != CGAL::POSITIVE)
+            continue;
+          bool contains_vertex = false;
+          for(int m = 0; m < n; ++m)
+            if(m != i && m != j && m != k && m != l && ! t.has_on_unbounded_side(exact_point(table, m)))
+              contains_vertex = true;
+          assert(table.contains_vertex({{ i, j, k }}, l) == contains_vertex);
+          number_of["tetrahedra with a vertex"] += contains_vertex;
+        }
+}
+
+// Each list begins like the one before, and then differs.
+void test_orientation_table()
+{
+  std::mt19937 rng(11);
+  Tr tr;
+  for(int i = 0; i < 40; ++i)
+    tr.insert(random_point(rng, true));
+  const std::vector<Vertex_handle> all(tr.finite_vertex_handles().begin(), tr.finite_vertex_handles().end());
+  const Predicates predicates(tr);
+  Table table(predicates);
+  std::vector<Vertex_handle> vertices(all.begin(), all.begin() + 7);
+  for(int round = 0; round < 3; ++round)
+  {
+    table.set_vertices(vertices);
+    check_edges_and_faces(table);
+    check_tetrahedra(table);
+    vertices.resize(4 + round);
+    vertices.insert(vertices.end(), all.begin() + 10 + 5 * round, all.begin() + 14 + 5 * round);
+  }
+}
+
+// The table is full, and the last vertices are in it, too.
+void test_full_orientation_table()
+{
+  std::mt19937 rng(12);
+  Tr tr;
+  while(tr.number_of_vertices() < Table::max_number_of_vertices)
+    tr.insert(random_point(rng, true));
+  const std::vector<Vertex_handle> all(tr.finite_vertex_handles().begin(), tr.finite_vertex_handles().end());
+  const Predicates predicates(tr);
+  Table table(predicates);
+  table.set_vertices(all);
+  const int n = table.number_of_vertices();
+  assert(Table::number_of_elements(table.all()) == n && Table::first(table.all() & ~Table::before(n - 1)) == n - 1);
+  for(int trial = 0; trial < 2000; ++trial)
+  {
+    const Table::Face f = {{ n - 1 - random_int(rng, 20), random_int(rng, 20), 20 + random_int(rng, 20) }};
+    for(int l = 0; l < n; ++l)
+    {
+      const CGAL::Orientation o = CGAL::orientation(all[f[0]]->point(), all[f[1]]->point(), all[f[2]]->point(),
+                                                    all[l]->point());
+      assert(((table.sides(f).positive & Table::set_of(l)) != 0) == (o == CGAL::POSITIVE));
+      assert(((table.sides(f).negative & Table::set_of(l)) != 0) == (o == CGAL::NEGATIVE));
+    }
+  }
+}
+
+// --- cavities in random triangulations -------------------------------------------------------------------------------
 
 // A union of up to n finite cells that is connected by facets.
 Cells random_cavity(const Tr& tr, std::mt19937& rng, const std::size_t n)
@@ -335,25 +480,46 @@ void test_limits()
   Reconnection reconnection(predicates);
   const Cells one(1, finite_cells(tr).front()), many = random_cavity(tr, rng, 15);
 
-  reconnection.set_max_number_of_steps(1);
-  assert(reconnection(many, Edges(), Facets()) == Reconnection::GAVE_UP);
-  assert(reconnection.tetrahedra().empty());
+  Reconnection bounded(predicates, { Reconnection::max_number_of_vertices, 1 });
+  assert(bounded(many, Edges(), Facets()) == Reconnection::GAVE_UP);
+  assert(bounded.tetrahedra().empty());
   ++number_of["gave up: steps"];
   assert(reconnection(one, Edges(), Facets()) == Reconnection::FOUND);
   assert(reconnection.tetrahedra().size() == 1 && number_around(reconnection.tetrahedra(), tetrahedra_of(one)[0]) == 1);
   ++number_of["single tetrahedron"];
 
   // It was not the polyhedron, but the bound.
-  reconnection.set_max_number_of_steps(Reconnection::default_max_number_of_steps);
   assert(reconnection(many, Edges(), Facets()) == Reconnection::FOUND);
 
-  assert(tr.number_of_vertices() > std::size_t(Reconnection::max_number_of_vertices));
+  assert(tr.number_of_vertices() > Reconnection::default_bounds.vertices);
   assert(reconnection(finite_cells(tr), Edges(), Facets()) == Reconnection::GAVE_UP);
   ++number_of["gave up: vertices"];
 }
 
+// With as many vertices as can be, one inside is superfluous.
+void test_large_polyhedron()
+{
+  std::mt19937 rng(13);
+  Tr tr;
+  while(tr.number_of_vertices() < Reconnection::max_number_of_vertices)
+    tr.insert(random_point(rng, false));
+  const Cells all = finite_cells(tr);
+  const Number volume_before = total_volume(tetrahedra_of(all));
+  const Vertex_handle v = tr.insert(CGAL::centroid(tr.tetrahedron(all[all.size() / 2])));
+  const Cells cells = finite_cells(tr);
+  const Predicates predicates(tr);
+  Reconnection large(predicates, { Reconnection::max_number_of_vertices, 2000 });
+  assert(large(cells, Edges(), Facets(), v) == Reconnection::FOUND);
+  assert(total_volume(large.tetrahedra()) == volume_before);
+  assert(number_around(large.tetrahedra(), std::array<Vertex_handle, 1>{{ v }}) == 0);
+  assert(large(cells, Edges(), Facets()) == Reconnection::GAVE_UP); // one vertex too many
+  ++number_of["large polyhedron"];
+}
+
 int main()
 {
+  test_orientation_table();
+  test_full_orientation_table();
   test_cavities(true);
   test_cavities(false);
   test_hulls();
@@ -363,13 +529,16 @@ int main()
   test_twisted_prism(5, 12);
   test_twisted_prism(6, 8);
   test_limits();
+  test_large_polyhedron();
 
-  for(const char* kind : { "grid cavity", "grid cavity with requirements", "grid cavity changed",
+  for(const char* kind : { "crossing edges", "pierced faces", "tetrahedra with a vertex",
+                           "grid cavity", "grid cavity with requirements", "grid cavity changed",
                            "double cavity", "double cavity with requirements", "double cavity changed",
                            "hull found", "hull none", "hull with some of its edges",
                            "bipyramid of two cells", "bipyramid of three cells", "bipyramid with both required",
                            "twisted prism with all diagonals", "twisted prism with one diagonal",
-                           "gave up: steps", "gave up: vertices", "single tetrahedron" })
+                           "gave up: steps", "gave up: vertices", "single tetrahedron",
+                           "large polyhedron" })
   {
     std::cout << number_of[kind] << " x " << kind << std::endl;
     assert(number_of[kind] > 0);

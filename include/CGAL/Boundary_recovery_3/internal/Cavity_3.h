@@ -28,7 +28,7 @@ namespace internal {
 
 /*
  * Finite cells that are to be replaced together, in the order in which they were added; and what is around them.
- * There are some dozens of them at most, so all searches are linear.
+ * There are some hundreds of them at most, so all searches are linear.
  */
 template <typename Tr>
 class Cavity_3
@@ -53,14 +53,15 @@ public:
       m_cells.push_back(c);
   }
 
-  // Adds cells behind its faces that have no other vertices than these, as long as there are such.
+  // Adds cells behind its faces that have no other vertices than these, as long as there are such. What is behind a
+  // constrained face has nothing to do with what is in front of it.
   void add_cells_of(const Vertices& vertices)
   {
     for(std::size_t k = 0; k < m_cells.size(); ++k) // it grows
       for(int i = 0; i < 4; ++i)
       {
         const Cell_handle c = m_cells[k], n = c->neighbor(i);
-        if(internal::contains(vertices, n->vertex(n->index(c))))
+        if(internal::contains(vertices, n->vertex(n->index(c))) && ! is_constrained(internal::facet_vertices(c, i)))
           add(n);
       }
   }
@@ -77,21 +78,23 @@ public:
     return result;
   }
 
-  // The vertex behind the largest number of faces; none if there is only the exterior behind them.
-  // A face that is constrained stays, whatever is behind it, so it counts less.
+  // The vertex behind the largest number of faces that are not constrained; none if there is only the exterior of the
+  // hull behind them.
   Vertex_handle most_adjacent_vertex() const
   {
     Vertices vertices;
     std::vector<int> counts;
     for_each_face([&](const Triangle& f, Cell_handle, const Vertex_handle x)
     {
+      if(is_constrained(f))
+        return;
       const std::size_t k = std::find(vertices.begin(), vertices.end(), x) - vertices.begin();
       if(k == vertices.size())
       {
         vertices.push_back(x);
         counts.push_back(0);
       }
-      counts[k] += is_constrained(f) ? 1 : 4;
+      ++counts[k];
     });
     return vertices.empty() ? Vertex_handle()
                             : vertices[std::max_element(counts.begin(), counts.end()) - counts.begin()];

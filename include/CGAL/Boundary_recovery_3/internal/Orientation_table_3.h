@@ -14,12 +14,16 @@
 
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/enum.h>
 
 #include <algorithm>
 #include <array>
+#include <bitset>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -27,7 +31,8 @@ namespace Boundary_recovery_3 {
 namespace internal {
 
 /*
- * The orientations of all quadruples of a few vertices, and the predicates that can be read off them.
+ * The orientations of all quadruples of a few vertices, and the predicates that can be read off them, for many vertices
+ * at a time.
  *
  * Vertices are given by their positions in the list of vertices. As long as the first vertices of the next list are
  * those of the last one, their orientations are kept.
@@ -40,28 +45,30 @@ public:
   typedef Vertex_predicates_3<Tr>       Predicates;
   typedef std::array<int, 2>            Edge;
   typedef std::array<int, 3>            Face;
+  typedef std::uint64_t                 Vertex_set; // as bits
 
-  static constexpr std::size_t max_number_of_vertices = 28; // they are bits of 32
+  static constexpr std::size_t max_number_of_vertices = 63; // one less than bits, for before()
+
+  // The vertices on the positive and on the negative side of a face.
+  struct Sides
+  {
+    Vertex_set positive = 0, negative = 0;
+  };
 
   explicit Orientation_table_3(const Predicates& predicates) : m_predicates(predicates) { }
 
   // To be called if vertices moved.
   void forget() { m_vertices.clear(); }
 
-  // Returns false if there are too many.
-  bool set_vertices(const std::vector<Vertex_handle>& vertices)
+  // At most `max_number_of_vertices`.
+  void set_vertices(const std::vector<Vertex_handle>& vertices)
   {
-    if(vertices.size() > max_number_of_vertices)
-    {
-      forget();
-      return false;
-    }
+    CGAL_precondition(vertices.size() <= max_number_of_vertices);
     const std::size_t smaller = (std::min)(vertices.size(), m_vertices.size());
     const auto different = std::mismatch(vertices.begin(), vertices.begin() + smaller, m_vertices.begin());
     const int same = static_cast<int>(different.first - vertices.begin());
     m_vertices = vertices;
     fill_in_sides(same);
-    return true;
   }
 
   const std::vector<Vertex_handle>& vertices() const { return m_vertices; }
@@ -73,123 +80,175 @@ public:
     return static_cast<int>(std::find(m_vertices.begin(), m_vertices.end(), v) - m_vertices.begin());
   }
 
-  // For distinct i, j, k; 0 if l is one of them.
-  int orientation(const int i, const int j, const int k, const int l) const
+  static Vertex_set set_of(const int i) { return Vertex_set(1) << i; }
+
+  static Vertex_set set_of(const Edge& e) { return set_of(e[0]) | set_of(e[1]); }
+
+  // All the vertices before i.
+  static Vertex_set before(const int i) { return set_of(i) - 1; }
+
+  Vertex_set all() const { return before(number_of_vertices()); }
+
+  static int number_of_elements(const Vertex_set set)
   {
-    const Sides& s = sides(i, j, k);
-    return static_cast<int>((s.positive >> l) & 1) - static_cast<int>((s.negative >> l) & 1);
+    return static_cast<int>(std::bitset<std::numeric_limits<Vertex_set>::digits>(set).count());
   }
 
-  bool crosses(const Edge& e, const Edge& f) const
+  // Of a set that is not empty.
+  static int first(const Vertex_set set)
   {
-    if(e[0] == f[0] || e[0] == f[1] || e[1] == f[0] || e[1] == f[1] || orientation(e[0], e[1], f[0], f[1]) != 0)
-      return false;
-    // Coplanar: seen from any vertex off their plane, each edge has the ends of the other on opposite sides.
-    for(int w = 0; w < number_of_vertices(); ++w)
+    int i = 0;
+    while((set & set_of(i)) == 0)
+      ++i;
+    return i;
+  }
+
+  // Calls `visit` with each vertex of the set, in order.
+  template <typename Visit>
+  static void for_each(const Vertex_set set, const Visit& visit)
+  {
+    int i = 0;
+    for(Vertex_set rest = set; rest != 0; rest >>= 1, ++i)
+      if((rest & 1) != 0)
+        visit(i);
+  }
+
+  // For distinct vertices of the face; they are on none of its sides.
+  Sides sides(Face f) const
+  {
+    const bool is_odd = sort(f);
+    Sides result = m_sides[first_index(f[1], f[2]) + f[0]];
+    if(is_odd)
+      std::swap(result.positive, result.negative);
+    return result;
+  }
+
+  // The vertices b such that the edge ab crosses the interior of the face in a point. `a` is on its positive side.
+  Vertex_set ends_of_piercing_edges(const Face& f, const int a) const
+  {
+    Vertex_set result = sides(f).negative;
+    for(int k = 0; k < 3 && result != 0; ++k)
+      result &= sides({{ f[k], f[(k + 1) % 3], a }}).negative;
+    return result;
+  }
+
+  // Calls `visit` with i, j > i and the set of all k such that the edge crosses the interior of the face ijk in a
+  // point, where there are any.
+  template <typename Visit>
+  void for_each_pierced_face(const Edge& e, const Visit& visit) const
+  {
+    std::array<Sides, max_number_of_vertices> around; // of the planes through the edge and each of the vertices
+    for_each(all() & ~set_of(e), [&](const int i) { around[i] = sides({{ e[0], e[1], i }}); });
+    for_each(all() & ~set_of(e), [&](const int i)
     {
-      const int s = orientation(e[0], e[1], f[0], w), t = orientation(e[0], e[1], f[1], w);
-      const int x = orientation(f[0], f[1], e[0], w), y = orientation(f[0], f[1], e[1], w);
-      if(s != 0 || t != 0 || x != 0 || y != 0)
-        return s * t < 0 && x * y < 0;
-    }
-    return false;
+      for_each((around[i].positive | around[i].negative) & ~before(i), [&](const int j)
+      {
+        const Vertex_set through // the line of the edge crosses ijk
+          = (around[i].positive & set_of(j)) != 0 ? around[i].negative & around[j].positive
+                                                   : around[i].positive & around[j].negative;
+        if(through == 0)
+          return;
+        const Sides s = sides({{ i, j, e[0] }}), t = sides({{ i, j, e[1] }});
+        const Vertex_set apexes = through & ((s.positive & t.negative) | (s.negative & t.positive));
+        if(apexes != 0)
+          visit(i, j, apexes);
+      });
+    });
   }
 
-  bool pierces(const Edge& e, const Face& f) const
+  // The vertices b such that the edges ab and e are in a plane and cross in a point inside both.
+  Vertex_set ends_of_crossing_edges(const Edge& e, const int a) const
   {
-    const Sides& s = sides(f);
-    if(((((s.positive >> e[0]) & (s.negative >> e[1])) | ((s.negative >> e[0]) & (s.positive >> e[1]))) & 1) == 0)
-      return false; // both ends on the same side, or one of them in the plane
-    const int side = orientation(e[0], e[1], f[0], f[1]);
-    return side != 0
-        && orientation(e[0], e[1], f[1], f[2]) == side
-        && orientation(e[0], e[1], f[2], f[0]) == side;
+    if(a == e[0] || a == e[1])
+      return 0;
+    const Sides s = sides({{ e[0], e[1], a }});
+    Vertex_set result = 0;
+    for_each(all() & ~(s.positive | s.negative | set_of(e) | set_of(a)), [&](const int b)
+    {
+      if(is_crossed(e, {{ a, b }}))
+        result |= set_of(b);
+    });
+    return result;
   }
 
-  // Whether a vertex is in the closed tetrahedron that is not one of its own.
-  // `faces` are its faces, with the tetrahedron on their positive sides.
-  bool contains_vertex(const std::array<int, 4>& v, const std::array<Face, 4>& faces) const
+  // Whether a vertex is in the closed tetrahedron of the face and the vertex v that is none of its own. `v` is on the
+  // positive side of the face.
+  bool contains_vertex(const Face& f, const int v) const
   {
-    std::uint32_t outside = bit(v[0]) | bit(v[1]) | bit(v[2]) | bit(v[3]);
-    for(const Face& f : faces)
-      outside |= sides(f).negative;
-    return outside != bit(number_of_vertices()) - 1;
+    Vertex_set outside = sides(f).negative | set_of(f[0]) | set_of(f[1]) | set_of(f[2]) | set_of(v);
+    for(int k = 0; k < 3; ++k)
+      outside |= sides({{ f[k], f[(k + 1) % 3], v }}).positive;
+    return outside != all();
   }
 
 private:
-  // The vertices on the positive and on the negative side of a face, as bits.
-  struct Sides
+  // For four vertices in a plane: seen from any vertex off the plane, each edge has the ends of the other one on
+  // opposite sides.
+  bool is_crossed(const Edge& e, const Edge& f) const
   {
-    std::uint32_t positive = 0, negative = 0;
-  };
+    const Sides s = sides({{ e[0], e[1], f[0] }}), t = sides({{ e[0], e[1], f[1] }});
+    const Sides x = sides({{ f[0], f[1], e[0] }}), y = sides({{ f[0], f[1], e[1] }});
+    return ((s.positive & t.negative) | (s.negative & t.positive)) != 0
+        && ((x.positive & y.negative) | (x.negative & y.positive)) != 0;
+  }
 
-  static std::uint32_t bit(const int i) { return std::uint32_t(1) << i; }
-
-  Sides& sides(const int i, const int j, const int k) { return m_sides[offset(i, j, k)]; }
-  const Sides& sides(const int i, const int j, const int k) const { return m_sides[offset(i, j, k)]; }
-  const Sides& sides(const Face& f) const { return sides(f[0], f[1], f[2]); }
-
-  // Does not depend on the number of vertices, so that entries stay where they are.
-  static std::size_t offset(const int i, const int j, const int k)
+  // Returns whether the number of exchanges is odd.
+  static bool sort(Face& f)
   {
-    return (static_cast<std::size_t>(i) * max_number_of_vertices + j) * max_number_of_vertices + k;
+    bool is_odd = false;
+    const auto exchange = [&](int& i, int& j) { if(i > j) { std::swap(i, j); is_odd = ! is_odd; } };
+    exchange(f[0], f[1]);
+    exchange(f[1], f[2]);
+    exchange(f[0], f[1]);
+    return is_odd;
+  }
+
+  static std::size_t number_of_faces(const std::size_t number_of_vertices)
+  {
+    return number_of_vertices < 3 ? 0 : number_of_vertices * (number_of_vertices - 1) * (number_of_vertices - 2) / 6;
+  }
+
+  // The index of the first of the faces ijk, i < j < k: all those with smaller k are before them, then those with the
+  // same k and smaller j.
+  static std::size_t first_index(const int j, const int k)
+  {
+    return number_of_faces(k) + static_cast<std::size_t>(j) * (j - 1) / 2;
   }
 
   // Orients all the quadruples; those of the first `known` vertices are known.
   void fill_in_sides(const int known)
   {
-    m_sides.resize(max_number_of_vertices * max_number_of_vertices * max_number_of_vertices);
-    for(int k = known; k < number_of_vertices(); ++k)
-      for(int j = 0; j < k; ++j)
-        for(int i = 0; i < j; ++i)
-          sides(i, j, k) = Sides();
-    const std::uint32_t known_bits = bit(known) - 1;
-    for(int k = 0; k < known; ++k)
-      for(int j = 0; j < k; ++j)
-        for(int i = 0; i < j; ++i)
-        {
-          sides(i, j, k).positive &= known_bits;
-          sides(i, j, k).negative &= known_bits;
-        }
+    m_sides.resize(number_of_faces(known));
+    for(Sides& s : m_sides)
+    {
+      s.positive &= before(known);
+      s.negative &= before(known);
+    }
+    m_sides.resize(number_of_faces(number_of_vertices()));
     for(int l = known; l < number_of_vertices(); ++l)
       for(int k = 0; k < l; ++k)
         for(int j = 0; j < k; ++j)
           for(int i = 0; i < j; ++i)
             store_orientation(i, j, k, l);
-    copy_sides_to_permutations();
   }
 
+  // For i < j < k < l.
   void store_orientation(const int i, const int j, const int k, const int l)
   {
     const Orientation o = m_predicates.orientation(m_vertices[i], m_vertices[j], m_vertices[k], m_vertices[l]);
     if(o == ZERO)
       return;
-    std::uint32_t Sides::* const even = o == POSITIVE ? &Sides::positive : &Sides::negative;
-    std::uint32_t Sides::* const odd = o == POSITIVE ? &Sides::negative : &Sides::positive;
-    sides(i, j, k).*even |= bit(l);
-    sides(i, j, l).*odd |= bit(k);
-    sides(i, k, l).*even |= bit(j);
-    sides(j, k, l).*odd |= bit(i);
-  }
-
-  void copy_sides_to_permutations()
-  {
-    for(int k = 0; k < number_of_vertices(); ++k)
-      for(int j = 0; j < k; ++j)
-        for(int i = 0; i < j; ++i)
-        {
-          const Sides s = sides(i, j, k);
-          Sides reversed;
-          reversed.positive = s.negative;
-          reversed.negative = s.positive;
-          sides(j, k, i) = sides(k, i, j) = s;
-          sides(j, i, k) = sides(i, k, j) = sides(k, j, i) = reversed;
-        }
+    Vertex_set Sides::* const even = o == POSITIVE ? &Sides::positive : &Sides::negative;
+    Vertex_set Sides::* const odd = o == POSITIVE ? &Sides::negative : &Sides::positive;
+    m_sides[first_index(j, k) + i].*even |= set_of(l);
+    m_sides[first_index(j, l) + i].*odd |= set_of(k);
+    m_sides[first_index(k, l) + i].*even |= set_of(j);
+    m_sides[first_index(k, l) + j].*odd |= set_of(i);
   }
 
   const Predicates& m_predicates;
   std::vector<Vertex_handle> m_vertices;
-  std::vector<Sides> m_sides; // by ordered triples
+  std::vector<Sides> m_sides; // by index, seen from where i, j, k with i < j < k are counterclockwise
 };
 
 } // namespace internal

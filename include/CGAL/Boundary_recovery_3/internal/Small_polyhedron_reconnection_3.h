@@ -16,8 +16,6 @@
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/contains.h>
 
-#include <boost/dynamic_bitset.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -34,10 +32,11 @@ namespace internal {
  * The polyhedron is a set of cells of the mesh, its vertices are all that may be used. The search is exhaustive with
  * pruning, so "none exists" is a proof; its work is bounded, so it may also give up.
  *
- * All geometry is read off a table of orientations. Candidates are the tetrahedra that contain no other vertex and
- * neither cross the boundary of the polyhedron nor a required simplex. The search takes the face of the front that has
- * the fewest candidates left, tries them, and after each choice drops the candidates that cross it: a face with none
- * left ends the branch.
+ * All geometry is read off a table of orientations. The search takes the face of the front that has the fewest apexes
+ * left and tries these. An apex is out if the tetrahedron contained another vertex, or crossed an obstacle: what is
+ * required or on the boundary of the polyhedron, and what was chosen before. Obstacles are kept as the edges and faces
+ * that they cross, for each edge as the set of its third vertices, so a few operations on bits find all apexes.
+ * A face with none left ends the branch.
  */
 template <typename Tr>
 class Small_polyhedron_reconnection_3
@@ -56,17 +55,23 @@ public:
   };
 
   static constexpr std::size_t max_number_of_vertices = Orientation_table_3<Tr>::max_number_of_vertices;
-  static constexpr std::size_t default_max_number_of_steps = 2000;
-  static constexpr std::size_t max_number_of_conflict_tests = 50000;
 
-  explicit Small_polyhedron_reconnection_3(const Predicates& predicates) : m_orientations(predicates) { }
+  // Bounds on the work of one search.
+  struct Bounds
+  {
+    std::size_t vertices; // of the polyhedron, at most max_number_of_vertices
+    std::size_t steps;    // tetrahedra tried
+  };
+
+  static constexpr Bounds default_bounds = { 28, 2000 };
+
+  explicit Small_polyhedron_reconnection_3(const Predicates& predicates, const Bounds& bounds = default_bounds)
+    : m_orientations(predicates), m_bounds(bounds)
+  { }
 
   // Forgets the last polyhedron, of which the orientations that are still of use in the next one are kept. To be called
   // if vertices moved.
   void forget() { m_orientations.forget(); }
-
-  // Bound on the number of tetrahedra that are tried in one search.
-  void set_max_number_of_steps(const std::size_t n) { m_max_number_of_steps = n; }
 
   // `cells` are finite cells whose union is a polyhedron; `edges` and `facets` are arrays of vertices of these cells,
   // of simplices inside the polyhedron. `superfluous`, if given, is a vertex inside that is not to be used.
@@ -77,9 +82,7 @@ public:
     m_tetrahedra.clear();
     if(! collect_vertices(cells, superfluous))
       return GAVE_UP;
-    collect_faces(cells);
-    collect_required(edges, facets);
-    collect_candidates();
+    collect_obstacles(cells, edges, facets);
     return search();
   }
 
@@ -87,21 +90,14 @@ public:
   const std::vector<Tetrahedron>& tetrahedra() const { return m_tetrahedra; }
 
 private:
-  typedef Orientation_table_3<Tr>    Orientations;
-  typedef typename Orientations::Edge Edge;
-  typedef typename Orientations::Face Face;
-
-  typedef std::array<int, 4> Candidate; // positively oriented
+  typedef Orientation_table_3<Tr>           Orientations;
+  typedef typename Orientations::Edge       Edge;
+  typedef typename Orientations::Face       Face;
+  typedef typename Orientations::Vertex_set Vertex_set;
 
   int n() const { return m_orientations.number_of_vertices(); }
   Vertex_handle vertex(const int i) const { return m_orientations.vertices()[i]; }
   int position(const Vertex_handle v) const { return m_orientations.position(v); }
-
-  template <typename Range, typename Predicate>
-  static bool any_of(const Range& range, const Predicate& predicate)
-  {
-    return std::any_of(range.begin(), range.end(), predicate);
-  }
 
   // Returns false if there are too many.
   template <typename CellRange>
@@ -112,402 +108,242 @@ private:
       for(int i = 0; i < 4; ++i)
         if(c->vertex(i) != superfluous && ! internal::contains(vertices, c->vertex(i)))
           vertices.push_back(c->vertex(i));
-    return m_orientations.set_vertices(vertices);
+    if(vertices.size() > m_bounds.vertices)
+    {
+      forget();
+      return false;
+    }
+    m_orientations.set_vertices(vertices);
+    return true;
   }
 
-  static std::array<Edge, 6> edges_of(const Candidate& v)
-  {
-    return {{ {{ v[0], v[1] }}, {{ v[0], v[2] }}, {{ v[0], v[3] }},
-              {{ v[1], v[2] }}, {{ v[1], v[3] }}, {{ v[2], v[3] }} }};
-  }
-
-  // The faces, each with the tetrahedron on its positive side.
-  static std::array<Face, 4> faces_of(const Candidate& v)
-  {
-    return {{ {{ v[0], v[1], v[2] }}, {{ v[0], v[3], v[1] }}, {{ v[0], v[2], v[3] }}, {{ v[1], v[3], v[2] }} }};
-  }
-
-  // --- the polyhedron ----------------------------------------------------------------------------------------------
-
-  // The outer faces, with the polyhedron on their positive side, are the first front of the search.
-  template <typename CellRange>
-  void collect_faces(const CellRange& cells)
-  {
-    m_front.clear();
-    m_obstacle_edges.clear();
-    m_obstacle_faces.clear();
-    m_foreign_edges.clear();
-    m_foreign_faces.clear();
-    m_edge_state.assign(static_cast<std::size_t>(n()) * n(), 0);
-    m_face_state.assign(static_cast<std::size_t>(n()) * n() * n(), 0);
-    for(const Cell_handle c : cells)
-      for(int i = 0; i < 4; ++i)
-      {
-        Face f;
-        for(int k = 0; k < 3; ++k)
-          f[k] = position(c->vertex(Tr::vertex_triple_index(i, k)));
-        if(any_of(f, [this](const int p) { return p == n(); }))
-          continue; // a face at the superfluous vertex
-        if(! internal::contains(cells, c->neighbor(i)))
-          m_front.push_back(f);
-        state(f) |= in_mesh;
-        for(int k = 0; k < 3; ++k)
-          state(Edge{{ f[k], f[(k + 1) % 3] }}) |= in_mesh;
-      }
-    for(const Face& f : m_front)
-      add_obstacle(f);
-  }
-
-  template <typename EdgeRange, typename FacetRange>
-  void collect_required(const EdgeRange& edges, const FacetRange& facets)
-  {
-    for(const auto& e : edges)
-      add_obstacle(Edge{{ position(e[0]), position(e[1]) }});
-    for(const auto& f : facets)
-      add_obstacle(Face{{ position(f[0]), position(f[1]), position(f[2]) }});
-  }
-
-  // Bits of what is known of an edge or a face, in whatever order its vertices are given.
-  signed char& state(const Edge& e)
-  {
-    return m_edge_state[static_cast<std::size_t>((std::min)(e[0], e[1])) * n() + (std::max)(e[0], e[1])];
-  }
-
-  signed char& state(Face f)
-  {
-    std::sort(f.begin(), f.end());
-    return m_face_state[key(f)];
-  }
+  // --- the obstacles ------------------------------------------------------------------------------------------------
 
   // What must be in the result, because it is on the boundary or required, must not be crossed.
   // That suffices: an edge inside the polyhedron, between two of its vertices, that nothing crosses is in every
   // tetrahedralization.
-  // Mesh simplices do not cross each other, so only those obstacles that are not in the mesh have to be tested against
-  // them.
+  template <typename CellRange, typename EdgeRange, typename FacetRange>
+  void collect_obstacles(const CellRange& cells, const EdgeRange& edges, const FacetRange& facets)
+  {
+    m_neighbors.assign(n(), 0);
+    m_hidden.assign(n(), 0);
+    m_pierced.assign(static_cast<std::size_t>(n()) * n(), 0);
+    m_filled.assign(static_cast<std::size_t>(n()) * n(), 0);
+    const std::vector<Face> faces = outer_faces(cells);
+    for(const Face& f : faces)
+      add_obstacle(f);
+    for(const auto& e : edges)
+      add_obstacle(Edge{{ position(e[0]), position(e[1]) }});
+    for(const auto& f : facets)
+      add_obstacle(Face{{ position(f[0]), position(f[1]), position(f[2]) }});
+    m_changes.clear(); // these are for good
+    m_front.clear();
+    for(const Face& f : faces)
+      add_to_front(f);
+  }
+
+  // With the polyhedron on their positive side.
+  template <typename CellRange>
+  std::vector<Face> outer_faces(const CellRange& cells) const
+  {
+    std::vector<Face> result;
+    for(const Cell_handle c : cells)
+      for(int i = 0; i < 4; ++i)
+      {
+        if(internal::contains(cells, c->neighbor(i)))
+          continue;
+        Face f;
+        for(int k = 0; k < 3; ++k)
+          f[k] = position(c->vertex(Tr::vertex_triple_index(i, k)));
+        result.push_back(f);
+      }
+    return result;
+  }
+
   void add_obstacle(const Edge& e)
   {
-    add_obstacle(e, m_obstacle_edges, m_foreign_edges);
+    if((m_neighbors[e[0]] & Orientations::set_of(e[1])) != 0)
+      return;
+    add(Orientations::set_of(e[1]), m_neighbors[e[0]]);
+    add(Orientations::set_of(e[0]), m_neighbors[e[1]]);
+    for(int a = 0; a < n(); ++a)
+      add(m_orientations.ends_of_crossing_edges(e, a), m_hidden[a]);
+    m_orientations.for_each_pierced_face(e, [this](const int i, const int j, const Vertex_set apexes)
+    {
+      add(apexes, m_pierced[offset(i, j)]);
+      add(apexes, m_pierced[offset(j, i)]);
+    });
   }
 
   void add_obstacle(const Face& f)
   {
-    if(! add_obstacle(f, m_obstacle_faces, m_foreign_faces))
+    for(int k = 0; k < 3; ++k)
+      add_obstacle(Edge{{ f[k], f[(k + 1) % 3] }});
+    Orientations::for_each(m_orientations.sides(f).positive, [&](const int a)
+    {
+      const Vertex_set ends = m_orientations.ends_of_piercing_edges(f, a);
+      add(ends, m_hidden[a]);
+      Orientations::for_each(ends, [&](const int b) { add(Orientations::set_of(a), m_hidden[b]); });
+    });
+  }
+
+  std::size_t offset(const int i, const int j) const { return static_cast<std::size_t>(i) * n() + j; }
+
+  // All changes during the search are of this kind, and are noted, to be undone.
+  void add(const Vertex_set vertices, Vertex_set& set)
+  {
+    if((vertices & ~set) == 0)
       return;
-    for(int i = 0; i < 3; ++i)
-      add_obstacle(Edge{{ f[i], f[(i + 1) % 3] }});
-  }
-
-  template <typename Simplex>
-  bool add_obstacle(const Simplex& simplex, std::vector<Simplex>& obstacles, std::vector<Simplex>& foreign)
-  {
-    signed char& s = state(simplex);
-    if((s & obstacle) != 0)
-      return false;
-    s |= obstacle;
-    obstacles.push_back(simplex);
-    if((s & in_mesh) == 0)
-      foreign.push_back(simplex);
-    return true;
-  }
-
-  // --- the candidates ------------------------------------------------------------------------------------------------
-
-  void collect_candidates()
-  {
-    find_uncrossed_edges();
-    m_is_pierced.assign(static_cast<std::size_t>(n()) * n() * n(), unknown);
-    m_candidates.clear();
-    m_candidates_of_face.resize((std::max)(m_candidates_of_face.size(), m_face_state.size()));
-    for(const std::size_t face : m_used_faces)
-      m_candidates_of_face[face].clear();
-    m_used_faces.clear();
-    for(int i = 0; i < n(); ++i)
-      for(int j = i + 1; j < n(); ++j)
-      {
-        if(! is_uncrossed(i, j))
-          continue;
-        for(int k = j + 1; k < n(); ++k)
-        {
-          if(! is_uncrossed(i, k) || ! is_uncrossed(j, k) || is_pierced_by_obstacle(i, j, k))
-            continue;
-          for(int l = k + 1; l < n(); ++l)
-            if(is_uncrossed(i, l) && is_uncrossed(j, l) && is_uncrossed(k, l))
-              add_candidate(i, j, k, l);
-        }
-      }
-  }
-
-  void find_uncrossed_edges()
-  {
-    m_is_uncrossed.assign(static_cast<std::size_t>(n()) * n(), false);
-    for(int i = 0; i < n(); ++i)
-      for(int j = i + 1; j < n(); ++j)
-      {
-        const Edge e = {{ i, j }};
-        const bool is_in_mesh = (state(e) & in_mesh) != 0;
-        m_is_uncrossed[i * n() + j] =
-             ! any_of(is_in_mesh ? m_foreign_edges : m_obstacle_edges,
-                      [&](const Edge& o) { return m_orientations.crosses(e, o); })
-          && ! any_of(is_in_mesh ? m_foreign_faces : m_obstacle_faces,
-                      [&](const Face& o) { return m_orientations.pierces(e, o); });
-      }
-  }
-
-  bool is_uncrossed(const int i, const int j) const { return m_is_uncrossed[i * n() + j]; }
-
-  // For i < j < k, computed when first asked for.
-  bool is_pierced_by_obstacle(const int i, const int j, const int k)
-  {
-    const Face f = {{ i, j, k }};
-    signed char& is_pierced = m_is_pierced[key(f)];
-    if(is_pierced == unknown)
-      is_pierced = any_of((state(f) & in_mesh) != 0 ? m_foreign_edges : m_obstacle_edges,
-                          [&](const Edge& o) { return m_orientations.pierces(o, f); });
-    return is_pierced == 1;
-  }
-
-  void add_candidate(const int i, const int j, const int k, const int l)
-  {
-    const int sign = m_orientations.orientation(i, j, k, l);
-    if(sign == 0
-       || is_pierced_by_obstacle(i, j, l) || is_pierced_by_obstacle(i, k, l) || is_pierced_by_obstacle(j, k, l))
-      return;
-    const Candidate c = sign > 0 ? Candidate{{ i, j, k, l }} : Candidate{{ i, k, j, l }};
-    const std::array<Face, 4> faces = faces_of(c);
-    if(m_orientations.contains_vertex(c, faces))
-      return;
-    for(const Face& f : faces)
-    {
-      std::vector<int>& candidates = m_candidates_of_face[key(f)];
-      if(candidates.empty())
-        m_used_faces.push_back(key(f));
-      candidates.push_back(static_cast<int>(m_candidates.size()));
-    }
-    m_candidates.push_back(c);
-  }
-
-  // Faces that differ by a rotation only have the same key, those of opposite orientation another one.
-  std::size_t key(const Face& f) const
-  {
-    const int first = static_cast<int>(std::min_element(f.begin(), f.end()) - f.begin());
-    return (static_cast<std::size_t>(f[first]) * n() + f[(first + 1) % 3]) * n() + f[(first + 2) % 3];
-  }
-
-  // --- the conflicts ------------------------------------------------------------------------------------------------
-
-  typedef boost::dynamic_bitset<> Candidates; // a set of them
-
-  // An edge or a face of candidates, with those at it and those that cross it.
-  template <typename Simplex_>
-  struct Crossed_simplex
-  {
-    Simplex_ simplex;
-    Candidates at;       // one of whose edges or faces it is
-    Candidates crossing; // one of whose edges or faces crosses it; empty until asked for
-  };
-
-  typedef Crossed_simplex<Edge> Crossed_edge;
-  typedef Crossed_simplex<Face> Crossed_face;
-
-  void collect_simplices_of_candidates()
-  {
-    m_edges.clear();
-    m_faces.clear();
-    m_index_of_edge.assign(m_edge_state.size(), -1);
-    m_index_of_face.assign(m_face_state.size(), -1);
-    for(std::size_t c = 0; c < m_candidates.size(); ++c)
-    {
-      for(const Edge& e : edges_of(m_candidates[c]))
-        crossed_simplex(e).at.set(c);
-      for(const Face& f : faces_of(m_candidates[c]))
-        crossed_simplex(f).at.set(c);
-    }
-  }
-
-  // In whatever order the vertices are given.
-  Crossed_edge& crossed_simplex(Edge e)
-  {
-    std::sort(e.begin(), e.end());
-    return crossed_simplex(e, m_index_of_edge[static_cast<std::size_t>(e[0]) * n() + e[1]], m_edges);
-  }
-
-  Crossed_face& crossed_simplex(Face f)
-  {
-    std::sort(f.begin(), f.end());
-    return crossed_simplex(f, m_index_of_face[key(f)], m_faces);
-  }
-
-  template <typename Simplex_>
-  Crossed_simplex<Simplex_>& crossed_simplex(const Simplex_& simplex, int& index,
-                                             std::vector<Crossed_simplex<Simplex_> >& simplices) const
-  {
-    if(index < 0)
-    {
-      index = static_cast<int>(simplices.size());
-      simplices.push_back({ simplex, Candidates(m_candidates.size()), Candidates() });
-    }
-    return simplices[index];
-  }
-
-  // The candidates with an edge or a face that crosses the edge.
-  const Candidates& candidates_crossing(Crossed_edge& e)
-  {
-    if(! e.crossing.empty())
-      return e.crossing;
-    e.crossing.resize(m_candidates.size());
-    for(const Crossed_edge& x : m_edges)
-      if(m_orientations.crosses(e.simplex, x.simplex))
-        e.crossing |= x.at;
-    for(const Crossed_face& x : m_faces)
-      if(m_orientations.pierces(e.simplex, x.simplex))
-        e.crossing |= x.at;
-    return e.crossing;
-  }
-
-  // The candidates with an edge that pierces the face.
-  const Candidates& candidates_crossing(Crossed_face& f)
-  {
-    if(! f.crossing.empty())
-      return f.crossing;
-    f.crossing.resize(m_candidates.size());
-    for(const Crossed_edge& x : m_edges)
-      if(m_orientations.pierces(x.simplex, f.simplex))
-        f.crossing |= x.at;
-    return f.crossing;
-  }
-
-  // The candidates that cannot be in one tetrahedralization with c, c itself included: those on the same side of a
-  // common face, and those with an edge or a face that an edge or a face of c crosses.
-  const Candidates& conflicts(const int c)
-  {
-    Candidates& result = m_conflicts[c];
-    if(! result.empty())
-      return result;
-    m_number_of_conflict_tests += m_candidates.size();
-    result.resize(m_candidates.size());
-    for(const Edge& e : edges_of(m_candidates[c]))
-      result |= candidates_crossing(crossed_simplex(e));
-    for(const Face& f : faces_of(m_candidates[c]))
-    {
-      result |= candidates_crossing(crossed_simplex(f));
-      for(const int d : m_candidates_of_face[key(f)])
-        result.set(d);
-    }
-    return result;
+    m_changes.push_back({ &set, set });
+    set |= vertices;
   }
 
   // --- the search ---------------------------------------------------------------------------------------------------
 
+  // A face that has no tetrahedron on its positive side yet, and what that may end in, but for later obstacles.
+  struct Front_face
+  {
+    Face face;
+    Vertex_set apexes;
+  };
+
   // Depth-first, without recursion: m_choices is the stack of chosen tetrahedra, each with what is left to try instead.
   struct Choice
   {
-    int candidate;
-    std::vector<int> alternatives; // tried after this one
-    std::vector<Face> front;       // before the choice
-    Candidates left;               // before the choice
+    Face face;
+    int apex;
+    Vertex_set alternatives;       // tried after this apex
+    std::vector<Front_face> front; // before the choice
+    std::size_t number_of_changes; // before the choice
+  };
+
+  struct Change
+  {
+    Vertex_set* set;
+    Vertex_set before;
   };
 
   Outcome search()
   {
     m_choices.clear();
-    m_number_of_steps = 0;
-    m_number_of_conflict_tests = 0;
-    m_conflicts.assign(m_candidates.size(), Candidates());
-    collect_simplices_of_candidates();
-    m_left.resize(m_candidates.size());
-    m_left.set();
+    std::size_t number_of_steps = 0;
     while(! m_front.empty())
     {
-      std::vector<int> options = options_of_hardest_face();
-      while(options.empty())
+      Front_face hardest = hardest_face();
+      while(hardest.apexes == 0)
       {
         if(m_choices.empty())
           return NONE;
-        options = take_back();
+        hardest = take_back();
       }
-      if(++m_number_of_steps > m_max_number_of_steps || m_number_of_conflict_tests > max_number_of_conflict_tests)
+      if(++number_of_steps > m_bounds.steps)
         return GAVE_UP;
-      choose(options);
+      choose(hardest);
     }
-    for(const Choice& choice : m_choices)
-    {
-      const Candidate& v = m_candidates[choice.candidate];
-      m_tetrahedra.push_back({{ vertex(v[0]), vertex(v[1]), vertex(v[2]), vertex(v[3]) }});
-    }
+    for(const Choice& c : m_choices)
+      m_tetrahedra.push_back({{ vertex(c.face[0]), vertex(c.face[1]), vertex(c.face[2]), vertex(c.apex) }});
     return FOUND;
   }
 
-  // The candidates on the front face that has the fewest.
-  std::vector<int> options_of_hardest_face() const
+  // The face of the front that has the fewest apexes, with these.
+  Front_face hardest_face() const
   {
-    std::vector<int> fewest, options;
-    bool is_first = true;
-    for(const Face& f : m_front)
+    Front_face result = m_front.front();
+    int fewest = n() + 1;
+    for(const Front_face& f : m_front)
     {
-      options.clear();
-      for(const int c : m_candidates_of_face[key(f)])
-        if(m_left.test(c))
-          options.push_back(c);
-      if(is_first || options.size() < fewest.size())
-        fewest.swap(options);
-      is_first = false;
-      if(fewest.empty())
+      const Vertex_set apexes = f.apexes & ~apexes_behind_obstacles(f.face);
+      const int number = Orientations::number_of_elements(apexes);
+      if(number >= fewest)
+        continue;
+      result = { f.face, apexes };
+      fewest = number;
+      if(fewest == 0)
         break;
     }
-    return fewest;
+    return result;
   }
 
-  void choose(std::vector<int>& options)
+  // The vertices that make a tetrahedron with the face that crosses an obstacle, or fills a side of a face again.
+  Vertex_set apexes_behind_obstacles(const Face& f) const
+  {
+    Vertex_set result = 0;
+    for(int k = 0; k < 3; ++k)
+    {
+      const int i = f[k], j = f[(k + 1) % 3];
+      result |= m_hidden[i] | m_pierced[offset(i, j)] | m_filled[offset(j, i)];
+    }
+    return result;
+  }
+
+  void choose(const Front_face& f)
   {
     Choice choice;
-    choice.candidate = options.front();
-    choice.alternatives.assign(options.begin() + 1, options.end());
+    choice.face = f.face;
+    choice.apex = Orientations::first(f.apexes);
+    choice.alternatives = f.apexes & ~Orientations::set_of(choice.apex);
     choice.front = m_front;
-    choice.left = m_left;
-    for(const Face& f : faces_of(m_candidates[choice.candidate]))
-    {
-      const auto it = std::find_if(m_front.begin(), m_front.end(), [&](const Face& g) { return key(g) == key(f); });
-      if(it != m_front.end())
-        m_front.erase(it);
-      else
-        m_front.push_back(Face{{ f[0], f[2], f[1] }}); // to be filled on its other side
-    }
-    m_left -= conflicts(choice.candidate);
+    choice.number_of_changes = m_changes.size();
+    fill(f.face);
+    for(int k = 0; k < 3; ++k)
+      fill({{ f.face[(k + 1) % 3], f.face[k], choice.apex }});
     m_choices.push_back(std::move(choice));
   }
 
+  // Notes that there is a tetrahedron on the positive side of the face.
+  void fill(const Face& f)
+  {
+    for(int k = 0; k < 3; ++k)
+      add(Orientations::set_of(f[(k + 2) % 3]), m_filled[offset(f[k], f[(k + 1) % 3])]);
+    const auto it = std::find_if(m_front.begin(), m_front.end(),
+                                 [&](const Front_face& g) { return is_rotated(g.face, f); });
+    if(it != m_front.end())
+    {
+      m_front.erase(it);
+      return;
+    }
+    add_obstacle(f);
+    add_to_front({{ f[0], f[2], f[1] }});
+  }
+
+  static bool is_rotated(const Face& f, const Face& g)
+  {
+    const auto it = std::find(g.begin(), g.end(), f[0]);
+    const auto k = it - g.begin();
+    return it != g.end() && g[(k + 1) % 3] == f[1] && g[(k + 2) % 3] == f[2];
+  }
+
+  void add_to_front(const Face& f)
+  {
+    Front_face result = { f, 0 };
+    Orientations::for_each(m_orientations.sides(f).positive & ~apexes_behind_obstacles(f), [&](const int v)
+    {
+      if(! m_orientations.contains_vertex(f, v))
+        result.apexes |= Orientations::set_of(v);
+    });
+    m_front.push_back(result);
+  }
+
   // Undoes the last choice and returns its alternatives.
-  std::vector<int> take_back()
+  Front_face take_back()
   {
     Choice choice = std::move(m_choices.back());
     m_choices.pop_back();
     m_front = std::move(choice.front);
-    m_left = std::move(choice.left);
-    return std::move(choice.alternatives);
+    for(; m_changes.size() > choice.number_of_changes; m_changes.pop_back())
+      *m_changes.back().set = m_changes.back().before;
+    return { choice.face, choice.alternatives };
   }
 
   Orientations m_orientations;
-  std::size_t m_max_number_of_steps = default_max_number_of_steps;
-  std::size_t m_number_of_steps = 0;
-  std::size_t m_number_of_conflict_tests = 0;
-  std::vector<Edge> m_obstacle_edges;
-  std::vector<Face> m_obstacle_faces;
-  std::vector<Edge> m_foreign_edges; // the obstacles that are not in the mesh
-  std::vector<Face> m_foreign_faces;
-  static constexpr signed char in_mesh = 1, obstacle = 2;
-  std::vector<signed char> m_edge_state, m_face_state;
-  static constexpr signed char unknown = -1;
-  std::vector<char> m_is_uncrossed;
-  std::vector<signed char> m_is_pierced;
-  std::vector<Candidate> m_candidates;
-  std::vector<std::vector<int> > m_candidates_of_face;
-  std::vector<std::size_t> m_used_faces; // with a candidate
-  std::vector<Crossed_edge> m_edges; // those of candidates
-  std::vector<Crossed_face> m_faces;
-  std::vector<int> m_index_of_edge, m_index_of_face; // in these
-  std::vector<Candidates> m_conflicts; // of each candidate, computed when first asked for
-  Candidates m_left;                   // those that cross no chosen one
-  std::vector<Face> m_front;
+  Bounds m_bounds;
+  // The obstacles, and what they hide:
+  std::vector<Vertex_set> m_neighbors; // of each vertex, the other ends of the obstacle edges at it
+  std::vector<Vertex_set> m_hidden;    // of each vertex, the other ends of the edges that cross an obstacle
+  std::vector<Vertex_set> m_pierced;   // of each edge, by offset, the apexes of the faces that an obstacle edge pierces
+  std::vector<Vertex_set> m_filled;    // of each edge, by offset, the apexes of the faces with a chosen tetrahedron
+  std::vector<Change> m_changes;
+  std::vector<Front_face> m_front;
   std::vector<Choice> m_choices;
   std::vector<Tetrahedron> m_tetrahedra;
 };
