@@ -497,8 +497,8 @@ private:
   static constexpr int low_recursion_level = 4;
 
   // For the points that nothing else removes. (On 64 inputs, 142 points stay in the domain; 182 with cavities of up to
-  // 28 vertices. Where a cavity can be filled, about two steps for each tetrahedron suffice: five times as many leave 141
-  // points, half as many 144.)
+  // 28 vertices. Where a cavity can be filled, about two steps for each tetrahedron suffice: five times as many leave
+  // 141 points, half as many 144.)
   static constexpr typename Reconnection::Bounds last_bounds = { 62, 400 };
 
   static constexpr int max_number_of_added_cells = 30;
