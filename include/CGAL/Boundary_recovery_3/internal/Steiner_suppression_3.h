@@ -170,10 +170,16 @@ private:
   template <typename Context>
   void reconnect_points(Context& context)
   {
+    const std::size_t before = m_points.size();
+    std::size_t number_of_failures = 0;
     for_each_point(POINTS_OF_DOMAIN, context, [&](const Vertex_handle v)
     {
-      if(collect_ball(v))
-        reconnect_larger_cavities(v, context);
+      const std::size_t number_of_removed_points = before - m_points.size();
+      if(number_of_failures > max_number_of_failures + 10 * number_of_removed_points || ! collect_ball(v))
+        return;
+      reconnect_larger_cavities(v, context);
+      if(internal::contains(m_points, v))
+        ++number_of_failures;
     });
   }
 
@@ -500,6 +506,9 @@ private:
   // 28 vertices. Where a cavity can be filled, about two steps for each tetrahedron suffice: five times as many leave
   // 141 points, half as many 144.)
   static constexpr typename Reconnection::Bounds last_bounds = { 62, 400 };
+
+  // Where one of hundreds of points after the other stays, as in Chazelle's polyhedra, the rest will.
+  static constexpr std::size_t max_number_of_failures = 40;
 
   static constexpr int max_number_of_added_cells = 30;
 
