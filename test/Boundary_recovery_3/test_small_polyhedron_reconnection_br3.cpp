@@ -9,8 +9,8 @@
 #include <CGAL/Boundary_recovery_3/internal/Small_polyhedron_reconnection_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
 
-#include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Cartesian_converter.h>
+#include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
@@ -480,9 +480,9 @@ void test_limits()
   Reconnection reconnection(predicates);
   const Cells one(1, finite_cells(tr).front()), many = random_cavity(tr, rng, 15);
 
-  Reconnection bounded(predicates, { Reconnection::max_number_of_vertices, 1 });
-  assert(bounded(many, Edges(), Facets()) == Reconnection::GAVE_UP);
-  assert(bounded.tetrahedra().empty());
+  const Reconnection::Bounds one_step = { Reconnection::max_number_of_vertices, 1 };
+  assert(reconnection(many, Edges(), Facets(), Vertex_handle(), one_step) == Reconnection::GAVE_UP);
+  assert(reconnection.tetrahedra().empty());
   ++number_of["gave up: steps"];
   assert(reconnection(one, Edges(), Facets()) == Reconnection::FOUND);
   assert(reconnection.tetrahedra().size() == 1 && number_around(reconnection.tetrahedra(), tetrahedra_of(one)[0]) == 1);
@@ -508,11 +508,13 @@ void test_large_polyhedron()
   const Vertex_handle v = tr.insert(CGAL::centroid(tr.tetrahedron(all[all.size() / 2])));
   const Cells cells = finite_cells(tr);
   const Predicates predicates(tr);
-  Reconnection large(predicates, { Reconnection::max_number_of_vertices, 2000 });
-  assert(large(cells, Edges(), Facets(), v) == Reconnection::FOUND);
-  assert(total_volume(large.tetrahedra()) == volume_before);
-  assert(number_around(large.tetrahedra(), std::array<Vertex_handle, 1>{{ v }}) == 0);
-  assert(large(cells, Edges(), Facets()) == Reconnection::GAVE_UP); // one vertex too many
+  Reconnection reconnection(predicates);
+  const Reconnection::Bounds large = { Reconnection::max_number_of_vertices, 2000 };
+  assert(reconnection(cells, Edges(), Facets(), v, large) == Reconnection::FOUND);
+  assert(total_volume(reconnection.tetrahedra()) == volume_before);
+  assert(number_around(reconnection.tetrahedra(), std::array<Vertex_handle, 1>{{ v }}) == 0);
+  // One vertex too many.
+  assert(reconnection(cells, Edges(), Facets(), Vertex_handle(), large) == Reconnection::GAVE_UP);
   ++number_of["large polyhedron"];
 }
 

@@ -70,9 +70,9 @@ public:
   std::vector<Cell_handle> cells_around() const
   {
     std::vector<Cell_handle> result;
-    for_each_face([&](const Triangle& f, const Cell_handle n, Vertex_handle)
+    for_each_open_face([&](const Cell_handle n, Vertex_handle)
     {
-      if(! is_constrained(f) && ! internal::contains(result, n))
+      if(! internal::contains(result, n))
         result.push_back(n);
     });
     return result;
@@ -84,10 +84,8 @@ public:
   {
     Vertices vertices;
     std::vector<int> counts;
-    for_each_face([&](const Triangle& f, Cell_handle, const Vertex_handle x)
+    for_each_open_face([&](Cell_handle, const Vertex_handle x)
     {
-      if(is_constrained(f))
-        return;
       const std::size_t k = std::find(vertices.begin(), vertices.end(), x) - vertices.begin();
       if(k == vertices.size())
       {
@@ -124,16 +122,18 @@ public:
 private:
   bool is_constrained(const Triangle& f) const { return m_constraints.is_constrained(f[0], f[1], f[2]); }
 
-  // Calls `visit` with each face that has a finite cell behind it, that cell, and its vertex there.
+  // For each face that is not constrained and has a finite cell behind it, calls `visit` with that cell and its vertex
+  // there.
   template <typename Visit>
-  void for_each_face(const Visit& visit) const
+  void for_each_open_face(const Visit& visit) const
   {
     for(const Cell_handle c : m_cells)
       for(int i = 0; i < 4; ++i)
       {
         const Cell_handle n = c->neighbor(i);
-        if(! m_tr.is_infinite(n) && ! internal::contains(m_cells, n))
-          visit(internal::facet_vertices(c, i), n, n->vertex(n->index(c)));
+        if(! m_tr.is_infinite(n) && ! internal::contains(m_cells, n)
+           && ! is_constrained(internal::facet_vertices(c, i)))
+          visit(n, n->vertex(n->index(c)));
       }
   }
 

@@ -203,10 +203,8 @@ private:
     return is_odd;
   }
 
-  static std::size_t number_of_faces(const std::size_t number_of_vertices)
-  {
-    return number_of_vertices < 3 ? 0 : number_of_vertices * (number_of_vertices - 1) * (number_of_vertices - 2) / 6;
-  }
+  // Of n vertices; one of the factors is 0 if n < 3.
+  static std::size_t number_of_faces(const std::size_t n) { return n * (n - 1) * (n - 2) / 6; }
 
   // The index of the first of the faces ijk, i < j < k: all those with smaller k are before them, then those with the
   // same k and smaller j.

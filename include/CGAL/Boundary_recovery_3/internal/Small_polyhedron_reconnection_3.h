@@ -14,6 +14,7 @@
 
 #include <CGAL/Boundary_recovery_3/internal/Orientation_table_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
+#include <CGAL/Boundary_recovery_3/internal/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/contains.h>
 
 #include <algorithm>
@@ -65,9 +66,7 @@ public:
 
   static constexpr Bounds default_bounds = { 28, 2000 };
 
-  explicit Small_polyhedron_reconnection_3(const Predicates& predicates, const Bounds& bounds = default_bounds)
-    : m_orientations(predicates), m_bounds(bounds)
-  { }
+  explicit Small_polyhedron_reconnection_3(const Predicates& predicates) : m_orientations(predicates) { }
 
   // Forgets the last polyhedron, of which the orientations that are still of use in the next one are kept. To be called
   // if vertices moved.
@@ -77,13 +76,13 @@ public:
   // of simplices inside the polyhedron. `superfluous`, if given, is a vertex inside that is not to be used.
   template <typename CellRange, typename EdgeRange, typename FacetRange>
   Outcome operator()(const CellRange& cells, const EdgeRange& edges, const FacetRange& facets,
-                     const Vertex_handle superfluous = Vertex_handle())
+                     const Vertex_handle superfluous = Vertex_handle(), const Bounds& bounds = default_bounds)
   {
     m_tetrahedra.clear();
-    if(! collect_vertices(cells, superfluous))
+    if(! collect_vertices(cells, superfluous, bounds.vertices))
       return GAVE_UP;
     collect_obstacles(cells, edges, facets);
-    return search();
+    return search(bounds.steps);
   }
 
   // The tetrahedra found, positively oriented.
@@ -97,18 +96,26 @@ private:
 
   int n() const { return m_orientations.number_of_vertices(); }
   Vertex_handle vertex(const int i) const { return m_orientations.vertices()[i]; }
-  int position(const Vertex_handle v) const { return m_orientations.position(v); }
+
+  template <std::size_t N>
+  std::array<int, N> positions(const std::array<Vertex_handle, N>& simplex) const
+  {
+    std::array<int, N> result;
+    std::transform(simplex.begin(), simplex.end(), result.begin(),
+                   [this](const Vertex_handle v) { return m_orientations.position(v); });
+    return result;
+  }
 
   // Returns false if there are too many.
   template <typename CellRange>
-  bool collect_vertices(const CellRange& cells, const Vertex_handle superfluous)
+  bool collect_vertices(const CellRange& cells, const Vertex_handle superfluous, const std::size_t max_number)
   {
     std::vector<Vertex_handle> vertices;
     for(const Cell_handle c : cells)
       for(int i = 0; i < 4; ++i)
         if(c->vertex(i) != superfluous && ! internal::contains(vertices, c->vertex(i)))
           vertices.push_back(c->vertex(i));
-    if(vertices.size() > m_bounds.vertices)
+    if(vertices.size() > max_number)
     {
       forget();
       return false;
@@ -133,9 +140,9 @@ private:
     for(const Face& f : faces)
       add_obstacle(f);
     for(const auto& e : edges)
-      add_obstacle(Edge{{ position(e[0]), position(e[1]) }});
+      add_obstacle(positions(e));
     for(const auto& f : facets)
-      add_obstacle(Face{{ position(f[0]), position(f[1]), position(f[2]) }});
+      add_obstacle(positions(f));
     m_changes.clear(); // these are for good
     m_front.clear();
     for(const Face& f : faces)
@@ -149,14 +156,8 @@ private:
     std::vector<Face> result;
     for(const Cell_handle c : cells)
       for(int i = 0; i < 4; ++i)
-      {
-        if(internal::contains(cells, c->neighbor(i)))
-          continue;
-        Face f;
-        for(int k = 0; k < 3; ++k)
-          f[k] = position(c->vertex(Tr::vertex_triple_index(i, k)));
-        result.push_back(f);
-      }
+        if(! internal::contains(cells, c->neighbor(i)))
+          result.push_back(positions(internal::facet_vertices(c, i)));
     return result;
   }
 
@@ -223,7 +224,7 @@ private:
     Vertex_set before;
   };
 
-  Outcome search()
+  Outcome search(const std::size_t max_number_of_steps)
   {
     m_choices.clear();
     std::size_t number_of_steps = 0;
@@ -236,7 +237,7 @@ private:
           return NONE;
         hardest = take_back();
       }
-      if(++number_of_steps > m_bounds.steps)
+      if(++number_of_steps > max_number_of_steps)
         return GAVE_UP;
       choose(hardest);
     }
@@ -336,7 +337,6 @@ private:
   }
 
   Orientations m_orientations;
-  Bounds m_bounds;
   // The obstacles, and what they hide:
   std::vector<Vertex_set> m_neighbors; // of each vertex, the other ends of the obstacle edges at it
   std::vector<Vertex_set> m_hidden;    // of each vertex, the other ends of the edges that cross an obstacle

@@ -91,8 +91,7 @@ public:
   Steiner_suppression_3(Tr& tr, const Predicates& predicates, const Constraints& constraints, Positions& positions,
                         std::vector<Vertex_handle>& points, Visitor& visitor)
     : m_tr(tr), m_predicates(predicates), m_constraints(constraints), m_positions(positions), m_points(points),
-      m_visitor(visitor), m_reconnection(predicates), m_last_reconnection(predicates, last_bounds),
-      m_kernel_point(predicates, positions),
+      m_visitor(visitor), m_reconnection(predicates), m_kernel_point(predicates, positions),
       m_transformation(tr, Quality(tr), Validity(Kept(constraints), No_new_edge_at_vertex_3<Tr>(Vertex_handle())),
                        visitor, predicates)
   { }
@@ -177,8 +176,7 @@ private:
       const std::size_t number_of_removed_points = before - m_points.size();
       if(number_of_failures > max_number_of_failures + 10 * number_of_removed_points || ! collect_ball(v))
         return;
-      reconnect_larger_cavities(v, context);
-      if(internal::contains(m_points, v))
+      if(! reconnect_larger_cavities(v, context))
         ++number_of_failures;
     });
   }
@@ -208,7 +206,7 @@ private:
     {
       if(! context.go_further())
         break;
-      forget_orientations(); // work moves points
+      m_reconnection.forget(); // work moves points
       if(internal::contains(m_points, v) && (which == ALL_POINTS || ! internal::contains(*m_exterior_points, v)))
         work(v);
       CGAL_expensive_assertion(internal::is_mesh_valid(m_tr, m_predicates));
@@ -262,7 +260,7 @@ private:
   {
     if(! m_positions.contains(v))
       return true;
-    forget_orientations(); // v moves
+    m_reconnection.forget(); // v moves
     collect_ball(v);
     const std::vector<Triangle> faces = internal::faces_of_ball(m_ball, v);
     const typename Positions::Exact_point_3 exact = m_positions(v);
@@ -411,32 +409,27 @@ private:
     });
   }
 
-  void forget_orientations()
-  {
-    m_reconnection.forget();
-    m_last_reconnection.forget();
-  }
-
-  bool reconnect_ball(const Vertex_handle v) { return reconnect(m_ball, v, m_reconnection) == Reconnection::FOUND; }
+  bool reconnect_ball(const Vertex_handle v) { return reconnect(m_ball, v) == Reconnection::FOUND; }
 
   void reconnect_with_layer(const Vertex_handle v)
   {
     Cavity cavity(m_tr, m_constraints, m_ball);
     for(const Cell_handle c : m_ball)
       cavity.add(c->neighbor(c->index(v)));
-    reconnect(cavity.cells(), v, m_reconnection);
+    reconnect(cavity.cells(), v);
   }
 
   template <typename Context>
-  void reconnect_larger_cavities(const Vertex_handle v, Context& context)
+  bool reconnect_larger_cavities(const Vertex_handle v, Context& context)
   {
     Cavity cavity(m_tr, m_constraints, m_ball);
     collect_neighbors(v);
     std::vector<Vertex_handle> vertices = m_neighbors;
     cavity.add_cells_of(vertices);
-    while(context.go_further() && enlarge(cavity, vertices))
-      if(reconnect(cavity.cells(), v, m_last_reconnection) != Reconnection::NONE)
-        return;
+    typename Reconnection::Outcome outcome = Reconnection::NONE;
+    while(outcome == Reconnection::NONE && context.go_further() && enlarge(cavity, vertices))
+      outcome = reconnect(cavity.cells(), v, last_bounds);
+    return outcome == Reconnection::FOUND;
   }
 
   // Adds as many vertices as the cavity has, with all the cells that these bring. Returns false if the cavity cannot
@@ -458,14 +451,14 @@ private:
 
   // Fills the cavity without v, if this is possible.
   typename Reconnection::Outcome reconnect(const std::vector<Cell_handle>& cells, const Vertex_handle v,
-                                           Reconnection& reconnection)
+                                           const typename Reconnection::Bounds& bounds = Reconnection::default_bounds)
   {
     std::vector<std::array<Vertex_handle, 2> > edges;
     std::vector<std::array<Vertex_handle, 3> > facets;
     m_constraints.collect(cells, edges, facets);
-    const typename Reconnection::Outcome outcome = reconnection(cells, edges, facets, v);
+    const typename Reconnection::Outcome outcome = m_reconnection(cells, edges, facets, v, bounds);
     if(outcome == Reconnection::FOUND)
-      replace(cells, reconnection.tetrahedra(), { v });
+      replace(cells, m_reconnection.tetrahedra(), { v });
     return outcome;
   }
 
@@ -519,7 +512,6 @@ private:
   std::vector<Vertex_handle>& m_points;
   Visitor& m_visitor;
   Reconnection m_reconnection;
-  Reconnection m_last_reconnection;
   Kernel_point_3<Tr> m_kernel_point;
   Shell_transformation_3<Tr, Quality, Validity, Visitor> m_transformation;
   Cell_replacement<Tr> m_replacement;
