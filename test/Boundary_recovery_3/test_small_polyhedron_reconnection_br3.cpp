@@ -170,17 +170,16 @@ void check_edges_and_faces(const Table& table)
       if(a == b)
         continue;
       const Exact_segment e(p(a), p(b));
-      std::map<std::array<int, 2>, Vertex_set> pierced;
-      table.for_each_pierced_face({{ a, b }}, [&](const int i, const int j, const Vertex_set apexes)
-      {
-        assert(i < j && apexes != 0);
-        assert(pierced.insert({ {{ i, j }}, apexes }).second);
-      });
       for(int i = 0; i < n; ++i)
         for(int j = i + 1; j < n; ++j)
         {
+          const Vertex_set apexes = table.apexes_of_pierced_faces({{ a, b }}, {{ i, j }});
           if(i == a || i == b || j == a || j == b)
+          {
+            assert(apexes == 0);
             continue;
+          }
+          assert(table.apexes_of_pierced_faces({{ b, a }}, {{ j, i }}) == apexes);
           const bool is_edge_crossed = do_cross(e, Exact_segment(p(i), p(j)));
           assert(((table.ends_of_crossing_edges({{ i, j }}, a) & Table::set_of(b)) != 0) == is_edge_crossed);
           number_of["crossing edges"] += is_edge_crossed;
@@ -189,7 +188,7 @@ void check_edges_and_faces(const Table& table)
             if(k == a || k == b || k == i || k == j)
               continue;
             const bool is_pierced = do_cross(e, Exact_triangle(p(i), p(j), p(k)));
-            assert(((pierced[{{ i, j }}] & Table::set_of(k)) != 0) == is_pierced);
+            assert(((apexes & Table::set_of(k)) != 0) == is_pierced);
             const Vertex_set positive = table.sides({{ i, j, k }}).positive;
             if((positive & Table::set_of(a)) != 0)
               assert(((table.ends_of_piercing_edges({{ i, j, k }}, a) & Table::set_of(b)) != 0) == is_pierced);

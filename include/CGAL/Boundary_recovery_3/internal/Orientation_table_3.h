@@ -132,28 +132,19 @@ public:
     return result;
   }
 
-  // Calls `visit` with i, j > i and the set of all k such that the edge crosses the interior of the face ijk in a
-  // point, where there are any.
-  template <typename Visit>
-  void for_each_pierced_face(const Edge& e, const Visit& visit) const
+  // The vertices k such that the edge e crosses the interior of the face ijk in a point, where f is the edge ij.
+  Vertex_set apexes_of_pierced_faces(const Edge& e, const Edge& f) const
   {
-    std::array<Sides, max_number_of_vertices> around; // of the planes through the edge and each of the vertices
-    for_each(all() & ~set_of(e), [&](const int i) { around[i] = sides({{ e[0], e[1], i }}); });
-    for_each(all() & ~set_of(e), [&](const int i)
-    {
-      for_each((around[i].positive | around[i].negative) & ~before(i), [&](const int j)
-      {
-        const Vertex_set through // the line of the edge crosses ijk
-          = (around[i].positive & set_of(j)) != 0 ? around[i].negative & around[j].positive
-                                                   : around[i].positive & around[j].negative;
-        if(through == 0)
-          return;
-        const Sides s = sides({{ i, j, e[0] }}), t = sides({{ i, j, e[1] }});
-        const Vertex_set apexes = through & ((s.positive & t.negative) | (s.negative & t.positive));
-        if(apexes != 0)
-          visit(i, j, apexes);
-      });
-    });
+    if((set_of(e) & set_of(f)) != 0)
+      return 0;
+    const Sides x = sides({{ e[0], e[1], f[0] }}), y = sides({{ e[0], e[1], f[1] }});
+    const Vertex_set through // the line of e crosses ijk
+      = (x.positive & set_of(f[1])) != 0 ? x.negative & y.positive
+      : (x.negative & set_of(f[1])) != 0 ? x.positive & y.negative : 0;
+    if(through == 0)
+      return 0;
+    const Sides s = sides({{ f[0], f[1], e[0] }}), t = sides({{ f[0], f[1], e[1] }});
+    return through & ((s.positive & t.negative) | (s.negative & t.positive));
   }
 
   // The vertices b such that the edges ab and e are in a plane and cross in a point inside both.

@@ -36,8 +36,8 @@ namespace internal {
  * All geometry is read off a table of orientations. The search takes the face of the front that has the fewest apexes
  * left and tries these. An apex is out if the tetrahedron contained another vertex, or crossed an obstacle: what is
  * required or on the boundary of the polyhedron, and what was chosen before. Obstacles are kept as the edges and faces
- * that they cross, for each edge as the set of its third vertices, so a few operations on bits find all apexes.
- * A face with none left ends the branch.
+ * that they cross, for each edge of the front as the set of its third vertices, so a few operations on bits find all
+ * apexes. A face with none left ends the branch.
  */
 template <typename Tr>
 class Small_polyhedron_reconnection_3
@@ -132,8 +132,11 @@ private:
   template <typename CellRange, typename EdgeRange, typename FacetRange>
   void collect_obstacles(const CellRange& cells, const EdgeRange& edges, const FacetRange& facets)
   {
+    m_edges.clear();
     m_neighbors.assign(n(), 0);
     m_hidden.assign(n(), 0);
+    m_open_edges.clear();
+    m_is_open.assign(static_cast<std::size_t>(n()) * n(), false);
     m_pierced.assign(static_cast<std::size_t>(n()) * n(), 0);
     m_filled.assign(static_cast<std::size_t>(n()) * n(), 0);
     const std::vector<Face> faces = outer_faces(cells);
@@ -169,17 +172,15 @@ private:
     add(Orientations::set_of(e[0]), m_neighbors[e[1]]);
     for(int a = 0; a < n(); ++a)
       add(m_orientations.ends_of_crossing_edges(e, a), m_hidden[a]);
-    m_orientations.for_each_pierced_face(e, [this](const int i, const int j, const Vertex_set apexes)
-    {
-      add(apexes, m_pierced[offset(i, j)]);
-      add(apexes, m_pierced[offset(j, i)]);
-    });
+    for(const Edge& f : m_open_edges)
+      add(m_orientations.apexes_of_pierced_faces(e, f), m_pierced[offset(f)]);
+    m_edges.push_back(e);
   }
 
   void add_obstacle(const Face& f)
   {
     for(int k = 0; k < 3; ++k)
-      add_obstacle(Edge{{ f[k], f[(k + 1) % 3] }});
+      add_obstacle(edge(f, k));
     Orientations::for_each(m_orientations.sides(f).positive, [&](const int a)
     {
       const Vertex_set ends = m_orientations.ends_of_piercing_edges(f, a);
@@ -188,7 +189,28 @@ private:
     });
   }
 
-  std::size_t offset(const int i, const int j) const { return static_cast<std::size_t>(i) * n() + j; }
+  // From now on until it is taken back, it is known which faces at the edge are pierced. Nobody asks for most of the
+  // edges between two vertices.
+  void open(const Edge& e)
+  {
+    if(m_is_open[offset(e)])
+      return;
+    m_is_open[offset(e)] = true;
+    m_open_edges.push_back(e);
+    Vertex_set& pierced = m_pierced[offset(e)];
+    for(const Edge& f : m_edges)
+      pierced |= m_orientations.apexes_of_pierced_faces(f, e);
+  }
+
+  static Edge edge(const Face& f, const int k) { return {{ f[k], f[(k + 1) % 3] }}; }
+
+  std::size_t directed_offset(const Edge& e) const { return static_cast<std::size_t>(e[0]) * n() + e[1]; }
+
+  // The same in both directions.
+  std::size_t offset(const Edge& e) const
+  {
+    return directed_offset({{ (std::min)(e[0], e[1]), (std::max)(e[0], e[1]) }});
+  }
 
   // All changes during the search are of this kind, and are noted, to be undone.
   void add(const Vertex_set vertices, Vertex_set& set)
@@ -214,8 +236,10 @@ private:
     Face face;
     int apex;
     Vertex_set alternatives;       // tried after this apex
-    std::vector<Front_face> front; // before the choice
-    std::size_t number_of_changes; // before the choice
+    std::vector<Front_face> front; // before the choice, as all the following
+    std::size_t number_of_edges;
+    std::size_t number_of_open_edges;
+    std::size_t number_of_changes;
   };
 
   struct Change
@@ -271,8 +295,8 @@ private:
     Vertex_set result = 0;
     for(int k = 0; k < 3; ++k)
     {
-      const int i = f[k], j = f[(k + 1) % 3];
-      result |= m_hidden[i] | m_pierced[offset(i, j)] | m_filled[offset(j, i)];
+      const Edge e = edge(f, k);
+      result |= m_hidden[e[0]] | m_pierced[offset(e)] | m_filled[directed_offset({{ e[1], e[0] }})];
     }
     return result;
   }
@@ -284,6 +308,8 @@ private:
     choice.apex = Orientations::first(f.apexes);
     choice.alternatives = f.apexes & ~Orientations::set_of(choice.apex);
     choice.front = m_front;
+    choice.number_of_edges = m_edges.size();
+    choice.number_of_open_edges = m_open_edges.size();
     choice.number_of_changes = m_changes.size();
     fill(f.face);
     for(int k = 0; k < 3; ++k)
@@ -295,7 +321,7 @@ private:
   void fill(const Face& f)
   {
     for(int k = 0; k < 3; ++k)
-      add(Orientations::set_of(f[(k + 2) % 3]), m_filled[offset(f[k], f[(k + 1) % 3])]);
+      add(Orientations::set_of(f[(k + 2) % 3]), m_filled[directed_offset(edge(f, k))]);
     const auto it = std::find_if(m_front.begin(), m_front.end(),
                                  [&](const Front_face& g) { return is_rotated(g.face, f); });
     if(it != m_front.end())
@@ -316,6 +342,8 @@ private:
 
   void add_to_front(const Face& f)
   {
+    for(int k = 0; k < 3; ++k)
+      open(edge(f, k));
     Front_face result = { f, 0 };
     Orientations::for_each(m_orientations.sides(f).positive & ~apexes_behind_obstacles(f), [&](const int v)
     {
@@ -333,14 +361,23 @@ private:
     m_front = std::move(choice.front);
     for(; m_changes.size() > choice.number_of_changes; m_changes.pop_back())
       *m_changes.back().set = m_changes.back().before;
+    for(; m_open_edges.size() > choice.number_of_open_edges; m_open_edges.pop_back())
+    {
+      m_is_open[offset(m_open_edges.back())] = false;
+      m_pierced[offset(m_open_edges.back())] = 0;
+    }
+    m_edges.resize(choice.number_of_edges);
     return { choice.face, choice.alternatives };
   }
 
   Orientations m_orientations;
   // The obstacles, and what they hide:
-  std::vector<Vertex_set> m_neighbors; // of each vertex, the other ends of the obstacle edges at it
+  std::vector<Edge> m_edges;           // those that are obstacles
+  std::vector<Vertex_set> m_neighbors; // of each vertex, the other ends of these edges
   std::vector<Vertex_set> m_hidden;    // of each vertex, the other ends of the edges that cross an obstacle
-  std::vector<Vertex_set> m_pierced;   // of each edge, by offset, the apexes of the faces that an obstacle edge pierces
+  std::vector<Edge> m_open_edges;      // those of all faces that are or were in the front
+  std::vector<char> m_is_open;         // of each edge, by offset, whether it is one of these
+  std::vector<Vertex_set> m_pierced;   // of each open edge, by offset, the apexes of the faces that an obstacle pierces
   std::vector<Vertex_set> m_filled;    // of each edge, by offset, the apexes of the faces with a chosen tetrahedron
   std::vector<Change> m_changes;
   std::vector<Front_face> m_front;
