@@ -45,41 +45,59 @@ typedef CGAL::Delaunay_triangulation_3<K>                   Tr;
 typedef Tr::Vertex_handle                                   Vertex_handle;
 typedef K::Point_3                                          Point_3;
 
-// Against std::map, with keys that come again, and with reserve() in between.
+// Against std::map, with simplices that come again, one by one and many at a time, and with reserve() in between.
 template <std::size_t N>
 void test_simplex_index(const unsigned seed, const int number_of_vertices)
 {
+  typedef internal::Simplex_index_3<const Point_3*, N> Index;
+  typedef typename Index::Simplex Simplex;
   std::vector<Point_3> vertices(static_cast<std::size_t>(number_of_vertices)); // any addresses will do
   std::mt19937 rng(seed);
-  internal::Simplex_index_3<N> index;
+  Index index;
   std::map<internal::Simplex_key_3<N>, std::size_t> expected;
+  std::vector<Simplex> queries, inserted_simplices;
+  const auto expected_number = [&](const Simplex& s)
+  {
+    const auto it = expected.find(internal::simplex_key(s));
+    return it == expected.end() ? Index::none : it->second;
+  };
+  const auto check_many = [&]
+  {
+    std::vector<std::size_t> numbers(1);
+    index.look_up(queries, numbers);
+    assert(numbers.size() == queries.size());
+    for(std::size_t k = 0; k < queries.size(); ++k)
+      assert(numbers[k] == expected_number(queries[k]));
+  };
   for(int i = 0; i < 4000; ++i)
   {
-    std::array<const Point_3*, N> s;
+    Simplex s;
     for(const Point_3*& p : s)
       p = &vertices[static_cast<std::size_t>(br3_test::random_int(rng, number_of_vertices))];
-    internal::Simplex_key_3<N> key;
-    if constexpr(N == 2)
-      key = internal::simplex_key(s[0], s[1]);
-    else
-      key = internal::simplex_key(s[0], s[1], s[2]);
+    const internal::Simplex_key_3<N> key = internal::simplex_key(s);
     assert(std::is_sorted(key.begin(), key.end(), std::less<const void*>()));
     assert(std::is_permutation(key.begin(), key.end(), s.begin()));
 
-    const auto it = expected.find(key);
-    assert(index[key] == (it == expected.end() ? internal::Simplex_index_3<N>::none : it->second));
+    queries.push_back(s);
+    assert(index[s] == expected_number(s));
     if(br3_test::random_int(rng, 3) == 0)
     {
-      const auto inserted = index.insert(key);
-      assert(inserted.second == (it == expected.end()));
+      const bool is_new = expected_number(s) == Index::none;
+      const auto inserted = index.insert(s);
+      assert(inserted.second == is_new);
       assert(inserted.first == expected.emplace(key, expected.size()).first->second);
+      if(is_new)
+        inserted_simplices.push_back(s);
     }
     if(br3_test::random_int(rng, 500) == 0)
+    {
       index.reserve(static_cast<std::size_t>(br3_test::random_int(rng, 3000)));
+      check_many();
+    }
     assert(index.size() == expected.size());
   }
-  for(const auto& e : expected)
-    assert(index[e.first] == e.second);
+  check_many();
+  assert(index.simplices() == inserted_simplices);
 }
 
 // The vertices of all the cells in their order, and the coordinates, by the addresses of the vertices.

@@ -59,7 +59,7 @@ class Region_labeller_3
 
   const Tr& m_tr;
   std::vector<Wall> m_walls;                               // in the order of the facets
-  Simplex_index_3<3> m_wall_index;
+  Simplex_index_3<Vertex_handle, 3> m_wall_index;
   Unique_hash_map<Cell_handle, std::size_t> m_cell_index;  // for looking up only
   std::vector<Cell_handle> m_cells;
   std::vector<unsigned char> m_closed;                     // bit i: facet i of the cell is a wall
@@ -90,8 +90,6 @@ public:
   }
 
 private:
-  static Simplex_key_3<3> key(const Triple& t) { return internal::simplex_key(t[0], t[1], t[2]); }
-
   // whether two triples of the same vertices turn alike
   static bool turn_alike(const Triple& s, const Triple& t)
   {
@@ -101,7 +99,7 @@ private:
 
   void add_wall(const Triple& triple)
   {
-    const auto inserted = m_wall_index.insert(key(triple));
+    const auto inserted = m_wall_index.insert(triple);
     if(inserted.second)
     {
       m_walls.emplace_back();
@@ -137,8 +135,8 @@ private:
       Triple triple;
       for(int i = 0; i < 3; ++i)
         triple[i] = f.first->vertex(Tr::vertex_triple_index(f.second, i));
-      const std::size_t index = m_wall_index[key(triple)];
-      if(index == Simplex_index_3<3>::none)
+      const std::size_t index = m_wall_index[triple];
+      if(index == Simplex_index_3<Vertex_handle, 3>::none)
         continue;
 
       Wall& wall = m_walls[index];

@@ -48,47 +48,42 @@ public:
   void reserve(const std::size_t number_of_edges, const std::size_t number_of_facets)
   {
     m_edges.reserve(number_of_edges + 3 * number_of_facets / 2);
-    m_edge_indices.reserve(number_of_edges + 3 * number_of_facets / 2);
     m_facets.reserve(number_of_facets);
     m_edges_of_facets.reserve(number_of_facets);
-    m_facet_indices.reserve(number_of_facets);
   }
 
   // Adds an edge, unless it is there already, and returns its index.
-  std::size_t insert(const Vertex_handle u, const Vertex_handle v)
-  {
-    const auto inserted = m_edge_indices.insert(internal::simplex_key(u, v));
-    if(inserted.second)
-      m_edges.push_back({{ u, v }});
-    return inserted.first;
-  }
+  std::size_t insert(const Vertex_handle u, const Vertex_handle v) { return m_edges.insert({{ u, v }}).first; }
 
   // Adds a facet with its edges, unless it is there already, and returns its index.
   std::size_t insert(const Vertex_handle u, const Vertex_handle v, const Vertex_handle w)
   {
-    const auto inserted = m_facet_indices.insert(internal::simplex_key(u, v, w));
+    const auto inserted = m_facets.insert({{ u, v, w }});
     if(inserted.second)
-    {
-      m_facets.push_back({{ u, v, w }});
       m_edges_of_facets.push_back({{ insert(u, v), insert(v, w), insert(w, u) }});
-    }
     return inserted.first;
   }
 
-  const std::vector<Edge>& edges() const { return m_edges; }
-  const std::vector<Facet>& facets() const { return m_facets; }
+  const std::vector<Edge>& edges() const { return m_edges.simplices(); }
+  const std::vector<Facet>& facets() const { return m_facets.simplices(); }
 
   // The indices of the edges of a facet.
   const std::array<std::size_t, 3>& edges_of_facet(const std::size_t f) const { return m_edges_of_facets[f]; }
 
   std::size_t index(const Vertex_handle u, const Vertex_handle v) const
   {
-    return m_edge_indices[internal::simplex_key(u, v)];
+    return m_edges[{{ u, v }}];
   }
 
   std::size_t index(const Vertex_handle u, const Vertex_handle v, const Vertex_handle w) const
   {
-    return m_facet_indices[internal::simplex_key(u, v, w)];
+    return m_facets[{{ u, v, w }}];
+  }
+
+  // For each of the facets its index, or none.
+  void look_up(const std::vector<Facet>& facets, std::vector<std::size_t>& indices) const
+  {
+    m_facets.look_up(facets, indices);
   }
 
   bool is_constrained(const Vertex_handle u, const Vertex_handle v) const
@@ -118,11 +113,9 @@ public:
   }
 
 private:
-  std::vector<Edge> m_edges;
-  std::vector<Facet> m_facets;
+  Simplex_index_3<Vertex_handle, 2> m_edges;
+  Simplex_index_3<Vertex_handle, 3> m_facets;
   std::vector<std::array<std::size_t, 3> > m_edges_of_facets;
-  Simplex_index_3<2> m_edge_indices;
-  Simplex_index_3<3> m_facet_indices;
 };
 
 // The constraints that are not in the mesh, by their indices in increasing order.
@@ -146,6 +139,7 @@ public:
   typedef Constraints_3<Tr>                  Constraints;
   typedef typename Tr::Vertex_handle         Vertex_handle;
   typedef typename Tr::Cell_handle           Cell_handle;
+  typedef typename Constraints::Facet        Facet;
 
   Constraint_search_3(const Tr& tr, const Constraints& constraints) : m_tr(tr), m_constraints(constraints) { }
 
@@ -153,15 +147,20 @@ public:
   Lost_constraints operator()()
   {
     std::vector<char> is_edge_found(m_constraints.edges().size()), is_facet_found(m_constraints.facets().size());
-    find_facets(is_edge_found, is_facet_found);
+    find_facets(is_facet_found);
+    std::vector<std::size_t> lost_facets;
+    for(std::size_t f = 0; f < is_facet_found.size(); ++f)
+      if(! is_facet_found[f])
+        lost_facets.push_back(f);
+      else
+        for(const std::size_t e : m_constraints.edges_of_facet(f))
+          is_edge_found[e] = true;
     Lost_constraints candidates;
     for(std::size_t e = 0; e < is_edge_found.size(); ++e)
       if(! is_edge_found[e])
         candidates.edges.push_back(e);
     Lost_constraints lost = (*this)(candidates);
-    for(std::size_t f = 0; f < is_facet_found.size(); ++f)
-      if(! is_facet_found[f])
-        lost.facets.push_back(f);
+    lost.facets = std::move(lost_facets);
     return lost;
   }
 
@@ -190,41 +189,47 @@ public:
   }
 
 private:
-  void find_facets(std::vector<char>& is_edge_found, std::vector<char>& is_facet_found)
+  void find_facets(std::vector<char>& is_found)
   {
     fill_in_filter();
-    std::vector<std::pair<Cell_handle, int> > facets; // looked up some at a time, so that the waits for memory overlap
+    std::vector<Facet> facets; // looked up some at a time
     for(auto c = m_tr.all_cells_begin(); c != m_tr.all_cells_end(); ++c)
     {
-      std::array<std::uint64_t, 4> h;
-      for(int i = 0; i < 4; ++i)
-        h[i] = mix(c->vertex(i));
-      const std::uint64_t sum = h[0] + h[1] + h[2] + h[3];
-      for(int i = 0; i < 4; ++i)
-        if(may_be_constrained(sum - h[i]) && std::less<const void*>()(&*c, &*c->neighbor(i)))
-          facets.emplace_back(c, i); // may be a constraint, and is seen from this side only
+      unsigned candidates = candidate_facets(c);
+      for(int i = 0; candidates != 0; candidates >>= 1, ++i)
+        if((candidates & 1) != 0)
+          facets.push_back({{ c->vertex((i + 1) & 3), c->vertex((i + 2) & 3), c->vertex((i + 3) & 3) }});
       if(facets.size() < number_of_facets_at_a_time)
         continue;
-      look_up(facets, is_edge_found, is_facet_found);
+      look_up(facets, is_found);
       facets.clear();
     }
-    look_up(facets, is_edge_found, is_facet_found);
+    look_up(facets, is_found);
   }
 
-  void look_up(const std::vector<std::pair<Cell_handle, int> >& facets,
-               std::vector<char>& is_edge_found, std::vector<char>& is_facet_found) const
+  // Bit i is set if facet i may be a constraint, and if it is this one of its two cells that is asked. There are no
+  // branches, for nobody could predict them.
+  unsigned candidate_facets(const Cell_handle c) const
   {
-    for(const std::pair<Cell_handle, int>& facet : facets)
+    std::array<std::uint64_t, 4> h;
+    for(int i = 0; i < 4; ++i)
+      h[i] = mix(c->vertex(i));
+    const std::uint64_t sum = h[0] + h[1] + h[2] + h[3];
+    unsigned result = 0;
+    for(int i = 0; i < 4; ++i)
     {
-      const Cell_handle c = facet.first;
-      const int i = facet.second;
-      const std::size_t f = m_constraints.index(c->vertex((i + 1) & 3), c->vertex((i + 2) & 3), c->vertex((i + 3) & 3));
-      if(f == Constraints::none)
-        continue;
-      is_facet_found[f] = true;
-      for(const std::size_t e : m_constraints.edges_of_facet(f))
-        is_edge_found[e] = true;
+      const bool is_asked = std::less<const void*>()(&*c, &*c->neighbor(i));
+      result |= static_cast<unsigned>(is_asked & may_be_constrained(sum - h[i])) << i;
     }
+    return result;
+  }
+
+  void look_up(const std::vector<Facet>& facets, std::vector<char>& is_found)
+  {
+    m_constraints.look_up(facets, m_indices);
+    for(const std::size_t f : m_indices)
+      if(f != Constraints::none)
+        is_found[f] = true;
   }
 
   // One bit for each constrained facet in a table with 8 to 16 times as many.
@@ -311,7 +316,7 @@ private:
       sorted[next[buckets[i]]++] = i;
   }
 
-  static constexpr std::size_t number_of_facets_at_a_time = 64;
+  static constexpr std::size_t number_of_facets_at_a_time = 1024;
 
   const Tr& m_tr;
   const Constraints& m_constraints;
@@ -320,6 +325,7 @@ private:
   std::vector<std::size_t> m_edge_ranges, m_facet_ranges; // where each vertex begins
   std::vector<Cell_handle> m_star;
   std::vector<std::uint64_t> m_filter;
+  std::vector<std::size_t> m_indices;
 };
 
 } // namespace internal

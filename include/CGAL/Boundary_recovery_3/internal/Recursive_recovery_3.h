@@ -190,7 +190,7 @@ private:
   {
     Report result;
     result.n1 = m_lost.size();
-    Simplex_index_3<3> crossed;
+    Simplex_index_3<Vertex_handle, 3> crossed;
     m_order.clear();
     for(const std::size_t i : m_lost)
     {
@@ -199,7 +199,7 @@ private:
       result.n2 += n;
       result.n3 = (std::max)(result.n3, n);
       for(const Crossing_3<Tr>& crossing : crossings)
-        crossed.insert(crossing.key());
+        crossed.insert({{ crossing.vertices[0], crossing.vertices[1], crossing.vertices[crossing.dimension] }});
       m_order.emplace_back(N == 2 ? n : 0, i);
     }
     result.n4 = crossed.size();
