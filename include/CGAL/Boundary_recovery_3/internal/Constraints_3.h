@@ -218,8 +218,9 @@ private:
     unsigned result = 0;
     for(int i = 0; i < 4; ++i)
     {
-      const bool is_asked = std::less<const void*>()(&*c, &*c->neighbor(i));
-      result |= static_cast<unsigned>(is_asked & may_be_constrained(sum - h[i])) << i;
+      const unsigned is_asked = std::less<const void*>()(&*c, &*c->neighbor(i));
+      const unsigned is_candidate = may_be_constrained(sum - h[i]);
+      result |= (is_asked & is_candidate) << i;
     }
     return result;
   }
