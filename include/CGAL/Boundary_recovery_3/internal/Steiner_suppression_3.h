@@ -174,7 +174,8 @@ private:
     for_each_point(POINTS_OF_DOMAIN, context, [&](const Vertex_handle v)
     {
       const std::size_t number_of_removed_points = before - m_points.size();
-      if(number_of_failures > max_number_of_failures + 10 * number_of_removed_points || ! collect_ball(v))
+      if(number_of_failures > max_number_of_failures + failures_per_removed_point * number_of_removed_points
+         || ! collect_ball(v))
         return;
       if(! reconnect_larger_cavities(v, context))
         ++number_of_failures;
@@ -502,6 +503,7 @@ private:
 
   // Where one of hundreds of points after the other stays, as in Chazelle's polyhedra, the rest will.
   static constexpr std::size_t max_number_of_failures = 40;
+  static constexpr std::size_t failures_per_removed_point = 10;
 
   static constexpr int max_number_of_added_cells = 30;
 
