@@ -61,14 +61,15 @@ def geometric_mean(values):
 
 def ratios(rows):
     """recovery, insertion and recovery, memory, phases alone: ours / TetGen's, where both succeed"""
-    tick = 1e-6  # TetGen's clock counts microseconds
+    def ratio(x, y):
+        tick = 1e-6  # TetGen's clock counts microseconds
+        return max(x, tick) / max(y, tick)
     for r in rows:
         o, t = r["ours"], r["tetgen"]
         if o["outcome"] == "recovered" and t["outcome"] == "ok":
-            yield (r, max(o["recovery_seconds"], tick) / max(t["recovery_seconds"], tick),
-                   max(o["insertion_seconds"] + o["recovery_seconds"], tick) / max(t["total_seconds"], tick),
-                   o["peak_memory_mb"] / t["peak_memory_mb"],
-                   max(o["phases_seconds"], tick) / max(t["phases_seconds"], tick))
+            yield (r, ratio(o["recovery_seconds"], t["recovery_seconds"]),
+                   ratio(o["insertion_seconds"] + o["recovery_seconds"], t["total_seconds"]),
+                   o["peak_memory_mb"] / t["peak_memory_mb"], ratio(o["phases_seconds"], t["phases_seconds"]))
 
 
 def names(pairs, i):

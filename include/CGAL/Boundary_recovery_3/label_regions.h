@@ -13,6 +13,7 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/Simplex_key_3.h>
+#include <CGAL/Boundary_recovery_3/internal/cell_simplices.h>
 
 #include <CGAL/Unique_hash_map.h>
 
@@ -132,9 +133,7 @@ private:
     for(auto it = m_tr.finite_facets_begin(); it != m_tr.finite_facets_end(); ++it)
     {
       const Facet f = *it;
-      Triple triple;
-      for(int i = 0; i < 3; ++i)
-        triple[i] = f.first->vertex(Tr::vertex_triple_index(f.second, i));
+      const Triple triple = internal::facet_vertices(f.first, f.second);
       const std::size_t index = m_wall_index[triple];
       if(index == Simplex_index_3<Vertex_handle, 3>::none)
         continue;

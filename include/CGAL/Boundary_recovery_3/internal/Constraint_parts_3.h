@@ -154,7 +154,7 @@ private:
         for(int i = 0; i < 4; ++i)
         {
           const Facet facet = internal::facet_vertices(c, i);
-          if(is_on(facet, f) && seen.insert(internal::simplex_key(facet[0], facet[1], facet[2])).second)
+          if(is_on(facet, f) && seen.insert(internal::simplex_key(facet)).second)
             facets.push_back(facet);
         }
     }

@@ -13,6 +13,7 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/Simplex_key_3.h>
+#include <CGAL/Boundary_recovery_3/internal/cell_simplices.h>
 
 #include <array>
 #include <cstddef>
@@ -103,7 +104,7 @@ public:
     for(const Cell_handle c : cells)
       for(int i = 0; i < 4; ++i)
       {
-        const Facet f = {{ c->vertex((i + 1) & 3), c->vertex((i + 2) & 3), c->vertex((i + 3) & 3) }};
+        const Facet f = internal::facet_vertices(c, i);
         if(is_constrained(f[0], f[1], f[2]))
           facets.push_back(f);
         for(int j = i + 1; j < 4; ++j)
@@ -198,7 +199,7 @@ private:
       unsigned candidates = candidate_facets(c);
       for(int i = 0; candidates != 0; candidates >>= 1, ++i)
         if((candidates & 1) != 0)
-          facets.push_back({{ c->vertex((i + 1) & 3), c->vertex((i + 2) & 3), c->vertex((i + 3) & 3) }});
+          facets.push_back(internal::facet_vertices(c, i));
       if(facets.size() < number_of_facets_at_a_time)
         continue;
       look_up(facets, is_found);

@@ -199,7 +199,7 @@ private:
       result.n2 += n;
       result.n3 = (std::max)(result.n3, n);
       for(const Crossing_3<Tr>& crossing : crossings)
-        crossed.insert({{ crossing.vertices[0], crossing.vertices[1], crossing.vertices[crossing.dimension] }});
+        crossed.insert(crossing.simplex());
       m_order.emplace_back(N == 2 ? n : 0, i);
     }
     result.n4 = crossed.size();

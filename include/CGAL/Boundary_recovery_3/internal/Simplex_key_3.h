@@ -115,18 +115,18 @@ public:
   void reserve(const std::size_t n)
   {
     m_simplices.reserve(n);
-    if(is_too_small_for(n))
+    if(are_too_few(m_slots.size(), n))
       rehash(n);
   }
 
   // Returns the number of the simplex, and whether it is new.
   std::pair<std::size_t, bool> insert(const Simplex& simplex)
   {
-    if(is_too_small_for(size() + 1))
+    if(are_too_few(m_slots.size(), size() + 1))
       rehash(2 * (size() + 1));
     const Key key = internal::simplex_key(simplex);
     const std::uint64_t hash = Simplex_key_hash()(key);
-    Slot& slot = m_slots[position(key, hash, first_position(hash))];
+    Slot& slot = m_slots[position(key, hash)];
     if(slot.index != empty)
       return std::make_pair(std::size_t(slot.index), false);
     CGAL_assertion(size() < empty);
@@ -142,7 +142,7 @@ public:
       return none;
     const Key key = internal::simplex_key(simplex);
     const std::uint64_t hash = Simplex_key_hash()(key);
-    return number_at(position(key, hash, first_position(hash)));
+    return number_at(position(key, hash));
   }
 
   // The same for many simplices, step by step for all of them, so that the waits for memory overlap. (On a surface with
@@ -158,20 +158,16 @@ public:
       std::uint64_t hash;
       std::size_t position;
     };
-    std::array<Query, 64> queries;
-    for(std::size_t begin = 0; begin < simplices.size(); begin += queries.size())
+    std::vector<Query> queries(simplices.size());
+    for(std::size_t k = 0; k < queries.size(); ++k)
     {
-      const std::size_t n = (std::min)(queries.size(), simplices.size() - begin);
-      for(std::size_t k = 0; k < n; ++k)
-      {
-        queries[k].key = internal::simplex_key(simplices[begin + k]);
-        queries[k].hash = Simplex_key_hash()(queries[k].key);
-      }
-      for(std::size_t k = 0; k < n; ++k)
-        queries[k].position = position_of_tag(queries[k].hash, first_position(queries[k].hash));
-      for(std::size_t k = 0; k < n; ++k)
-        numbers[begin + k] = number_at(position(queries[k].key, queries[k].hash, queries[k].position));
+      queries[k].key = internal::simplex_key(simplices[k]);
+      queries[k].hash = Simplex_key_hash()(queries[k].key);
     }
+    for(Query& q : queries)
+      q.position = position_of_tag(q.hash, first_position(q.hash));
+    for(std::size_t k = 0; k < queries.size(); ++k)
+      numbers[k] = number_at(position(queries[k].key, queries[k].hash, queries[k].position));
   }
 
 private:
@@ -207,7 +203,13 @@ private:
     return i;
   }
 
-  // Where the simplex is, or would be put. It is not before i.
+  // Where the simplex is, or would be put.
+  std::size_t position(const Key& key, const std::uint64_t hash) const
+  {
+    return position(key, hash, first_position(hash));
+  }
+
+  // The same, if it is known not to be before i.
   std::size_t position(const Key& key, const std::uint64_t hash, std::size_t i) const
   {
     for(;; i = (i + 1) & (m_slots.size() - 1))
@@ -219,20 +221,23 @@ private:
   }
 
   // At most two thirds of the slots are in use.
-  bool is_too_small_for(const std::size_t n) const { return 3 * n > 2 * m_slots.size(); }
+  static bool are_too_few(const std::size_t number_of_slots, const std::size_t n)
+  {
+    return 2 * number_of_slots < 3 * n;
+  }
 
   // Makes room for n simplices; the number of slots is a power of 2.
   void rehash(const std::size_t n)
   {
     std::size_t number_of_slots = 16;
-    while(2 * number_of_slots < 3 * n)
+    while(are_too_few(number_of_slots, n))
       number_of_slots *= 2;
     m_slots.assign(number_of_slots, Slot());
     for(std::size_t k = 0; k < size(); ++k)
     {
       const Key key = internal::simplex_key(m_simplices[k]);
       const std::uint64_t hash = Simplex_key_hash()(key);
-      m_slots[position(key, hash, first_position(hash))] = Slot{ static_cast<std::uint32_t>(k), tag(hash) };
+      m_slots[position(key, hash)] = Slot{ static_cast<std::uint32_t>(k), tag(hash) };
     }
   }
 

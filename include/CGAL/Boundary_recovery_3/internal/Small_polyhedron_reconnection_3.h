@@ -132,13 +132,14 @@ private:
   template <typename CellRange, typename EdgeRange, typename FacetRange>
   void collect_obstacles(const CellRange& cells, const EdgeRange& edges, const FacetRange& facets)
   {
+    const std::size_t number_of_pairs = static_cast<std::size_t>(n()) * n();
     m_edges.clear();
     m_neighbors.assign(n(), 0);
     m_hidden.assign(n(), 0);
     m_open_edges.clear();
-    m_is_open.assign(static_cast<std::size_t>(n()) * n(), false);
-    m_pierced.assign(static_cast<std::size_t>(n()) * n(), 0);
-    m_filled.assign(static_cast<std::size_t>(n()) * n(), 0);
+    m_is_open.assign(number_of_pairs, false);
+    m_pierced.assign(number_of_pairs, 0);
+    m_filled.assign(number_of_pairs, 0);
     const std::vector<Face> faces = outer_faces(cells);
     for(const Face& f : faces)
       add_obstacle(f);

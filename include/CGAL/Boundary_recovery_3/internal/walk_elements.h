@@ -34,7 +34,12 @@ struct Crossing_3
   typename Tr::Cell_handle cell;
 
   // An edge counts as a facet with a vertex twice.
-  Simplex_key_3<3> key() const { return internal::simplex_key(vertices[0], vertices[1], vertices[dimension]); }
+  std::array<typename Tr::Vertex_handle, 3> simplex() const
+  {
+    return {{ vertices[0], vertices[1], vertices[dimension] }};
+  }
+
+  Simplex_key_3<3> key() const { return internal::simplex_key(simplex()); }
 };
 
 // A place in the shell of an edge ab: the interior of the facet a b p_i, or of the cell a b p_i p_next(i).
