@@ -3,7 +3,7 @@
 
 #undef NDEBUG // the checks are assertions, also in a Release build
 
-#include "random_triangulations_br3.h"
+#include "tetrahedralizations_br3.h"
 
 #include <CGAL/Boundary_recovery_3/internal/Cell_replacement.h>
 #include <CGAL/Boundary_recovery_3/internal/Small_polyhedron_reconnection_3.h>
@@ -27,89 +27,10 @@
 #include <string>
 #include <vector>
 
-namespace BR = CGAL::Boundary_recovery_3;
-using br3_test::random_int;
-
-typedef CGAL::Exact_predicates_inexact_constructions_kernel   Kernel;
-typedef Kernel::Point_3                                       Point;
-typedef CGAL::Delaunay_triangulation_3<Kernel>                Tr;
-typedef Tr::Vertex_handle                                     Vertex_handle;
-typedef Tr::Cell_handle                                       Cell_handle;
-typedef BR::internal::Vertex_predicates_3<Tr>                 Predicates;
 typedef BR::internal::Small_polyhedron_reconnection_3<Tr>     Reconnection;
-typedef Reconnection::Tetrahedron                             Tetrahedron;
-typedef std::vector<Tetrahedron>                              Tetrahedra;
-typedef std::array<Vertex_handle, 2>                          Edge;
-typedef std::array<Vertex_handle, 3>                          Facet;
-typedef std::vector<Cell_handle>                              Cells;
-typedef std::vector<Edge>                                     Edges;
-typedef std::vector<Facet>                                    Facets;
-typedef CGAL::Exact_rational                                  Number;
 
 // How often each kind of case was met; main() checks that all of them were.
 std::map<std::string, int> number_of;
-
-// --- exact references, without the predicates of CGAL ---------------------------------------------------------------
-
-// Six times the signed volume.
-Number volume(const Tetrahedron& t)
-{
-  std::array<std::array<Number, 3>, 3> m;
-  for(int i = 0; i < 3; ++i)
-    for(int k = 0; k < 3; ++k)
-      m[i][k] = Number(t[i + 1]->point()[k]) - Number(t[0]->point()[k]);
-  return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1])
-       - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0])
-       + m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
-}
-
-Tetrahedra tetrahedra_of(const Cells& cells)
-{
-  Tetrahedra result;
-  for(const Cell_handle c : cells)
-    result.push_back({{ c->vertex(0), c->vertex(1), c->vertex(2), c->vertex(3) }});
-  return result;
-}
-
-// All tetrahedra must be strictly positive.
-Number total_volume(const Tetrahedra& tetrahedra)
-{
-  Number sum = 0;
-  for(const Tetrahedron& t : tetrahedra)
-  {
-    const Number v = volume(t);
-    assert(v > 0);
-    sum += v;
-  }
-  return sum;
-}
-
-template <typename Simplex>
-std::size_t number_around(const Tetrahedra& tetrahedra, const Simplex& simplex)
-{
-  return std::count_if(tetrahedra.begin(), tetrahedra.end(), [&](const Tetrahedron& t)
-  {
-    return std::all_of(simplex.begin(), simplex.end(), [&](const Vertex_handle v)
-    {
-      return std::find(t.begin(), t.end(), v) != t.end();
-    });
-  });
-}
-
-Point random_point(std::mt19937& rng, const bool on_grid)
-{
-  const auto coordinate = [&] { return on_grid ? random_int(rng, 5) : random_int(rng, 1 << 30) / 3.; };
-  const double x = coordinate(), y = coordinate(), z = coordinate();
-  return Point(x, y, z);
-}
-
-Cells finite_cells(const Tr& tr)
-{
-  Cells result;
-  for(const Cell_handle c : tr.finite_cell_handles())
-    result.push_back(c);
-  return result;
-}
 
 // Searches and replaces: the result must be a triangulation again, which has all that was required.
 Tetrahedra reconnect(Tr& tr, Reconnection& reconnection, const Cells& cells, const Edges& edges, const Facets& facets)
@@ -272,31 +193,6 @@ void test_full_orientation_table()
 }
 
 // --- cavities in random triangulations -------------------------------------------------------------------------------
-
-// A union of up to n finite cells that is connected by facets.
-Cells random_cavity(const Tr& tr, std::mt19937& rng, const std::size_t n)
-{
-  const Cells all = finite_cells(tr);
-  Cells cavity(1, all[random_int(rng, static_cast<int>(all.size()))]);
-  for(int trial = 0; trial < 1000 && cavity.size() < n; ++trial)
-  {
-    const Cell_handle c = cavity[random_int(rng, static_cast<int>(cavity.size()))]->neighbor(random_int(rng, 4));
-    if(! tr.is_infinite(c) && std::find(cavity.begin(), cavity.end(), c) == cavity.end())
-      cavity.push_back(c);
-  }
-  return cavity;
-}
-
-// Some edges and facets of the cells: the cells themselves are a solution.
-void require_what_is_there(const Cells& cells, std::mt19937& rng, Edges& edges, Facets& facets)
-{
-  for(const Cell_handle c : cells)
-  {
-    const int i = random_int(rng, 4), j = (i + 1 + random_int(rng, 3)) % 4;
-    edges.push_back({{ c->vertex(i), c->vertex(j) }});
-    facets.push_back({{ c->vertex((i + 1) % 4), c->vertex((i + 2) % 4), c->vertex((i + 3) % 4) }});
-  }
-}
 
 void test_cavities(const bool on_grid)
 {

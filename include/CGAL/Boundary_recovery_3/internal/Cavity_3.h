@@ -46,6 +46,8 @@ public:
 
   const std::vector<Cell_handle>& cells() const { return m_cells; }
 
+  void set_cells(std::vector<Cell_handle> cells) { m_cells = std::move(cells); }
+
   // Adds a cell, if it is finite and not there yet.
   void add(const Cell_handle c)
   {
@@ -75,6 +77,30 @@ public:
       if(! internal::contains(result, n))
         result.push_back(n);
     });
+    return result;
+  }
+
+  // A face of the boundary, seen from inside, and the vertex of the cell behind it; none if it is constrained, or has
+  // the exterior of the hull behind it.
+  struct Boundary_face
+  {
+    Triangle face;
+    Vertex_handle vertex_behind;
+  };
+
+  std::vector<Boundary_face> boundary() const
+  {
+    std::vector<Boundary_face> result;
+    for(const Cell_handle c : m_cells)
+      for(int i = 0; i < 4; ++i)
+      {
+        const Cell_handle n = c->neighbor(i);
+        if(internal::contains(m_cells, n))
+          continue;
+        const Triangle f = internal::facet_vertices(c, i);
+        const bool is_open = ! m_tr.is_infinite(n) && ! is_constrained(f);
+        result.push_back({ f, is_open ? n->vertex(n->index(c)) : Vertex_handle() });
+      }
     return result;
   }
 

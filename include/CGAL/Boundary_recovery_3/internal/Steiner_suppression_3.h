@@ -20,6 +20,7 @@
 #include <CGAL/Boundary_recovery_3/internal/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Exact_positions_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Exterior_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Growing_cavity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Kernel_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Small_polyhedron_reconnection_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
@@ -69,8 +70,9 @@ private:
  * A vertex is dropped when its ball can be covered without it: by starring the ball from one of its neighbors (this is
  * collapsing an edge; it contains the 4-1 flip), or by small polyhedron reconnection of the ball. Until that works, the
  * edges at the vertex are removed one after the other by recursive shell transformations. Then the ball and one layer
- * more is tried, and in the end ever larger cavities around the ball. Two neighbors become one where one point sees the
- * boundary of both balls. In between, points move to the deepest point of their kernel.
+ * more is tried, and in the end ever larger cavities around the ball; first those that touch it most, then those that
+ * grow where they have to. Two neighbors become one where one point sees the boundary of both balls. In between, points
+ * move to the deepest point of their kernel.
  *
  * It ends: no step adds a point, every round but the last removes some, and within a round, the flips around a point
  * only ever take edges away from it.
@@ -91,7 +93,8 @@ public:
   Steiner_suppression_3(Tr& tr, const Predicates& predicates, const Constraints& constraints, Positions& positions,
                         std::vector<Vertex_handle>& points, Visitor& visitor)
     : m_tr(tr), m_predicates(predicates), m_constraints(constraints), m_positions(positions), m_points(points),
-      m_visitor(visitor), m_reconnection(predicates), m_kernel_point(predicates, positions),
+      m_visitor(visitor), m_reconnection(predicates), m_growing_cavity(tr, predicates, constraints),
+      m_kernel_point(predicates, positions),
       m_transformation(tr, Quality(tr), Validity(Kept(constraints), No_new_edge_at_vertex_3<Tr>(Vertex_handle())),
                        visitor, predicates)
   { }
@@ -153,21 +156,23 @@ private:
   // Whether more than one in a hundred of the points is gone. Where there are hundreds, every round finds one more.
   bool is_worthwhile(const std::size_t before) const { return 100 * (before - m_points.size()) > before; }
 
-  // Tries what flips cannot do. Returns whether this was worthwhile.
+  // Tries what flips cannot do, the quickest first. Returns whether this was worthwhile.
   template <typename Context>
   bool change_cavities(Context& context)
   {
     const std::size_t before = m_points.size();
     merge_points(context);
     if(! is_worthwhile(before))
-      reconnect_points(context);
+      reconnect_points(context, [&](const Vertex_handle v) { return reconnect_larger_cavities(v, context); });
+    if(! is_worthwhile(before))
+      reconnect_points(context, [&](const Vertex_handle v) { return reconnect_growing_cavity(v, context); });
     return is_worthwhile(before);
   }
 
-  // Tries to remove each of the points by reconnection of ever larger cavities around it. (On 200 surfaces, that helped
-  // one of 781 points in the exterior.)
-  template <typename Context>
-  void reconnect_points(Context& context)
+  // Tries to remove each of the points by reconnection of a cavity around it, as long as this does not fail too often.
+  // (On 200 surfaces, that helped one of 781 points in the exterior.)
+  template <typename Context, typename Reconnect>
+  void reconnect_points(Context& context, const Reconnect& reconnect)
   {
     const std::size_t before = m_points.size();
     std::size_t number_of_failures = 0;
@@ -177,7 +182,7 @@ private:
       if(number_of_failures > max_number_of_failures + failures_per_removed_point * number_of_removed_points
          || ! collect_ball(v))
         return;
-      if(! reconnect_larger_cavities(v, context))
+      if(! reconnect(v))
         ++number_of_failures;
     });
   }
@@ -433,6 +438,15 @@ private:
     return outcome == Reconnection::FOUND;
   }
 
+  template <typename Context>
+  bool reconnect_growing_cavity(const Vertex_handle v, Context& context)
+  {
+    if(! m_growing_cavity(m_ball, v, m_points, growing_bounds, context))
+      return false;
+    replace(m_growing_cavity.cells(), m_growing_cavity.tetrahedra(), m_growing_cavity.dropped_points());
+    return true;
+  }
+
   // Adds as many vertices as the cavity has, with all the cells that these bring. Returns false if the cavity cannot
   // grow, or would be too large for a search. (Adding ten at a time takes more searches, and removes no more points.)
   static bool enlarge(Cavity& cavity, std::vector<Vertex_handle>& vertices)
@@ -496,10 +510,14 @@ private:
   // Raising the level from 0, as for lost edges, left a few more points in twice the time.
   static constexpr int low_recursion_level = 4;
 
-  // For the points that nothing else removes. (On 64 inputs, 142 points stay in the domain; 182 with cavities of up to
+  // For the points that flips do not remove. (On 64 inputs, 142 points stay in the domain; 182 with cavities of up to
   // 28 vertices. Where a cavity can be filled, about two steps for each tetrahedron suffice: five times as many leave
   // 141 points, half as many 144.)
   static constexpr typename Reconnection::Bounds last_bounds = { 62, 400 };
+
+  // For the points that nothing else removes. (On 35 surfaces that keep points, 100 stay; 105 with half as many
+  // tetrahedra, 122 without this. The search is over after 160 steps, mostly.)
+  static constexpr typename Growing_cavity_3<Tr>::Bounds growing_bounds = { 128, 100000, 400 };
 
   // Where one of hundreds of points after the other stays, as in Chazelle's polyhedra, the rest will.
   static constexpr std::size_t max_number_of_failures = 40;
@@ -514,6 +532,7 @@ private:
   std::vector<Vertex_handle>& m_points;
   Visitor& m_visitor;
   Reconnection m_reconnection;
+  Growing_cavity_3<Tr> m_growing_cavity;
   Kernel_point_3<Tr> m_kernel_point;
   Shell_transformation_3<Tr, Quality, Validity, Visitor> m_transformation;
   Cell_replacement<Tr> m_replacement;

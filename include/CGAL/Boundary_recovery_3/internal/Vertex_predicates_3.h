@@ -14,6 +14,7 @@
 
 #include <CGAL/Boundary_recovery_3/internal/Exact_positions_3.h>
 
+#include <CGAL/Bbox_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
@@ -63,6 +64,16 @@ public:
   {
     const Point_3& p = v->point();
     return Approximate_point(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+  }
+
+  // A box around v.
+  Bbox_3 bbox(const Vertex_handle v) const
+  {
+    const Position* const position = m_positions == nullptr ? nullptr : m_positions->find(v);
+    if(position == nullptr)
+      return v->point().bbox();
+    const auto& box = position->box;
+    return Bbox_3(box.x().inf(), box.y().inf(), box.z().inf(), box.x().sup(), box.y().sup(), box.z().sup());
   }
 
   // Sign of the volume of the tetrahedron pqrs.

@@ -1,0 +1,267 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_GROWING_CAVITY_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_GROWING_CAVITY_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/internal/Candidate_tetrahedra_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Cavity_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Constraints_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Face_matching.h>
+#include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
+#include <CGAL/Boundary_recovery_3/internal/contains.h>
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/enum.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * Removes a Steiner point by reconnection of a cavity around it, that grows until this succeeds.
+ *
+ * It grows to where it has to. If it cannot be filled, this follows from faces that no vertex of the cavity makes a
+ * tetrahedron with, so the next vertices are those that do. (A point that goes with 66 vertices chosen like this took a
+ * cavity of 200 of those that touch it most, and others did not go with 300 of these.)
+ */
+template <typename Tr>
+class Growing_cavity_3
+{
+public:
+  typedef typename Tr::Vertex_handle           Vertex_handle;
+  typedef typename Tr::Cell_handle             Cell_handle;
+  typedef Vertex_predicates_3<Tr>              Predicates;
+  typedef Constraints_3<Tr>                    Constraints;
+  typedef Cavity_3<Tr>                         Cavity;
+  typedef Candidate_tetrahedra_3<Tr>           Candidates;
+  typedef typename Candidates::Tetrahedron     Tetrahedron;
+  typedef std::vector<Vertex_handle>           Vertices;
+
+  // Bounds on the work.
+  struct Bounds
+  {
+    std::size_t vertices;   // of the largest cavity
+    std::size_t tetrahedra; // between them
+    std::size_t steps;      // of one search
+  };
+
+  Growing_cavity_3(const Tr& tr, const Predicates& predicates, const Constraints& constraints)
+    : m_predicates(predicates), m_constraints(constraints), m_cavity(tr, constraints, std::vector<Cell_handle>()),
+      m_candidates(predicates)
+  { }
+
+  // Looks for tetrahedra that fill a cavity that contains the ball of v, without v. They need not use any of the
+  // `points`.
+  template <typename Context>
+  bool operator()(const std::vector<Cell_handle>& ball, const Vertex_handle v, const Vertices& points,
+                  const Bounds& bounds, Context& context)
+  {
+    initialize(ball, v);
+    while(context.go_further())
+    {
+      const Face_matching::Outcome outcome = reconnect(v, points, bounds);
+      if(outcome == Face_matching::FOUND)
+        collect_result(v);
+      if(outcome != Face_matching::NONE || ! grow(bounds.vertices))
+        return outcome == Face_matching::FOUND;
+    }
+    return false;
+  }
+
+  // The cells to be replaced, by which tetrahedra, and the points that are then gone.
+  const std::vector<Cell_handle>& cells() const { return m_cavity.cells(); }
+  const std::vector<Tetrahedron>& tetrahedra() const { return m_tetrahedra; }
+  const Vertices& dropped_points() const { return m_dropped_points; }
+
+private:
+  typedef typename Candidates::Triangle        Triangle;
+
+  // What hides the vertices behind the boundary of the cavity from its faces.
+  class Obstacles
+  {
+  public:
+    typedef std::vector<typename Cavity::Boundary_face> Faces;
+
+    Obstacles(const Faces& faces, const Predicates& predicates) : m_faces(faces), m_predicates(predicates)
+    {
+      for(const auto& f : m_faces)
+        m_boxes.push_back(m_predicates.bbox(f.face[0]) + m_predicates.bbox(f.face[1]) + m_predicates.bbox(f.face[2]));
+    }
+
+    // Those behind the most faces first.
+    Vertices vertices_behind() const
+    {
+      std::vector<std::pair<Vertex_handle, int> > counts;
+      for(const auto& f : m_faces)
+      {
+        if(f.vertex_behind == Vertex_handle())
+          continue;
+        const auto it = std::find_if(counts.begin(), counts.end(),
+                                     [&](const auto& c) { return c.first == f.vertex_behind; });
+        if(it == counts.end())
+          counts.push_back({ f.vertex_behind, 1 });
+        else
+          ++it->second;
+      }
+      std::stable_sort(counts.begin(), counts.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
+      Vertices result;
+      for(const auto& c : counts)
+        result.push_back(c.first);
+      return result;
+    }
+
+    // Whether x is on the positive side of f, and nothing hides the vertices of f from it: no constraint and, if
+    // `with_open_faces`, no other face than those that x is behind of.
+    bool sees(const Vertex_handle x, const Triangle& f, const bool with_open_faces) const
+    {
+      return m_predicates.orientation(f[0], f[1], f[2], x) == POSITIVE
+          && std::all_of(f.begin(), f.end(), [&](const Vertex_handle w) { return sees(x, w, with_open_faces); });
+    }
+
+  private:
+    bool sees(const Vertex_handle x, const Vertex_handle w, const bool with_open_faces) const
+    {
+      const Bbox_3 box = m_predicates.bbox(w) + m_predicates.bbox(x);
+      for(std::size_t i = 0; i < m_faces.size(); ++i)
+      {
+        const Vertex_handle behind = m_faces[i].vertex_behind;
+        const Triangle& f = m_faces[i].face;
+        if((behind == Vertex_handle() || (with_open_faces && behind != x)) && CGAL::do_overlap(box, m_boxes[i])
+           && m_predicates.segment_pierces_triangle(w, x, f[0], f[1], f[2]))
+          return false;
+      }
+      return true;
+    }
+
+    Faces m_faces;
+    const Predicates& m_predicates;
+    std::vector<Bbox_3> m_boxes;
+  };
+
+  void initialize(const std::vector<Cell_handle>& ball, const Vertex_handle v)
+  {
+    m_cavity.set_cells(ball);
+    m_vertices.clear();
+    for(const Cell_handle c : ball)
+      for(int i = 0; i < 4; ++i)
+        if(c->vertex(i) != v && ! internal::contains(m_vertices, c->vertex(i)))
+          m_vertices.push_back(c->vertex(i));
+    m_cavity.add_cells_of(m_vertices);
+  }
+
+  Face_matching::Outcome reconnect(const Vertex_handle v, const Vertices& points, const Bounds& bounds)
+  {
+    std::vector<std::array<Vertex_handle, 2> > edges;
+    std::vector<Triangle> facets;
+    m_constraints.collect(m_cavity.cells(), edges, facets);
+    if(! m_candidates.collect(m_cavity.cells(), edges, facets, points, v, bounds.tetrahedra))
+      return Face_matching::GAVE_UP;
+    return m_matching(m_candidates.number_of_sides(), m_candidates.tetrahedra(), m_candidates.boundary(),
+                      bounds.steps);
+  }
+
+  void collect_result(const Vertex_handle v)
+  {
+    m_tetrahedra.clear();
+    Vertices used;
+    for(const std::size_t t : m_matching.selection())
+    {
+      m_tetrahedra.push_back(m_candidates.vertices_of_tetrahedron(t));
+      used.insert(used.end(), m_tetrahedra.back().begin(), m_tetrahedra.back().end());
+    }
+    m_dropped_points.assign(1, v);
+    for(const Vertex_handle w : m_candidates.vertices())
+      if(! internal::contains(used, w))
+        m_dropped_points.push_back(w);
+  }
+
+  // Adds vertices, with all the cells that these bring. Returns false if it cannot, or would become too large.
+  bool grow(const std::size_t max_number_of_vertices)
+  {
+    const std::size_t before = m_vertices.size();
+    const std::size_t wanted = (std::min)(before + before / growth + 1, max_number_of_vertices);
+    std::vector<Triangle> faces = dead_ends();
+    while(m_vertices.size() < wanted)
+    {
+      const Vertex_handle x = next_vertex(faces);
+      if(x == Vertex_handle())
+        break;
+      m_vertices.push_back(x);
+      m_cavity.add_cells_of(m_vertices);
+    }
+    return m_vertices.size() > before;
+  }
+
+  std::vector<Triangle> dead_ends() const
+  {
+    std::vector<Triangle> result;
+    for(const Face_matching::Side s : m_matching.dead_ends())
+      result.push_back(m_candidates.vertices_of_side(s));
+    return result;
+  }
+
+  // A vertex behind the boundary that makes tetrahedra with some of the faces, which are then taken out. First choice
+  // is one that will, with the cells that it brings; then one that may when the cavity is larger; then the one that
+  // touches the cavity most.
+  Vertex_handle next_vertex(std::vector<Triangle>& faces) const
+  {
+    const Obstacles obstacles(m_cavity.boundary(), m_predicates);
+    const Vertices vertices = obstacles.vertices_behind();
+    for(const bool with_open_faces : { true, false })
+    {
+      Vertex_handle best;
+      std::ptrdiff_t most = 0;
+      for(const Vertex_handle x : vertices)
+      {
+        const std::ptrdiff_t number = std::count_if(faces.begin(), faces.end(), [&](const Triangle& f)
+        {
+          return obstacles.sees(x, f, with_open_faces);
+        });
+        if(number <= most)
+          continue;
+        most = number;
+        best = x;
+      }
+      if(most == 0)
+        continue;
+      if(with_open_faces)
+        faces.erase(std::remove_if(faces.begin(), faces.end(),
+                                   [&](const Triangle& f) { return obstacles.sees(best, f, true); }), faces.end());
+      return best;
+    }
+    return vertices.empty() ? Vertex_handle() : vertices.front();
+  }
+
+  // By a third at a time. (One vertex at a time takes longer, and removes no more points.)
+  static constexpr std::size_t growth = 3;
+
+  const Predicates& m_predicates;
+  const Constraints& m_constraints;
+  Cavity m_cavity;
+  Vertices m_vertices; // of the cavity
+  Candidates m_candidates;
+  Face_matching m_matching;
+  std::vector<Tetrahedron> m_tetrahedra;
+  Vertices m_dropped_points;
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_GROWING_CAVITY_3_H

@@ -1,0 +1,242 @@
+// Tetrahedralizations by matching faces: the same answers as from small polyhedron reconnection, and checked exactly.
+// Cavities that grow until a point inside can be dropped.
+
+#undef NDEBUG // the checks are assertions, also in a Release build
+
+#include "tetrahedralizations_br3.h"
+
+#include <CGAL/Boundary_recovery_3/internal/Candidate_tetrahedra_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Cell_replacement.h>
+#include <CGAL/Boundary_recovery_3/internal/Constraints_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Face_matching.h>
+#include <CGAL/Boundary_recovery_3/internal/Growing_cavity_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Small_polyhedron_reconnection_3.h>
+#include <CGAL/recover_boundary.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <iostream>
+#include <iterator>
+#include <map>
+#include <random>
+#include <string>
+#include <vector>
+
+typedef BR::internal::Candidate_tetrahedra_3<Tr>              Candidates;
+typedef BR::internal::Face_matching                           Face_matching;
+typedef BR::internal::Growing_cavity_3<Tr>                    Growing_cavity;
+typedef BR::internal::Constraints_3<Tr>                       Constraints;
+typedef BR::internal::Small_polyhedron_reconnection_3<Tr>     Reconnection;
+typedef std::vector<Vertex_handle>                            Vertices;
+
+const std::size_t many = 1000000;
+
+// How often each kind of case was met; main() checks that all of them were.
+std::map<std::string, int> number_of;
+
+struct Search
+{
+  Search(const Tr& tr, const Cells& cells, const Edges& edges, const Facets& facets,
+         const Vertices& free_vertices = Vertices(), const Vertex_handle superfluous = Vertex_handle())
+    : predicates(tr), candidates(predicates)
+  {
+    assert(candidates.collect(cells, edges, facets, free_vertices, superfluous, many));
+    outcome = matching(candidates.number_of_sides(), candidates.tetrahedra(), candidates.boundary(), 100000);
+    if(outcome == Face_matching::FOUND)
+      for(const std::size_t t : matching.selection())
+        tetrahedra.push_back(candidates.vertices_of_tetrahedron(t));
+  }
+
+  Predicates predicates;
+  Candidates candidates;
+  Face_matching matching;
+  Face_matching::Outcome outcome;
+  Tetrahedra tetrahedra;
+};
+
+// A tetrahedron at a dead end, if there is one, is outside of a face of the boundary.
+void check_dead_end(const Candidates& candidates, const Face_matching::Side dead_end)
+{
+  for(const Face_matching::Sides& t : candidates.tetrahedra())
+    assert(! BR::internal::contains(t, dead_end)
+           || std::any_of(t.begin(), t.end(), [&](const Face_matching::Side s)
+              {
+                return BR::internal::contains(candidates.boundary(), Face_matching::opposite(s));
+              }));
+  ++number_of["dead end"];
+}
+
+// The answer of the other search is the same, and what was found fills the cells and has all that was required.
+Face_matching::Outcome check(const Tr& tr, const Cells& cells, const Edges& edges, const Facets& facets)
+{
+  const Search search(tr, cells, edges, facets);
+  const Predicates predicates(tr);
+  Reconnection reconnection(predicates);
+  const Reconnection::Outcome outcome = reconnection(cells, edges, facets);
+  assert(outcome != Reconnection::GAVE_UP && search.outcome != Face_matching::GAVE_UP);
+  assert((outcome == Reconnection::FOUND) == (search.outcome == Face_matching::FOUND));
+  if(search.outcome == Face_matching::NONE)
+  {
+    assert(! search.matching.dead_ends().empty());
+    for(const Face_matching::Side s : search.matching.dead_ends())
+      check_dead_end(search.candidates, s);
+    return search.outcome;
+  }
+  assert(total_volume(search.tetrahedra) == total_volume(tetrahedra_of(cells)));
+  for(const Edge& e : edges)
+    assert(number_around(search.tetrahedra, e) > 0);
+  for(const Facet& f : facets)
+    assert(number_around(search.tetrahedra, f) > 0);
+  return search.outcome;
+}
+
+void test_cavities(const bool on_grid)
+{
+  std::mt19937 rng(on_grid ? 17 : 18);
+  for(int round = 0; round < 3; ++round)
+  {
+    Tr tr;
+    for(int i = 0; i < 60; ++i)
+      tr.insert(random_point(rng, on_grid));
+    for(int k = 0; k < 20; ++k)
+    {
+      Cells cells = random_cavity(tr, rng, 4 + random_int(rng, 17));
+      Edges edges;
+      Facets facets;
+      if(k % 2 == 1)
+        require_what_is_there(cells, rng, edges, facets);
+      assert(check(tr, cells, edges, facets) == Face_matching::FOUND);
+      // Filled in another way, this is where the next cavity is.
+      const Search search(tr, cells, edges, facets);
+      BR::internal::Cell_replacement<Tr> replace;
+      replace(tr, cells, search.tetrahedra);
+      assert(tr.tds().is_valid());
+      ++number_of[std::string(on_grid ? "grid" : "double") + (k % 2 == 1 ? " cavity with requirements" : " cavity")];
+    }
+  }
+}
+
+void test_hulls()
+{
+  std::mt19937 rng(20);
+  for(int round = 0; round < 100; ++round)
+  {
+    Tr tr;
+    std::vector<Vertex_handle> v;
+    for(int i = 0; i < 10; ++i)
+      v.push_back(tr.insert(random_point(rng, false)));
+    Edges edges;
+    for(int i = 0; i < 5 + round % 6; ++i)
+    {
+      const int a = random_int(rng, 10), b = (a + 1 + random_int(rng, 9)) % 10;
+      edges.push_back({{ v[a], v[b] }});
+    }
+    ++number_of[check(tr, finite_cells(tr), edges, Facets()) == Face_matching::FOUND ? "hull found" : "hull none"];
+  }
+}
+
+// A vertex inside has to be used, unless it is superfluous, or free.
+void test_inner_vertex()
+{
+  Tr tr;
+  for(const Point& p : { Point(0, 0, 0), Point(9, 0, 0), Point(0, 9, 0), Point(0, 0, 9) })
+    tr.insert(p);
+  const Vertex_handle v = tr.insert(Point(1, 2, 3));
+  assert(tr.number_of_finite_cells() == 4);
+  const Cells cells = finite_cells(tr);
+  assert(Search(tr, cells, Edges(), Facets()).tetrahedra.size() == 4);
+  assert(Search(tr, cells, Edges(), Facets(), Vertices(), v).tetrahedra.size() == 1);
+  const Search free(tr, cells, Edges(), Facets(), Vertices(1, v));
+  assert(free.outcome == Face_matching::FOUND && total_volume(free.tetrahedra) == 9 * 9 * 9);
+  ++number_of["inner vertex"];
+}
+
+struct Patience
+{
+  int number_of_steps;
+  bool go_further() { return number_of_steps-- > 0; }
+};
+
+Cells ball(const Tr& tr, const Vertex_handle v)
+{
+  Cells result;
+  tr.incident_cells(v, std::back_inserter(result));
+  return result;
+}
+
+// Schoenhardt's polyhedron in a box, with a vertex in each of its notches, and one point inside that sees all of it. It
+// can be dropped if the polyhedron may be, and not if not.
+void test_growing_cavity()
+{
+  const double pi = std::acos(-1.);
+  std::vector<Point> points;
+  for(int k = 0; k < 6; ++k)
+  {
+    const double angle = 2 * pi * (k % 3) / 3 + (k < 3 ? 0 : pi / 6);
+    points.push_back(Point(std::cos(angle), std::sin(angle), k < 3 ? 0 : 1.5));
+  }
+  std::vector<std::array<std::size_t, 3> > triangles = { {{ 0, 2, 1 }}, {{ 3, 4, 5 }} };
+  for(std::size_t k = 0; k < 3; ++k)
+  {
+    const std::size_t l = (k + 1) % 3;
+    triangles.push_back({{ k, l, 3 + l }});
+    triangles.push_back({{ k, 3 + l, 3 + k }});
+  }
+  for(std::size_t k = 0; k < 3; ++k)
+    points.push_back(CGAL::centroid(points[k], points[(k + 1) % 3], points[3 + k], points[3 + (k + 1) % 3]));
+  for(int k = 0; k < 8; ++k)
+    points.push_back(Point(k % 2 == 0 ? -5 : 6, k / 2 % 2 == 0 ? -5.5 : 5, k / 4 == 0 ? -4 : 7));
+
+  Tr tr;
+  const auto result = CGAL::recover_boundary(tr, points, triangles);
+  assert(result && result.steiner_vertices.size() == 1);
+  const Vertex_handle v = result.steiner_vertices.front();
+  Constraints constraints, none;
+  for(const auto& t : triangles)
+    constraints.insert(result.vertices[t[0]], result.vertices[t[1]], result.vertices[t[2]]);
+  const Predicates predicates(tr);
+  const Vertices free_vertices(1, v);
+  const Growing_cavity::Bounds bounds = { 17, many, 1000 };
+  Patience patience = { 100 }, no_patience = { 0 };
+
+  Growing_cavity hopeless(tr, predicates, constraints);
+  assert(! hopeless(ball(tr, v), v, free_vertices, bounds, patience));
+  ++number_of["cavity that must not grow"];
+
+  Growing_cavity growing(tr, predicates, none);
+  assert(! growing(ball(tr, v), v, free_vertices, bounds, no_patience));
+  const Growing_cavity::Bounds too_small = { 6, many, 1000 };
+  assert(! growing(ball(tr, v), v, free_vertices, too_small, patience));
+  assert(growing(ball(tr, v), v, free_vertices, bounds, patience));
+  assert(growing.cells().size() > ball(tr, v).size() && growing.dropped_points() == free_vertices);
+  assert(total_volume(growing.tetrahedra()) == total_volume(tetrahedra_of(growing.cells())));
+  BR::internal::Cell_replacement<Tr> replace;
+  CGAL::Default_boundary_recovery_visitor_3 visitor;
+  replace(tr, growing.cells(), growing.tetrahedra(), visitor, growing.dropped_points());
+  assert(tr.number_of_vertices() == points.size() && tr.tds().is_valid());
+  ++number_of["cavity that grows"];
+}
+
+int main()
+{
+  test_cavities(true);
+  test_cavities(false);
+  test_hulls();
+  test_inner_vertex();
+  test_growing_cavity();
+
+  for(const char* kind : { "grid cavity", "grid cavity with requirements", "double cavity",
+                           "double cavity with requirements", "hull found", "hull none",
+                           "dead end", "inner vertex",
+                           "cavity that must not grow", "cavity that grows" })
+  {
+    std::cout << number_of[kind] << " x " << kind << std::endl;
+    assert(number_of[kind] > 0);
+  }
+  std::cout << "done" << std::endl;
+  return EXIT_SUCCESS;
+}
