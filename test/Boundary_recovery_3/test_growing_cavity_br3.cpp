@@ -11,6 +11,7 @@
 #include <CGAL/Boundary_recovery_3/internal/Face_matching.h>
 #include <CGAL/Boundary_recovery_3/internal/Growing_cavity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Small_polyhedron_reconnection_3.h>
+#include <CGAL/Boundary_recovery_3/internal/contains.h>
 #include <CGAL/recover_boundary.h>
 
 #include <algorithm>
@@ -41,11 +42,13 @@ std::map<std::string, int> number_of;
 struct Search
 {
   Search(const Tr& tr, const Cells& cells, const Edges& edges, const Facets& facets,
-         const Vertices& free_vertices = Vertices(), const Vertex_handle superfluous = Vertex_handle())
+         const Vertices& free_vertices = Vertices(), const Vertex_handle superfluous = Vertex_handle(),
+         const std::size_t max_number_of_steps = 100000)
     : predicates(tr), candidates(predicates)
   {
     assert(candidates.collect(cells, edges, facets, free_vertices, superfluous, many));
-    outcome = matching(candidates.number_of_sides(), candidates.tetrahedra(), candidates.boundary(), 100000);
+    outcome = matching(candidates.number_of_sides(), candidates.tetrahedra(), candidates.boundary(),
+                       max_number_of_steps);
     if(outcome == Face_matching::FOUND)
       for(const std::size_t t : matching.selection())
         tetrahedra.push_back(candidates.vertices_of_tetrahedron(t));
@@ -136,7 +139,22 @@ void test_hulls()
       edges.push_back({{ v[a], v[b] }});
     }
     ++number_of[check(tr, finite_cells(tr), edges, Facets()) == Face_matching::FOUND ? "hull found" : "hull none"];
+    const Search short_search(tr, finite_cells(tr), edges, Facets(), Vertices(), Vertex_handle(), 1);
+    number_of["gave up"] += short_search.outcome == Face_matching::GAVE_UP;
   }
+}
+
+struct Patience
+{
+  int number_of_steps;
+  bool go_further() { return number_of_steps-- > 0; }
+};
+
+Cells ball(const Tr& tr, const Vertex_handle v)
+{
+  Cells result;
+  tr.incident_cells(v, std::back_inserter(result));
+  return result;
 }
 
 // A vertex inside has to be used, unless it is superfluous, or free.
@@ -153,19 +171,17 @@ void test_inner_vertex()
   const Search free(tr, cells, Edges(), Facets(), Vertices(1, v));
   assert(free.outcome == Face_matching::FOUND && total_volume(free.tetrahedra) == 9 * 9 * 9);
   ++number_of["inner vertex"];
-}
 
-struct Patience
-{
-  int number_of_steps;
-  bool go_further() { return number_of_steps-- > 0; }
-};
-
-Cells ball(const Tr& tr, const Vertex_handle v)
-{
-  Cells result;
-  tr.incident_cells(v, std::back_inserter(result));
-  return result;
+  // The ball can be filled, but is too large, or has too many tetrahedra.
+  const Predicates predicates(tr);
+  const Constraints none;
+  Growing_cavity growing(tr, predicates, none);
+  Patience patience = { 100 };
+  assert(! growing(cells, v, Vertices(1, v), Growing_cavity::Bounds{ 3, many, 1000 }, patience));
+  assert(! growing(cells, v, Vertices(1, v), Growing_cavity::Bounds{ 4, 0, 1000 }, patience));
+  assert(growing(cells, v, Vertices(1, v), Growing_cavity::Bounds{ 4, 1, 1000 }, patience));
+  assert(growing.tetrahedra().size() == 1 && growing.dropped_points() == Vertices(1, v));
+  ++number_of["bounds"];
 }
 
 // Schoenhardt's polyhedron in a box, with a vertex in each of its notches, and one point inside that sees all of it. It
@@ -231,7 +247,7 @@ int main()
 
   for(const char* kind : { "grid cavity", "grid cavity with requirements", "double cavity",
                            "double cavity with requirements", "hull found", "hull none",
-                           "dead end", "inner vertex",
+                           "dead end", "gave up", "inner vertex", "bounds",
                            "cavity that must not grow", "cavity that grows" })
   {
     std::cout << number_of[kind] << " x " << kind << std::endl;

@@ -7,13 +7,9 @@
 
 #include <CGAL/Boundary_recovery_3/internal/Cell_replacement.h>
 #include <CGAL/Boundary_recovery_3/internal/Small_polyhedron_reconnection_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
 
 #include <CGAL/Cartesian_converter.h>
-#include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
 
 #include <algorithm>
 #include <array>

@@ -38,8 +38,8 @@ namespace internal {
  *
  * The polyhedron is a set of cells of the mesh. Its obstacles are its boundary, and edges and facets that are required
  * inside; what crosses one of them is in no tetrahedralization that has them. First come the edges that cross none,
- * then the faces between these, then the tetrahedra between those. So the work depends on how many vertices see each
- * other, which are few where there are many constraints, and not on how many there are.
+ * then the faces between these, then the tetrahedra between those. So the number of tetrahedra depends on how many
+ * vertices see each other, which are few where there are many constraints.
  *
  * An edge inside the polyhedron, between two of its vertices, that nothing crosses is in every tetrahedralization; so
  * all that is required is.
@@ -192,11 +192,11 @@ private:
     for(const auto& e : edges)
       m_obstacles.edges.push_back(positions(e));
     make_unique(m_obstacles.edges);
-    m_obstacles.inner_edges = difference(m_obstacles.edges, edges_of(outer_faces));
     const std::vector<Edge> edges_of_faces = edges_of(m_obstacles.faces);
     m_obstacles.single_edges = difference(m_obstacles.edges, edges_of_faces);
     m_obstacles.edges.insert(m_obstacles.edges.end(), edges_of_faces.begin(), edges_of_faces.end());
     make_unique(m_obstacles.edges);
+    m_obstacles.inner_edges = difference(m_obstacles.edges, edges_of(outer_faces));
     m_obstacles.stars.resize(n());
     for(std::size_t i = 0; i < m_obstacles.faces.size(); ++i)
     {

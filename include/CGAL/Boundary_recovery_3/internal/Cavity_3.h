@@ -91,16 +91,10 @@ public:
   std::vector<Boundary_face> boundary() const
   {
     std::vector<Boundary_face> result;
-    for(const Cell_handle c : m_cells)
-      for(int i = 0; i < 4; ++i)
-      {
-        const Cell_handle n = c->neighbor(i);
-        if(internal::contains(m_cells, n))
-          continue;
-        const Triangle f = internal::facet_vertices(c, i);
-        const bool is_open = ! m_tr.is_infinite(n) && ! is_constrained(f);
-        result.push_back({ f, is_open ? n->vertex(n->index(c)) : Vertex_handle() });
-      }
+    for_each_face([&](const Cell_handle c, const int i)
+    {
+      result.push_back({ internal::facet_vertices(c, i), is_open(c, i) ? vertex_behind(c, i) : Vertex_handle() });
+    });
     return result;
   }
 
@@ -153,14 +147,31 @@ private:
   template <typename Visit>
   void for_each_open_face(const Visit& visit) const
   {
+    for_each_face([&](const Cell_handle c, const int i)
+    {
+      if(is_open(c, i))
+        visit(c->neighbor(i), vertex_behind(c, i));
+    });
+  }
+
+  // For each face of the boundary, calls `visit` with the cell of the cavity and the index of the face there.
+  template <typename Visit>
+  void for_each_face(const Visit& visit) const
+  {
     for(const Cell_handle c : m_cells)
       for(int i = 0; i < 4; ++i)
-      {
-        const Cell_handle n = c->neighbor(i);
-        if(! m_tr.is_infinite(n) && ! internal::contains(m_cells, n)
-           && ! is_constrained(internal::facet_vertices(c, i)))
-          visit(n, n->vertex(n->index(c)));
-      }
+        if(! internal::contains(m_cells, c->neighbor(i)))
+          visit(c, i);
+  }
+
+  bool is_open(const Cell_handle c, const int i) const
+  {
+    return ! m_tr.is_infinite(c->neighbor(i)) && ! is_constrained(internal::facet_vertices(c, i));
+  }
+
+  static Vertex_handle vertex_behind(const Cell_handle c, const int i)
+  {
+    return c->neighbor(i)->vertex(c->neighbor(i)->index(c));
   }
 
   bool collect_inner_points(const Vertices& outer_vertices, const Vertices& points, Vertices& inner_points) const

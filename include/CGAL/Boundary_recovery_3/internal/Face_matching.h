@@ -16,7 +16,6 @@
 #include <array>
 #include <cstddef>
 #include <limits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -69,8 +68,8 @@ public:
     return result;
   }
 
-  // If there was a conflict: the sides without a tetrahedron from which the first one followed. To avoid it takes a
-  // tetrahedron at one of them.
+  // The sides without a tetrahedron from which the first conflict followed, of those that followed from such sides, and
+  // from the choices before it. To avoid it takes a tetrahedron at one of these sides, or another choice.
   const std::vector<Side>& dead_ends() const { return m_dead_ends; }
 
 private:
@@ -273,11 +272,15 @@ private:
     for(; m_removed.size() > choice.number_of_removed; m_removed.pop_back())
     {
       m_is_removed[m_removed.back()] = false;
+      m_cause[m_removed.back()] = no_side;
       for(const Side s : (*m_tetrahedra)[m_removed.back()])
         ++m_number[s];
     }
     for(; m_needed.size() > choice.number_of_needed; m_needed.pop_back())
+    {
       m_is_needed[m_needed.back()] = false;
+      m_requirer[m_needed.back()] = no_side;
+    }
     return choice.tetrahedron;
   }
 

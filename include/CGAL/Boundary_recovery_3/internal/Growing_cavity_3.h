@@ -33,7 +33,7 @@ namespace Boundary_recovery_3 {
 namespace internal {
 
 /*
- * Removes a Steiner point by reconnection of a cavity around it, that grows until this succeeds.
+ * Reconnection of a cavity around a Steiner point without this point; the cavity grows until that succeeds.
  *
  * It grows to where it has to. If it cannot be filled, this follows from faces that no vertex of the cavity makes a
  * tetrahedron with, so the next vertices are those that do. (A point that goes with 66 vertices chosen like this took a
@@ -72,12 +72,12 @@ public:
                   const Bounds& bounds, Context& context)
   {
     initialize(ball, v);
-    while(context.go_further())
+    while(m_vertices.size() <= bounds.vertices && context.go_further())
     {
       const Face_matching::Outcome outcome = reconnect(v, points, bounds);
       if(outcome == Face_matching::FOUND)
         collect_result(v);
-      if(outcome != Face_matching::NONE || ! grow(bounds.vertices))
+      if(outcome != Face_matching::NONE || ! grow(bounds.vertices, context))
         return outcome == Face_matching::FOUND;
     }
     return false;
@@ -125,12 +125,25 @@ private:
       return result;
     }
 
-    // Whether x is on the positive side of f, and nothing hides the vertices of f from it: no constraint and, if
-    // `with_open_faces`, no other face than those that x is behind of.
-    bool sees(const Vertex_handle x, const Triangle& f, const bool with_open_faces) const
+    // For each of the faces, whether x is on its positive side, and neither a constraint nor, if `with_open_faces`,
+    // another face than those that x is behind of is between x and one of its vertices.
+    std::vector<char> are_seen(const Vertex_handle x, const std::vector<Triangle>& faces,
+                               const bool with_open_faces) const
     {
-      return m_predicates.orientation(f[0], f[1], f[2], x) == POSITIVE
-          && std::all_of(f.begin(), f.end(), [&](const Vertex_handle w) { return sees(x, w, with_open_faces); });
+      std::vector<std::pair<Vertex_handle, bool> > known; // many of the faces share vertices
+      const auto is_seen = [&](const Vertex_handle w)
+      {
+        const auto it = std::find_if(known.begin(), known.end(), [&](const auto& k) { return k.first == w; });
+        if(it != known.end())
+          return it->second;
+        known.push_back({ w, sees(x, w, with_open_faces) });
+        return known.back().second;
+      };
+      std::vector<char> result;
+      for(const Triangle& f : faces)
+        result.push_back(m_predicates.orientation(f[0], f[1], f[2], x) == POSITIVE
+                         && std::all_of(f.begin(), f.end(), is_seen));
+      return result;
     }
 
   private:
@@ -191,12 +204,13 @@ private:
   }
 
   // Adds vertices, with all the cells that these bring. Returns false if it cannot, or would become too large.
-  bool grow(const std::size_t max_number_of_vertices)
+  template <typename Context>
+  bool grow(const std::size_t max_number_of_vertices, Context& context)
   {
     const std::size_t before = m_vertices.size();
-    const std::size_t wanted = (std::min)(before + before / growth + 1, max_number_of_vertices);
+    const std::size_t wanted = (std::min)(before + before / inverse_growth + 1, max_number_of_vertices);
     std::vector<Triangle> faces = dead_ends();
-    while(m_vertices.size() < wanted)
+    while(m_vertices.size() < wanted && context.go_further())
     {
       const Vertex_handle x = next_vertex(faces);
       if(x == Vertex_handle())
@@ -216,8 +230,8 @@ private:
   }
 
   // A vertex behind the boundary that makes tetrahedra with some of the faces, which are then taken out. First choice
-  // is one that will, with the cells that it brings; then one that may when the cavity is larger; then the one that
-  // touches the cavity most.
+  // is one that will, most likely, with the cells that it brings; then one that may when the cavity is larger; then the
+  // one that touches the cavity most.
   Vertex_handle next_vertex(std::vector<Triangle>& faces) const
   {
     const Obstacles obstacles(m_cavity.boundary(), m_predicates);
@@ -225,35 +239,43 @@ private:
     for(const bool with_open_faces : { true, false })
     {
       Vertex_handle best;
+      std::vector<char> seen_from_best;
       std::ptrdiff_t most = 0;
       for(const Vertex_handle x : vertices)
       {
-        const std::ptrdiff_t number = std::count_if(faces.begin(), faces.end(), [&](const Triangle& f)
-        {
-          return obstacles.sees(x, f, with_open_faces);
-        });
+        std::vector<char> seen = obstacles.are_seen(x, faces, with_open_faces);
+        const std::ptrdiff_t number = std::count(seen.begin(), seen.end(), true);
         if(number <= most)
           continue;
         most = number;
         best = x;
+        seen_from_best = std::move(seen);
       }
       if(most == 0)
         continue;
       if(with_open_faces)
-        faces.erase(std::remove_if(faces.begin(), faces.end(),
-                                   [&](const Triangle& f) { return obstacles.sees(best, f, true); }), faces.end());
+        take_out(seen_from_best, faces);
       return best;
     }
     return vertices.empty() ? Vertex_handle() : vertices.front();
   }
 
+  static void take_out(const std::vector<char>& marks, std::vector<Triangle>& faces)
+  {
+    std::vector<Triangle> result;
+    for(std::size_t i = 0; i < faces.size(); ++i)
+      if(! marks[i])
+        result.push_back(faces[i]);
+    faces = std::move(result);
+  }
+
   // By a third at a time. (One vertex at a time takes longer, and removes no more points.)
-  static constexpr std::size_t growth = 3;
+  static constexpr std::size_t inverse_growth = 3;
 
   const Predicates& m_predicates;
   const Constraints& m_constraints;
   Cavity m_cavity;
-  Vertices m_vertices; // of the cavity
+  Vertices m_vertices; // of the cavity, without the point to be removed
   Candidates m_candidates;
   Face_matching m_matching;
   std::vector<Tetrahedron> m_tetrahedra;
