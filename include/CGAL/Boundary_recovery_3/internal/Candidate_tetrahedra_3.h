@@ -148,37 +148,21 @@ private:
   template <typename CellRange>
   void collect_vertices(const CellRange& cells, const Vertex_handle superfluous)
   {
-    m_vertices.clear();
+    m_vertices = internal::vertices_without(cells, superfluous);
     m_boxes.clear();
-    for(const Cell_handle c : cells)
-      for(int i = 0; i < 4; ++i)
-      {
-        const Vertex_handle v = c->vertex(i);
-        if(v == superfluous || internal::contains(m_vertices, v))
-          continue;
-        m_vertices.push_back(v);
-        m_boxes.push_back(m_predicates.bbox(v));
-      }
+    for(const Vertex_handle v : m_vertices)
+      m_boxes.push_back(m_predicates.bbox(v));
   }
 
   template <typename CellRange>
   std::vector<Face> outer_faces(const CellRange& cells) const
   {
     std::vector<Face> result;
-    for_each_outer_facet(cells, [&](const Cell_handle c, const int i)
+    internal::for_each_outer_facet(cells, [&](const Cell_handle c, const int i)
     {
       result.push_back(positions(internal::facet_vertices(c, i)));
     });
     return result;
-  }
-
-  template <typename CellRange, typename Work>
-  static void for_each_outer_facet(const CellRange& cells, const Work& work)
-  {
-    for(const Cell_handle c : cells)
-      for(int i = 0; i < 4; ++i)
-        if(! internal::contains(cells, c->neighbor(i)))
-          work(c, i);
   }
 
   template <typename EdgeRange, typename FacetRange>
@@ -378,7 +362,7 @@ private:
   void collect_boundary(const CellRange& cells)
   {
     m_boundary.clear();
-    for_each_outer_facet(cells, [&](const Cell_handle c, const int i)
+    internal::for_each_outer_facet(cells, [&](const Cell_handle c, const int i)
     {
       const Face f = positions(internal::facet_vertices(c, i));
       const Orientation o = m_predicates.orientation(m_vertices[f[0]], m_vertices[f[1]], m_vertices[f[2]],

@@ -91,31 +91,37 @@ public:
   std::vector<Boundary_face> boundary() const
   {
     std::vector<Boundary_face> result;
-    for_each_face([&](const Cell_handle c, const int i)
+    internal::for_each_outer_facet(m_cells, [&](const Cell_handle c, const int i)
     {
       result.push_back({ internal::facet_vertices(c, i), is_open(c, i) ? vertex_behind(c, i) : Vertex_handle() });
     });
     return result;
   }
 
-  // The vertex behind the largest number of faces that are not constrained; none if there is only the exterior of the
-  // hull behind them.
-  Vertex_handle most_adjacent_vertex() const
+  // The vertices behind faces that are not constrained, those behind the largest number of such faces first.
+  Vertices vertices_behind() const
   {
-    Vertices vertices;
-    std::vector<int> counts;
+    std::vector<std::pair<Vertex_handle, int> > counts;
     for_each_open_face([&](Cell_handle, const Vertex_handle x)
     {
-      const std::size_t k = std::find(vertices.begin(), vertices.end(), x) - vertices.begin();
-      if(k == vertices.size())
-      {
-        vertices.push_back(x);
-        counts.push_back(0);
-      }
-      ++counts[k];
+      const auto it = std::find_if(counts.begin(), counts.end(), [x](const auto& c) { return c.first == x; });
+      if(it == counts.end())
+        counts.push_back({ x, 1 });
+      else
+        ++it->second;
     });
-    return vertices.empty() ? Vertex_handle()
-                            : vertices[std::max_element(counts.begin(), counts.end()) - counts.begin()];
+    std::stable_sort(counts.begin(), counts.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
+    Vertices result;
+    for(const auto& c : counts)
+      result.push_back(c.first);
+    return result;
+  }
+
+  // The first of these; none if there is only the exterior of the hull behind those faces.
+  Vertex_handle most_adjacent_vertex() const
+  {
+    const Vertices vertices = vertices_behind();
+    return vertices.empty() ? Vertex_handle() : vertices.front();
   }
 
   // The faces, seen from inside, and the vertices inside. Returns false if there is a constraint inside, or a vertex
@@ -147,21 +153,11 @@ private:
   template <typename Visit>
   void for_each_open_face(const Visit& visit) const
   {
-    for_each_face([&](const Cell_handle c, const int i)
+    internal::for_each_outer_facet(m_cells, [&](const Cell_handle c, const int i)
     {
       if(is_open(c, i))
         visit(c->neighbor(i), vertex_behind(c, i));
     });
-  }
-
-  // For each face of the boundary, calls `visit` with the cell of the cavity and the index of the face there.
-  template <typename Visit>
-  void for_each_face(const Visit& visit) const
-  {
-    for(const Cell_handle c : m_cells)
-      for(int i = 0; i < 4; ++i)
-        if(! internal::contains(m_cells, c->neighbor(i)))
-          visit(c, i);
   }
 
   bool is_open(const Cell_handle c, const int i) const

@@ -17,6 +17,7 @@
 #include <CGAL/Boundary_recovery_3/internal/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Face_matching.h>
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
+#include <CGAL/Boundary_recovery_3/internal/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/contains.h>
 
 #include <CGAL/Bbox_3.h>
@@ -103,28 +104,6 @@ private:
         m_boxes.push_back(m_predicates.bbox(f.face[0]) + m_predicates.bbox(f.face[1]) + m_predicates.bbox(f.face[2]));
     }
 
-    // Those behind the most faces first.
-    Vertices vertices_behind() const
-    {
-      std::vector<std::pair<Vertex_handle, int> > counts;
-      for(const auto& f : m_faces)
-      {
-        if(f.vertex_behind == Vertex_handle())
-          continue;
-        const auto it = std::find_if(counts.begin(), counts.end(),
-                                     [&](const auto& c) { return c.first == f.vertex_behind; });
-        if(it == counts.end())
-          counts.push_back({ f.vertex_behind, 1 });
-        else
-          ++it->second;
-      }
-      std::stable_sort(counts.begin(), counts.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
-      Vertices result;
-      for(const auto& c : counts)
-        result.push_back(c.first);
-      return result;
-    }
-
     // For each of the faces, whether x is on its positive side, and neither a constraint nor, if `with_open_faces`,
     // another face than those that x is behind of is between x and one of its vertices.
     std::vector<char> are_seen(const Vertex_handle x, const std::vector<Triangle>& faces,
@@ -169,11 +148,7 @@ private:
   void initialize(const std::vector<Cell_handle>& ball, const Vertex_handle v)
   {
     m_cavity.set_cells(ball);
-    m_vertices.clear();
-    for(const Cell_handle c : ball)
-      for(int i = 0; i < 4; ++i)
-        if(c->vertex(i) != v && ! internal::contains(m_vertices, c->vertex(i)))
-          m_vertices.push_back(c->vertex(i));
+    m_vertices = internal::vertices_without(ball, v);
     m_cavity.add_cells_of(m_vertices);
   }
 
@@ -235,7 +210,7 @@ private:
   Vertex_handle next_vertex(std::vector<Triangle>& faces) const
   {
     const Obstacles obstacles(m_cavity.boundary(), m_predicates);
-    const Vertices vertices = obstacles.vertices_behind();
+    const Vertices vertices = m_cavity.vertices_behind();
     for(const bool with_open_faces : { true, false })
     {
       Vertex_handle best;

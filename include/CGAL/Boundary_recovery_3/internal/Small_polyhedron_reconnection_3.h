@@ -15,7 +15,6 @@
 #include <CGAL/Boundary_recovery_3/internal/Orientation_table_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/cell_simplices.h>
-#include <CGAL/Boundary_recovery_3/internal/contains.h>
 
 #include <algorithm>
 #include <array>
@@ -110,11 +109,7 @@ private:
   template <typename CellRange>
   bool collect_vertices(const CellRange& cells, const Vertex_handle superfluous, const std::size_t max_number)
   {
-    std::vector<Vertex_handle> vertices;
-    for(const Cell_handle c : cells)
-      for(int i = 0; i < 4; ++i)
-        if(c->vertex(i) != superfluous && ! internal::contains(vertices, c->vertex(i)))
-          vertices.push_back(c->vertex(i));
+    const std::vector<Vertex_handle> vertices = internal::vertices_without(cells, superfluous);
     if(vertices.size() > max_number)
     {
       forget();
@@ -158,10 +153,10 @@ private:
   std::vector<Face> outer_faces(const CellRange& cells) const
   {
     std::vector<Face> result;
-    for(const Cell_handle c : cells)
-      for(int i = 0; i < 4; ++i)
-        if(! internal::contains(cells, c->neighbor(i)))
-          result.push_back(positions(internal::facet_vertices(c, i)));
+    internal::for_each_outer_facet(cells, [&](const Cell_handle c, const int i)
+    {
+      result.push_back(positions(internal::facet_vertices(c, i)));
+    });
     return result;
   }
 

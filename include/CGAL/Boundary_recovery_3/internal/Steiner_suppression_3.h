@@ -378,14 +378,7 @@ private:
     m_replacement(m_tr, cavity, tetrahedra, m_visitor, dropped);
   }
 
-  void collect_neighbors(const Vertex_handle v)
-  {
-    m_neighbors.clear();
-    for(const Cell_handle c : m_ball)
-      for(int i = 0; i < 4; ++i)
-        if(c->vertex(i) != v && ! internal::contains(m_neighbors, c->vertex(i)))
-          m_neighbors.push_back(c->vertex(i));
-  }
+  void collect_neighbors(const Vertex_handle v) { m_neighbors = internal::vertices_without(m_ball, v); }
 
   // Stars the ball from a neighbor of v that sees all of its boundary.
   bool collapse(const Vertex_handle v)

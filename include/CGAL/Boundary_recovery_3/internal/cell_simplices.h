@@ -12,6 +12,8 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <CGAL/Boundary_recovery_3/internal/contains.h>
+
 #include <CGAL/Triangulation_utils_3.h>
 
 #include <array>
@@ -29,6 +31,28 @@ auto facet_vertices(const Cell_handle c, const int i)
   return std::array<decltype(c->vertex(0)), 3>{{ c->vertex(Utils::vertex_triple_index(i, 0)),
                                                  c->vertex(Utils::vertex_triple_index(i, 1)),
                                                  c->vertex(Utils::vertex_triple_index(i, 2)) }};
+}
+
+// The vertices of some cells, in the order in which they are met, without v.
+template <typename CellRange, typename Vertex_handle>
+std::vector<Vertex_handle> vertices_without(const CellRange& cells, const Vertex_handle v)
+{
+  std::vector<Vertex_handle> result;
+  for(const auto c : cells)
+    for(int i = 0; i < 4; ++i)
+      if(c->vertex(i) != v && ! internal::contains(result, c->vertex(i)))
+        result.push_back(c->vertex(i));
+  return result;
+}
+
+// For each facet of some cells that has none of them behind it, calls `work` with the cell and the index of the facet.
+template <typename CellRange, typename Work>
+void for_each_outer_facet(const CellRange& cells, const Work& work)
+{
+  for(const auto c : cells)
+    for(int i = 0; i < 4; ++i)
+      if(! internal::contains(cells, c->neighbor(i)))
+        work(c, i);
 }
 
 // The faces of the ball of v, seen from inside; `star` are the cells around v.
