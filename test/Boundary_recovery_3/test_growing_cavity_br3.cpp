@@ -5,12 +5,14 @@
 
 #include "tetrahedralizations_br3.h"
 
+#include <CGAL/Boundary_recovery_3/internal/Bit_matrix.h>
 #include <CGAL/Boundary_recovery_3/internal/Candidate_tetrahedra_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Cell_replacement.h>
 #include <CGAL/Boundary_recovery_3/internal/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Face_matching.h>
 #include <CGAL/Boundary_recovery_3/internal/Growing_cavity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Small_polyhedron_reconnection_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Spanned_cavity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/contains.h>
 #include <CGAL/recover_boundary.h>
 
@@ -24,6 +26,7 @@
 #include <iterator>
 #include <map>
 #include <random>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -177,9 +180,16 @@ void test_inner_vertex()
   const Constraints none;
   Growing_cavity growing(tr, predicates, none);
   Patience patience = { 100 };
-  assert(! growing(cells, v, Vertices(1, v), Growing_cavity::Bounds{ 3, many, 1000 }, patience));
-  assert(! growing(cells, v, Vertices(1, v), Growing_cavity::Bounds{ 4, 0, 1000 }, patience));
-  assert(growing(cells, v, Vertices(1, v), Growing_cavity::Bounds{ 4, 1, 1000 }, patience));
+  const auto outcome = [&](const Growing_cavity::Growth growth, const Growing_cavity::Bounds& bounds)
+  {
+    return growing(cells, v, Vertices(1, v), growth, bounds, patience);
+  };
+  for(const auto growth : { Growing_cavity::AROUND, Growing_cavity::TOWARD_DEAD_ENDS })
+  {
+    assert(outcome(growth, { 3, many, 1000 }) == Growing_cavity::GAVE_UP);
+    assert(outcome(growth, { 4, 0, 1000 }) == Growing_cavity::GAVE_UP);
+    assert(outcome(growth, { 4, 1, 1000 }) == Growing_cavity::FOUND);
+  }
   assert(growing.tetrahedra().size() == 1 && growing.dropped_points() == Vertices(1, v));
   ++number_of["bounds"];
 }
@@ -217,24 +227,134 @@ void test_growing_cavity()
   const Predicates predicates(tr);
   const Vertices free_vertices(1, v);
   const Growing_cavity::Bounds bounds = { 17, many, 1000 };
-  Patience patience = { 100 }, no_patience = { 0 };
+  Patience patience = { 1000 }, no_patience = { 0 };
 
-  Growing_cavity hopeless(tr, predicates, constraints);
-  assert(! hopeless(ball(tr, v), v, free_vertices, bounds, patience));
-  ++number_of["cavity that must not grow"];
-
-  Growing_cavity growing(tr, predicates, none);
-  assert(! growing(ball(tr, v), v, free_vertices, bounds, no_patience));
+  Growing_cavity hopeless(tr, predicates, constraints), growing(tr, predicates, none);
+  const auto outcome = [&](Growing_cavity& search, const Growing_cavity::Growth growth,
+                           const Growing_cavity::Bounds& bounds, Patience& p)
+  {
+    return search(ball(tr, v), v, free_vertices, growth, bounds, p);
+  };
   const Growing_cavity::Bounds too_small = { 6, many, 1000 };
-  assert(! growing(ball(tr, v), v, free_vertices, too_small, patience));
-  assert(growing(ball(tr, v), v, free_vertices, bounds, patience));
+  for(const auto growth : { Growing_cavity::AROUND, Growing_cavity::TOWARD_DEAD_ENDS })
+  {
+    assert(outcome(hopeless, growth, bounds, patience) == Growing_cavity::NONE);
+    ++number_of["cavity that must not grow"];
+    assert(outcome(growing, growth, bounds, no_patience) == Growing_cavity::GAVE_UP);
+    assert(outcome(growing, growth, too_small, patience) == Growing_cavity::GAVE_UP);
+    assert(outcome(growing, growth, bounds, patience) == Growing_cavity::FOUND);
+    ++number_of[growth == Growing_cavity::AROUND ? "cavity that grows around" : "cavity that grows toward dead ends"];
+  }
   assert(growing.cells().size() > ball(tr, v).size() && growing.dropped_points() == free_vertices);
   assert(total_volume(growing.tetrahedra()) == total_volume(tetrahedra_of(growing.cells())));
   BR::internal::Cell_replacement<Tr> replace;
   CGAL::Default_boundary_recovery_visitor_3 visitor;
   replace(tr, growing.cells(), growing.tetrahedra(), visitor, growing.dropped_points());
   assert(tr.number_of_vertices() == points.size() && tr.tds().is_valid());
-  ++number_of["cavity that grows"];
+}
+
+// The facets of the cells that have none of them behind them, as sorted vertices, and the vertices behind those that
+// are open.
+std::map<std::array<const void*, 3>, Vertex_handle> boundary(const Tr& tr, const Cells& cells,
+                                                             const Constraints& constraints)
+{
+  std::map<std::array<const void*, 3>, Vertex_handle> result;
+  for(const Cell_handle c : cells)
+    for(int i = 0; i < 4; ++i)
+    {
+      const Cell_handle n = c->neighbor(i);
+      if(BR::internal::contains(cells, n))
+        continue;
+      const Facet f = {{ c->vertex((i + 1) % 4), c->vertex((i + 2) % 4), c->vertex((i + 3) % 4) }};
+      const bool is_closed = tr.is_infinite(n) || constraints.is_constrained(f[0], f[1], f[2]);
+      result[BR::internal::simplex_key(f)] = is_closed ? Vertex_handle() : tr.mirror_vertex(c, i);
+    }
+  return result;
+}
+
+// Grows by random vertices, and compares with what that is by definition.
+void test_spanned_cavity(const unsigned seed, const bool on_grid)
+{
+  std::mt19937 rng(seed);
+  Tr tr;
+  for(int i = 0; i < 80; ++i)
+    tr.insert(random_point(rng, on_grid));
+  Constraints constraints;
+  for(const auto& f : tr.finite_facets())
+    if(random_int(rng, 6) == 0)
+      constraints.insert(f.first->vertex((f.second + 1) % 4), f.first->vertex((f.second + 2) % 4),
+                         f.first->vertex((f.second + 3) % 4));
+  BR::internal::Spanned_cavity_3<Tr> cavity(tr, constraints);
+  for(const Vertex_handle v : tr.finite_vertex_handles())
+  {
+    const Cells cells = ball(tr, v);
+    if(std::any_of(cells.begin(), cells.end(), [&](const Cell_handle c) { return tr.is_infinite(c); }))
+      continue;
+    std::set<Vertex_handle> vertices;
+    for(const Cell_handle c : cells)
+      for(int i = 0; i < 4; ++i)
+        vertices.insert(c->vertex(i));
+    cavity.initialize(cells, v);
+    for(int step = 0; step < 5; ++step)
+    {
+      assert(std::set<Cell_handle>(cavity.cells().begin(), cavity.cells().end()).size() == cavity.cells().size());
+      assert(cavity.number_of_vertices() == vertices.size() - 1);
+      const auto expected = boundary(tr, cavity.cells(), constraints);
+      assert(cavity.boundary().size() == expected.size());
+      std::map<Vertex_handle, int> numbers;
+      for(const auto& f : cavity.boundary())
+      {
+        assert(expected.at(BR::internal::simplex_key(f.face)) == f.vertex_behind);
+        assert(vertices.count(f.vertex_behind) == 0); // else there was one more cell to add
+        ++numbers[f.vertex_behind];
+      }
+      numbers.erase(Vertex_handle());
+      const Vertices behind = cavity.vertices_behind();
+      assert(behind.size() == numbers.size());
+      assert(std::is_sorted(behind.begin(), behind.end(),
+                            [&](const Vertex_handle x, const Vertex_handle y) { return numbers[x] > numbers[y]; }));
+      for(const Cell_handle c : cavity.cells())
+        for(int i = 0; i < 4; ++i)
+          assert(vertices.count(c->vertex(i)) == 1);
+      if(behind.empty())
+        break;
+      const Vertex_handle x = behind[random_int(rng, static_cast<int>(behind.size()))];
+      vertices.insert(x);
+      cavity.add(x);
+      ++number_of["vertex added"];
+    }
+  }
+}
+
+void test_bit_matrix()
+{
+  std::mt19937 rng(5);
+  for(const std::size_t n : { 1, 63, 64, 65, 200 })
+  {
+    BR::internal::Bit_matrix matrix;
+    matrix.assign(3, n);
+    std::array<std::set<std::size_t>, 3> expected;
+    for(std::size_t k = 0; k < n; ++k)
+    {
+      const std::size_t row = static_cast<std::size_t>(random_int(rng, 3));
+      const std::size_t column = static_cast<std::size_t>(random_int(rng, static_cast<int>(n)));
+      matrix.set(row, column);
+      expected[row].insert(column);
+    }
+    for(std::size_t row = 0; row < 3; ++row)
+    {
+      std::vector<std::size_t> columns;
+      matrix.for_each([&](const std::size_t w) { return matrix.word(row, w); },
+                      [&](const std::size_t column) { columns.push_back(column); });
+      assert(std::equal(columns.begin(), columns.end(), expected[row].begin(), expected[row].end()));
+      for(std::size_t k = 0; k < n; ++k)
+      {
+        assert(matrix(row, k) == (expected[row].count(k) == 1));
+        assert(matrix.any_of([&](const std::size_t w) { return matrix.word(row, w); },
+                             [&](const std::size_t column) { return column == k; }) == matrix(row, k));
+      }
+    }
+  }
 }
 
 int main()
@@ -244,11 +364,14 @@ int main()
   test_hulls();
   test_inner_vertex();
   test_growing_cavity();
+  for(const bool on_grid : { true, false })
+    test_spanned_cavity(19, on_grid);
+  test_bit_matrix();
 
   for(const char* kind : { "grid cavity", "grid cavity with requirements", "double cavity",
                            "double cavity with requirements", "hull found", "hull none",
-                           "dead end", "gave up", "inner vertex", "bounds",
-                           "cavity that must not grow", "cavity that grows" })
+                           "dead end", "gave up", "inner vertex", "bounds", "cavity that must not grow",
+                           "cavity that grows around", "cavity that grows toward dead ends", "vertex added" })
   {
     std::cout << number_of[kind] << " x " << kind << std::endl;
     assert(number_of[kind] > 0);

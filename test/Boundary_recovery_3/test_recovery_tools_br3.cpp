@@ -532,6 +532,7 @@ int main()
   for(const unsigned seed : { 1u, 2u, 3u })
     for(const int n : { 5, 40, 1000 })
     {
+      test_simplex_index<1>(seed, n);
       test_simplex_index<2>(seed, n);
       test_simplex_index<3>(seed, n);
     }

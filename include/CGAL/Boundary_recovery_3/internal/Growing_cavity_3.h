@@ -13,7 +13,7 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/Candidate_tetrahedra_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Cavity_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Spanned_cavity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Face_matching.h>
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
@@ -36,7 +36,7 @@ namespace internal {
 /*
  * Reconnection of a cavity around a Steiner point without this point; the cavity grows until that succeeds.
  *
- * It grows to where it has to. If it cannot be filled, this follows from faces that no vertex of the cavity makes a
+ * It may grow to where it has to: if it cannot be filled, this follows from faces that no vertex of the cavity makes a
  * tetrahedron with, so the next vertices are those that do. (A point that goes with 66 vertices chosen like this took a
  * cavity of 200 of those that touch it most, and others did not go with 300 of these.)
  */
@@ -48,10 +48,17 @@ public:
   typedef typename Tr::Cell_handle             Cell_handle;
   typedef Vertex_predicates_3<Tr>              Predicates;
   typedef Constraints_3<Tr>                    Constraints;
-  typedef Cavity_3<Tr>                         Cavity;
+  typedef Spanned_cavity_3<Tr>                 Cavity;
   typedef Candidate_tetrahedra_3<Tr>           Candidates;
   typedef typename Candidates::Tetrahedron     Tetrahedron;
   typedef std::vector<Vertex_handle>           Vertices;
+
+  // How a cavity grows.
+  enum Growth
+  {
+    AROUND,           // to twice as many vertices, those that touch it most
+    TOWARD_DEAD_ENDS  // by a third, to where it has to; one vertex at a time takes longer, and is of no more use
+  };
 
   // Bounds on the work.
   struct Bounds
@@ -61,27 +68,41 @@ public:
     std::size_t steps;      // of one search
   };
 
+  enum Outcome
+  {
+    FOUND,
+    NONE,    // the point is needed: constraints enclose the cavity, and it cannot be filled without the point
+    GAVE_UP
+  };
+
   Growing_cavity_3(const Tr& tr, const Predicates& predicates, const Constraints& constraints)
-    : m_predicates(predicates), m_constraints(constraints), m_cavity(tr, constraints, std::vector<Cell_handle>()),
+    : m_predicates(predicates), m_constraints(constraints), m_cavity(tr, constraints),
       m_candidates(predicates)
   { }
 
   // Looks for tetrahedra that fill a cavity that contains the ball of v, without v. They need not use any of the
   // `points`.
   template <typename Context>
-  bool operator()(const std::vector<Cell_handle>& ball, const Vertex_handle v, const Vertices& points,
-                  const Bounds& bounds, Context& context)
+  Outcome operator()(const std::vector<Cell_handle>& ball, const Vertex_handle v, const Vertices& points,
+                     const Growth growth, const Bounds& bounds, Context& context)
   {
-    initialize(ball, v);
-    while(m_vertices.size() <= bounds.vertices && context.go_further())
+    m_cavity.initialize(ball, v);
+    while(m_cavity.number_of_vertices() <= bounds.vertices && context.go_further())
     {
       const Face_matching::Outcome outcome = reconnect(v, points, bounds);
+      if(outcome == Face_matching::GAVE_UP)
+        return GAVE_UP;
       if(outcome == Face_matching::FOUND)
+      {
         collect_result(v);
-      if(outcome != Face_matching::NONE || ! grow(bounds.vertices, context))
-        return outcome == Face_matching::FOUND;
+        return FOUND;
+      }
+      if(m_cavity.vertices_behind().empty())
+        return NONE;
+      if(! grow(growth, bounds, context))
+        return GAVE_UP;
     }
-    return false;
+    return GAVE_UP;
   }
 
   // The cells to be replaced, by which tetrahedra, and the points that are then gone.
@@ -145,13 +166,6 @@ private:
     std::vector<Bbox_3> m_boxes;
   };
 
-  void initialize(const std::vector<Cell_handle>& ball, const Vertex_handle v)
-  {
-    m_cavity.set_cells(ball);
-    m_vertices = internal::vertices_without(ball, v);
-    m_cavity.add_cells_of(m_vertices);
-  }
-
   Face_matching::Outcome reconnect(const Vertex_handle v, const Vertices& points, const Bounds& bounds)
   {
     std::vector<std::array<Vertex_handle, 2> > edges;
@@ -178,22 +192,26 @@ private:
         m_dropped_points.push_back(w);
   }
 
-  // Adds vertices, with all the cells that these bring. Returns false if it cannot, or would become too large.
+  // Adds vertices, with all the cells that these bring. Returns false if there would be too many, of them or of
+  // tetrahedra, whose number grows with the square of theirs at least.
   template <typename Context>
-  bool grow(const std::size_t max_number_of_vertices, Context& context)
+  bool grow(const Growth growth, const Bounds& bounds, Context& context)
   {
-    const std::size_t before = m_vertices.size();
-    const std::size_t wanted = (std::min)(before + before / inverse_growth + 1, max_number_of_vertices);
-    std::vector<Triangle> faces = dead_ends();
-    while(m_vertices.size() < wanted && context.go_further())
+    const std::size_t before = m_cavity.number_of_vertices();
+    const std::size_t wanted = (std::min)(growth == AROUND ? 2 * before : before + before / 3 + 1, bounds.vertices);
+    if(m_candidates.tetrahedra().size() * wanted / before * wanted / before > bounds.tetrahedra)
+      return false;
+    std::vector<Triangle> faces;
+    if(growth == TOWARD_DEAD_ENDS)
+      faces = dead_ends();
+    while(m_cavity.number_of_vertices() < wanted && context.go_further())
     {
       const Vertex_handle x = next_vertex(faces);
       if(x == Vertex_handle())
         break;
-      m_vertices.push_back(x);
-      m_cavity.add_cells_of(m_vertices);
+      m_cavity.add(x);
     }
-    return m_vertices.size() > before;
+    return m_cavity.number_of_vertices() > before;
   }
 
   std::vector<Triangle> dead_ends() const
@@ -209,8 +227,10 @@ private:
   // one that touches the cavity most.
   Vertex_handle next_vertex(std::vector<Triangle>& faces) const
   {
-    const Obstacles obstacles(m_cavity.boundary(), m_predicates);
     const Vertices vertices = m_cavity.vertices_behind();
+    if(vertices.empty() || faces.empty())
+      return vertices.empty() ? Vertex_handle() : vertices.front();
+    const Obstacles obstacles(m_cavity.boundary(), m_predicates);
     for(const bool with_open_faces : { true, false })
     {
       Vertex_handle best;
@@ -232,7 +252,7 @@ private:
         take_out(seen_from_best, faces);
       return best;
     }
-    return vertices.empty() ? Vertex_handle() : vertices.front();
+    return vertices.front();
   }
 
   static void take_out(const std::vector<char>& marks, std::vector<Triangle>& faces)
@@ -244,13 +264,9 @@ private:
     faces = std::move(result);
   }
 
-  // By a third at a time. (One vertex at a time takes longer, and removes no more points.)
-  static constexpr std::size_t inverse_growth = 3;
-
   const Predicates& m_predicates;
   const Constraints& m_constraints;
   Cavity m_cavity;
-  Vertices m_vertices; // of the cavity, without the point to be removed
   Candidates m_candidates;
   Face_matching m_matching;
   std::vector<Tetrahedron> m_tetrahedra;

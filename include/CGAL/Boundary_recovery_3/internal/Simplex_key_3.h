@@ -27,7 +27,7 @@ namespace Boundary_recovery_3 {
 namespace internal {
 
 /*
- * Keys of edges and facets in hash tables: the addresses of the vertices, in increasing order.
+ * Keys of edges, facets and single handles in hash tables: the addresses of the vertices, in increasing order.
  * Such tables are for look-up only. Nobody may iterate over them, since that order changes from run to run.
  */
 template <std::size_t N>
@@ -51,6 +51,14 @@ Simplex_key_3<3> simplex_key(const Vertex_handle u, const Vertex_handle v, const
   if(less(key[1], key[0])) std::swap(key[0], key[1]);
   return key;
 }
+
+template <typename Handle>
+Simplex_key_3<1> simplex_key(const std::array<Handle, 1>& single)
+{
+  return {{ &*single[0] }};
+}
+
+inline bool is_equal(const Simplex_key_3<1>& x, const Simplex_key_3<1>& y) { return x[0] == y[0]; }
 
 // Written out, for the comparison of std::array is a call of memcmp().
 inline bool is_equal(const Simplex_key_3<2>& x, const Simplex_key_3<2>& y)
@@ -98,6 +106,8 @@ Simplex_key_3<3> simplex_key(const std::array<Vertex_handle, 3>& facet)
  * The slots hold a number and a part of the hash value only: the table is small, and what is not in it is told from the
  * slots alone as a rule. The simplices are dense, so those of neighbors, numbered one after the other, are close
  * together.
+ *
+ * With N = 1 it numbers vertices, or any other handles.
  */
 template <typename Vertex_handle, std::size_t N>
 class Simplex_index_3

@@ -88,6 +88,7 @@ public:
   typedef Constraints_3<Tr>                    Constraints;
   typedef Exact_positions_3<Tr>                Positions;
   typedef Cavity_3<Tr>                         Cavity;
+  typedef Growing_cavity_3<Tr>                 Growing_cavity;
 
   // `predicates` know of `positions`; `points` are the Steiner points, those that are removed are taken out of it.
   Steiner_suppression_3(Tr& tr, const Predicates& predicates, const Constraints& constraints, Positions& positions,
@@ -162,17 +163,19 @@ private:
   {
     const std::size_t before = m_points.size();
     merge_points(context);
-    if(! is_worthwhile(before))
-      reconnect_points(context, [&](const Vertex_handle v) { return reconnect_larger_cavities(v, context); });
-    if(! is_worthwhile(before))
-      reconnect_points(context, [&](const Vertex_handle v) { return reconnect_growing_cavity(v, context); });
+    std::vector<Vertex_handle> needed;
+    for(const auto growth : { Growing_cavity::AROUND, Growing_cavity::TOWARD_DEAD_ENDS })
+      if(! is_worthwhile(before))
+        reconnect_points(growth, needed, context);
     return is_worthwhile(before);
   }
 
-  // Tries to remove each of the points by reconnection of a cavity around it, as long as this does not fail too often.
+  // Tries to remove each of the points by reconnection of a growing cavity around it, as long as this does not fail too
+  // often. Adds those of which it is proved that they are `needed`, as long as nothing changes, and does not try these.
   // (On 200 surfaces, that helped one of 781 points in the exterior.)
-  template <typename Context, typename Reconnect>
-  void reconnect_points(Context& context, const Reconnect& reconnect)
+  template <typename Context>
+  void reconnect_points(const typename Growing_cavity::Growth growth, std::vector<Vertex_handle>& needed,
+                        Context& context)
   {
     const std::size_t before = m_points.size();
     std::size_t number_of_failures = 0;
@@ -180,10 +183,19 @@ private:
     {
       const std::size_t number_of_removed_points = before - m_points.size();
       if(number_of_failures > max_number_of_failures + failures_per_removed_point * number_of_removed_points
-         || ! collect_ball(v))
+         || internal::contains(needed, v) || ! collect_ball(v))
         return;
-      if(! reconnect(v))
-        ++number_of_failures;
+      const auto& bounds = growth == Growing_cavity::AROUND ? around_bounds : dead_ends_bounds;
+      const typename Growing_cavity::Outcome outcome = m_growing_cavity(m_ball, v, m_points, growth, bounds, context);
+      if(outcome == Growing_cavity::FOUND)
+      {
+        replace(m_growing_cavity.cells(), m_growing_cavity.tetrahedra(), m_growing_cavity.dropped_points());
+        needed.clear();
+        return;
+      }
+      ++number_of_failures;
+      if(outcome == Growing_cavity::NONE)
+        needed.push_back(v);
     });
   }
 
@@ -408,7 +420,7 @@ private:
     });
   }
 
-  bool reconnect_ball(const Vertex_handle v) { return reconnect(m_ball, v) == Reconnection::FOUND; }
+  bool reconnect_ball(const Vertex_handle v) { return reconnect(m_ball, v); }
 
   void reconnect_with_layer(const Vertex_handle v)
   {
@@ -418,56 +430,16 @@ private:
     reconnect(cavity.cells(), v);
   }
 
-  template <typename Context>
-  bool reconnect_larger_cavities(const Vertex_handle v, Context& context)
-  {
-    Cavity cavity(m_tr, m_constraints, m_ball);
-    collect_neighbors(v);
-    std::vector<Vertex_handle> vertices = m_neighbors;
-    cavity.add_cells_of(vertices);
-    typename Reconnection::Outcome outcome = Reconnection::NONE;
-    while(outcome == Reconnection::NONE && context.go_further() && enlarge(cavity, vertices))
-      outcome = reconnect(cavity.cells(), v, last_bounds);
-    return outcome == Reconnection::FOUND;
-  }
-
-  template <typename Context>
-  bool reconnect_growing_cavity(const Vertex_handle v, Context& context)
-  {
-    if(! m_growing_cavity(m_ball, v, m_points, growing_bounds, context))
-      return false;
-    replace(m_growing_cavity.cells(), m_growing_cavity.tetrahedra(), m_growing_cavity.dropped_points());
-    return true;
-  }
-
-  // Adds as many vertices as the cavity has, with all the cells that these bring. Returns false if the cavity cannot
-  // grow, or would be too large for a search. (Adding ten at a time takes more searches, and removes no more points.)
-  static bool enlarge(Cavity& cavity, std::vector<Vertex_handle>& vertices)
-  {
-    const std::size_t before = vertices.size();
-    const std::size_t wanted = (std::min)(2 * before, last_bounds.vertices);
-    while(vertices.size() < wanted)
-    {
-      const Vertex_handle x = cavity.most_adjacent_vertex();
-      if(x == Vertex_handle())
-        break;
-      vertices.push_back(x);
-      cavity.add_cells_of(vertices);
-    }
-    return vertices.size() > before;
-  }
-
   // Fills the cavity without v, if this is possible.
-  typename Reconnection::Outcome reconnect(const std::vector<Cell_handle>& cells, const Vertex_handle v,
-                                           const typename Reconnection::Bounds& bounds = Reconnection::default_bounds)
+  bool reconnect(const std::vector<Cell_handle>& cells, const Vertex_handle v)
   {
     std::vector<std::array<Vertex_handle, 2> > edges;
     std::vector<std::array<Vertex_handle, 3> > facets;
     m_constraints.collect(cells, edges, facets);
-    const typename Reconnection::Outcome outcome = m_reconnection(cells, edges, facets, v, bounds);
-    if(outcome == Reconnection::FOUND)
-      replace(cells, m_reconnection.tetrahedra(), { v });
-    return outcome;
+    if(m_reconnection(cells, edges, facets, v) != Reconnection::FOUND)
+      return false;
+    replace(cells, m_reconnection.tetrahedra(), { v });
+    return true;
   }
 
   // Removes edges at v, as long as this succeeds and v cannot be dropped. Returns whether it could.
@@ -503,14 +475,11 @@ private:
   // Raising the level from 0, as for lost edges, left a few more points in twice the time.
   static constexpr int low_recursion_level = 4;
 
-  // For the points that flips do not remove. (On 64 inputs, 142 points stay in the domain; 182 with cavities of up to
-  // 28 vertices. Where a cavity can be filled, about two steps for each tetrahedron suffice: five times as many leave
-  // 141 points, half as many 144.)
-  static constexpr typename Reconnection::Bounds last_bounds = { 62, 400 };
-
-  // For the points that nothing else removes. (On 35 surfaces that keep points, 100 stay; 105 with half as many
-  // tetrahedra, 122 without this. The search is over after 160 steps, mostly.)
-  static constexpr typename Growing_cavity_3<Tr>::Bounds growing_bounds = { 128, 100000, 400 };
+  // For the points that nothing else removes. (On 35 surfaces that keep points, 99 stay. With cavities of up to 40
+  // vertices that grow around alone, 122 do; with those that grow toward dead ends alone, 103. With half as many
+  // tetrahedra, 105. The search is over after 160 steps, mostly.)
+  static constexpr typename Growing_cavity::Bounds around_bounds = { 40, 100000, 400 };
+  static constexpr typename Growing_cavity::Bounds dead_ends_bounds = { 128, 100000, 400 };
 
   // Where one of hundreds of points after the other stays, as in Chazelle's polyhedra, the rest will.
   static constexpr std::size_t max_number_of_failures = 40;
@@ -525,7 +494,7 @@ private:
   std::vector<Vertex_handle>& m_points;
   Visitor& m_visitor;
   Reconnection m_reconnection;
-  Growing_cavity_3<Tr> m_growing_cavity;
+  Growing_cavity m_growing_cavity;
   Kernel_point_3<Tr> m_kernel_point;
   Shell_transformation_3<Tr, Quality, Validity, Visitor> m_transformation;
   Cell_replacement<Tr> m_replacement;

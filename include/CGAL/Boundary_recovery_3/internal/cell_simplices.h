@@ -12,11 +12,13 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/internal/contains.h>
+#include <CGAL/Boundary_recovery_3/internal/Simplex_key_3.h>
 
 #include <CGAL/Triangulation_utils_3.h>
 
 #include <array>
+#include <iterator>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -37,10 +39,11 @@ auto facet_vertices(const Cell_handle c, const int i)
 template <typename CellRange, typename Vertex_handle>
 std::vector<Vertex_handle> vertices_without(const CellRange& cells, const Vertex_handle v)
 {
+  Simplex_index_3<Vertex_handle, 1> known;
   std::vector<Vertex_handle> result;
   for(const auto c : cells)
     for(int i = 0; i < 4; ++i)
-      if(c->vertex(i) != v && ! internal::contains(result, c->vertex(i)))
+      if(c->vertex(i) != v && known.insert({{ c->vertex(i) }}).second)
         result.push_back(c->vertex(i));
   return result;
 }
@@ -49,9 +52,13 @@ std::vector<Vertex_handle> vertices_without(const CellRange& cells, const Vertex
 template <typename CellRange, typename Work>
 void for_each_outer_facet(const CellRange& cells, const Work& work)
 {
-  for(const auto c : cells)
+  typedef std::decay_t<decltype(*std::begin(cells))> Cell_handle;
+  Simplex_index_3<Cell_handle, 1> inner;
+  for(const Cell_handle c : cells)
+    inner.insert({{ c }});
+  for(const Cell_handle c : cells)
     for(int i = 0; i < 4; ++i)
-      if(! internal::contains(cells, c->neighbor(i)))
+      if(inner[{{ c->neighbor(i) }}] == inner.none)
         work(c, i);
 }
 
