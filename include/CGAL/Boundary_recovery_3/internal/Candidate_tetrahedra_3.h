@@ -27,6 +27,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <utility>
 #include <vector>
@@ -109,6 +110,8 @@ public:
   const std::vector<Vertex_handle>& vertices() const { return m_vertices; }
 
 private:
+  typedef std::uint32_t Number; // of a face or a vertex: there may be many, so memory counts
+
   // By positions in the list of vertices, in increasing order.
   typedef std::array<std::size_t, 2> Edge;
   typedef std::array<std::size_t, 3> Face;
@@ -445,7 +448,7 @@ private:
         if(m_edges(a, b))
           m_edges.for_each([&](const std::size_t w) { return m_edges.word(a, w) & m_edges.word(b, w); },
                            [&](const std::size_t c) { add_face({{ a, b, c }}); });
-        m_first.push_back(m_thirds.size());
+        m_first.push_back(static_cast<Number>(m_thirds.size()));
       }
   }
 
@@ -453,7 +456,7 @@ private:
   {
     if(! is_free(f))
       return;
-    m_thirds.push_back(f[2]);
+    m_thirds.push_back(static_cast<Number>(f[2]));
     m_faces.set(f[0] * n() + f[1], f[2]);
   }
 
@@ -509,7 +512,10 @@ private:
   }
 
   // The positive sides are even.
-  static Side side(const std::size_t face, const Orientation o) { return 2 * face + (o == POSITIVE ? 0 : 1); }
+  static Side side(const std::size_t face, const Orientation o)
+  {
+    return static_cast<Side>(2 * face + (o == POSITIVE ? 0 : 1));
+  }
 
   // --- tetrahedra ----------------------------------------------------------------------------------------------------
 
@@ -521,11 +527,11 @@ private:
     for(std::size_t a = 0; a < n(); ++a)
     {
       for(std::size_t b = a + 1; b < n(); ++b)
-        for(std::size_t i = m_first[a * n() + b]; i < m_first[a * n() + b + 1]; ++i)
+        for(Number i = m_first[a * n() + b]; i < m_first[a * n() + b + 1]; ++i)
           m_faces_at_vertex[b * n() + m_thirds[i]] = i;
       for(std::size_t b = a + 1; b < n(); ++b)
       {
-        for(std::size_t i = m_first[a * n() + b]; i < m_first[a * n() + b + 1]; ++i)
+        for(Number i = m_first[a * n() + b]; i < m_first[a * n() + b + 1]; ++i)
           add_tetrahedra(a, b, i);
         if(m_tetrahedra.size() > max_number)
           return false;
@@ -552,7 +558,7 @@ private:
       if(std::any_of(sides.begin(), sides.end(), [this](const Side s) { return m_is_outer_side[s]; }))
         return;
       m_tetrahedra.push_back(sides);
-      m_last_vertices.push_back(d);
+      m_last_vertices.push_back(static_cast<Number>(d));
     });
   }
 
@@ -583,13 +589,13 @@ private:
   Obstacles m_obstacles;
   Bit_matrix m_edges;                            // for each vertex, the other ends of its edges, if greater
   Bit_matrix m_faces;                            // for each pair of vertices, the third ones of its faces, if greater
-  std::vector<std::size_t> m_first;              // of each pair of vertices, where its faces begin
-  std::vector<std::size_t> m_thirds;             // of the faces at one edge after the other, their greatest vertices
-  std::vector<std::size_t> m_faces_at_vertex;    // of each pair, the position of its face with the vertex in hand
+  std::vector<Number> m_first;                   // of each pair of vertices, where its faces begin
+  std::vector<Number> m_thirds;                  // of the faces at one edge after the other, their greatest vertices
+  std::vector<Number> m_faces_at_vertex;         // of each pair, the position of its face with the vertex in hand
   std::vector<Side> m_boundary;
   std::vector<char> m_is_outer_side;             // of each side, whether it is on the boundary, outside
   std::vector<Sides> m_tetrahedra;               // the side opposite to the greatest vertex is last
-  std::vector<std::size_t> m_last_vertices;      // of the tetrahedra, their greatest vertices
+  std::vector<Number> m_last_vertices;           // of the tetrahedra, their greatest vertices
 };
 
 } // namespace internal

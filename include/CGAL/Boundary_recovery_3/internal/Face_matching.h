@@ -12,9 +12,12 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -37,7 +40,7 @@ class Face_matching
 {
 public:
   // A face has two sides, s and opposite(s).
-  typedef std::size_t            Side;
+  typedef std::uint32_t          Side;
   typedef std::array<Side, 4>    Sides;
 
   enum Outcome
@@ -49,10 +52,12 @@ public:
 
   static constexpr Side opposite(const Side s) { return s ^ 1; }
 
-  // `tetrahedra` are given by the sides of their faces at which they are, `boundary` by the inner sides.
+  // `tetrahedra` are given by the sides of their faces at which they are, `boundary` by the inner sides; no tetrahedron
+  // is at an outer side of the boundary.
   Outcome operator()(const std::size_t number_of_sides, const std::vector<Sides>& tetrahedra,
                      const std::vector<Side>& boundary, const std::size_t max_number_of_steps)
   {
+    CGAL_precondition(number_of_sides < no_side && 4 * tetrahedra.size() < no_side);
     initialize(number_of_sides, tetrahedra, boundary);
     return search(max_number_of_steps);
   }
@@ -73,7 +78,9 @@ public:
   const std::vector<Side>& dead_ends() const { return m_dead_ends; }
 
 private:
-  static constexpr Side no_side = (std::numeric_limits<std::size_t>::max)();
+  typedef std::uint32_t Number; // of a tetrahedron: there may be many, so memory counts
+
+  static constexpr Side no_side = (std::numeric_limits<Side>::max)();
 
   void initialize(const std::size_t number_of_sides, const std::vector<Sides>& tetrahedra,
                   const std::vector<Side>& boundary)
@@ -99,51 +106,42 @@ private:
         m_queue.push_back(s);
   }
 
-  // Leaves out those that are outside at a face of the boundary.
   void sort_by_sides(const std::size_t number_of_sides)
   {
     m_number.assign(number_of_sides, 0);
-    for_each_inside([this](const std::size_t, const Side s) { ++m_number[s]; });
+    for(const Sides& sides : *m_tetrahedra)
+      for(const Side s : sides)
+        ++m_number[s];
     m_first.assign(1, 0);
-    for(const std::size_t n : m_number)
+    for(const Number n : m_number)
       m_first.push_back(m_first.back() + n);
     m_tetrahedra_at.resize(m_first.back());
-    std::vector<std::size_t> next(m_first.begin(), m_first.end() - 1);
-    for_each_inside([&](const std::size_t t, const Side s) { m_tetrahedra_at[next[s]++] = t; });
-  }
-
-  template <typename Work>
-  void for_each_inside(const Work& work) const
-  {
-    for(std::size_t t = 0; t < m_tetrahedra->size(); ++t)
-    {
-      const Sides& sides = (*m_tetrahedra)[t];
-      if(std::none_of(sides.begin(), sides.end(), [this](const Side s) { return m_is_outer[s]; }))
-        for(const Side s : sides)
-          work(t, s);
-    }
+    std::vector<Number> next(m_first.begin(), m_first.end() - 1);
+    for(Number t = 0; t < m_tetrahedra->size(); ++t)
+      for(const Side s : (*m_tetrahedra)[t])
+        m_tetrahedra_at[next[s]++] = t;
   }
 
   // Calls `work` with each tetrahedron at the side that is not removed; it may remove that.
   template <typename Work>
   void for_each_at(const Side s, const Work& work) const
   {
-    for(std::size_t i = m_first[s]; i < m_first[s + 1]; ++i)
+    for(Number i = m_first[s]; i < m_first[s + 1]; ++i)
       if(! m_is_removed[m_tetrahedra_at[i]])
         work(m_tetrahedra_at[i]);
   }
 
   // There has to be one.
-  std::size_t first_remaining(const Side s) const
+  Number first_remaining(const Side s) const
   {
     return *std::find_if(m_tetrahedra_at.begin() + m_first[s], m_tetrahedra_at.begin() + m_first[s + 1],
-                         [this](const std::size_t t) { return ! m_is_removed[t]; });
+                         [this](const Number t) { return ! m_is_removed[t]; });
   }
 
   // --- propagation ---------------------------------------------------------------------------------------------------
 
   // `cause` is a side at which there is no tetrahedron left, or one only, because of which t is out.
-  void remove(const std::size_t t, const Side cause = no_side)
+  void remove(const Number t, const Side cause = no_side)
   {
     m_is_removed[t] = true;
     m_removed.push_back(t);
@@ -164,11 +162,11 @@ private:
   }
 
   // `cause` is the side that needs it.
-  void select(const std::size_t t, const Side cause)
+  void select(const Number t, const Side cause)
   {
     for(const Side s : (*m_tetrahedra)[t])
     {
-      for_each_at(s, [&](const std::size_t u) { if(u != t) remove(u, cause); });
+      for_each_at(s, [&](const Number u) { if(u != t) remove(u, cause); });
       if(! m_is_outer[opposite(s)])
         require(opposite(s), cause);
     }
@@ -189,7 +187,7 @@ private:
             collect_dead_ends(s);
           return false;
         }
-        for_each_at(opposite(s), [&](const std::size_t t) { remove(t, s); });
+        for_each_at(opposite(s), [&](const Number t) { remove(t, s); });
       }
       else if(m_number[s] == 1 && m_is_needed[s])
         select(first_remaining(s), s);
@@ -216,7 +214,7 @@ private:
       const Side s = reached[k];
       if(m_first[s] == m_first[s + 1])
         m_dead_ends.push_back(s);
-      for(std::size_t i = m_first[s]; i < m_first[s + 1]; ++i)
+      for(Number i = m_first[s]; i < m_first[s + 1]; ++i)
         reach(m_cause[m_tetrahedra_at[i]]);
       reach(m_requirer[s]);
     }
@@ -226,7 +224,7 @@ private:
 
   struct Choice
   {
-    std::size_t tetrahedron;
+    Number tetrahedron;
     std::size_t number_of_removed; // before the choice, as the following
     std::size_t number_of_needed;
   };
@@ -264,7 +262,7 @@ private:
   }
 
   // Undoes the last choice and all that followed from it, and returns it.
-  std::size_t take_back()
+  Number take_back()
   {
     m_queue.clear();
     const Choice choice = m_choices.back();
@@ -285,11 +283,11 @@ private:
   }
 
   const std::vector<Sides>* m_tetrahedra = nullptr;
-  std::vector<std::size_t> m_first;         // of each side, where its tetrahedra begin
-  std::vector<std::size_t> m_tetrahedra_at; // of one side after the other
-  std::vector<std::size_t> m_number;        // of the tetrahedra left at each side
+  std::vector<Number> m_first;              // of each side, where its tetrahedra begin
+  std::vector<Number> m_tetrahedra_at;      // of one side after the other
+  std::vector<Number> m_number;             // of the tetrahedra left at each side
   std::vector<char> m_is_removed;           // of each tetrahedron
-  std::vector<std::size_t> m_removed;       // in the order of removal
+  std::vector<Number> m_removed;            // in the order of removal
   std::vector<Side> m_cause;                // of each removed tetrahedron, the side because of which it is out
   std::vector<char> m_is_needed;            // of each side, whether it needs a tetrahedron
   std::vector<Side> m_needed;               // in the order in which this was found
