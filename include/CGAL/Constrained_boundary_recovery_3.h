@@ -184,6 +184,8 @@ public:
   bool recover_by_flips()
   {
     search();
+    if(is_nothing_lost())
+      return true; // nothing is going to change, so there is nothing to recount
     remove_plainly();
     recover_edges_brc1();
     recover_edges_brc3();

@@ -58,7 +58,7 @@ enum class Recovery_phase
   conforming_facet_recovery, ///< Steiner points on lost facets
   steiner_splitting,     ///< Steiner points come off the constraints [CZZ+17, Alg. A.1 to A.5]
   steiner_suppression,   ///< Steiner points are removed [CZZ+17, Section 4.3]
-  recount                ///< every constraint is looked up again; only this decides the status
+  recount                ///< if any was lost, every constraint is looked up again; only this decides the status
 };
 
 /// \ingroup PkgBoundaryRecovery3Classes
