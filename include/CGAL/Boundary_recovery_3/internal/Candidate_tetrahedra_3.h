@@ -41,9 +41,10 @@ namespace internal {
  * at which they are, as Face_matching wants them.
  *
  * The polyhedron is a set of cells of the mesh. Its obstacles are its boundary, and edges and facets that are required
- * inside; what crosses one of them is in no tetrahedralization that has them. First come the edges that cross none,
- * then the faces between these, then the tetrahedra between those. So the number of tetrahedra depends on how many
- * vertices see each other, which are few where there are many constraints.
+ * inside; what crosses one of them is in no tetrahedralization that has them. First come the edges that cross none and
+ * are inside, then the faces between these, then the tetrahedra between those. So the number of tetrahedra depends on
+ * how many vertices see each other, which are few where there are many constraints. (What is outside is left out early,
+ * for it is nine of ten tetrahedra around holes and notches.)
  *
  * An edge inside the polyhedron, between two of its vertices, that nothing crosses is in every tetrahedralization; so
  * all that is required is.
@@ -322,9 +323,10 @@ private:
         && (CGAL::certainly(at_0) || CGAL::certainly(at_1) || is_inside_at_cells(e));
   }
 
-  // Whether the ray from a to b starts inside the polyhedron, as far as the sides of the faces at a tell: seen from
-  // inside, one of them at least is seen from its inner side, and from outside, from its outer side. The ones on the
-  // boundary that touch nothing but it count as inside or outside.
+  // Whether the ray from a to b starts inside the polyhedron, as far as the sides of the faces at a tell. The shortest
+  // way from a direction to the boundary, seen from a, ends at a face that has it on its inner side if it comes from
+  // inside, on its outer side if from outside. What starts on the boundary may be taken for either: it is on an edge or
+  // a face, and none of the edges wanted here.
   Uncertain<bool> starts_inside(const std::size_t a, const std::size_t b) const
   {
     const auto is_any = [&](const Bit_matrix& side)
@@ -584,7 +586,7 @@ private:
   std::vector<Bbox_3> m_boxes;                   // around these
   std::vector<Outer_face> m_outer_faces;
   std::vector<char> m_is_outer;                  // of each vertex, whether it is on the boundary
-  std::vector<std::size_t> m_inner_vertices;
+  std::vector<std::size_t> m_inner_vertices;     // those that are not, and have to be used
   std::vector<std::vector<Cell_handle> > m_cells_at; // of each vertex, the cells of the polyhedron at it
   Obstacles m_obstacles;
   Bit_matrix m_edges;                            // for each vertex, the other ends of its edges, if greater
