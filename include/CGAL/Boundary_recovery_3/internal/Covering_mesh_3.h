@@ -168,12 +168,22 @@ private:
   void start_matrices()
   {
     m_apex.assign(m * m, invalid);
-    m_value.assign(m * m, m_quality.best());
+    make_room(m_value, m * m);
     m_chords.assign(m * m, unknown);
     m_triangles.assign(m * m * m, unknown);
-    m_triangle_values.resize(m * m * m);
+    make_room(m_triangle_values, m * m * m);
     for(int i = 0; i < m; ++i)
+    {
       m_apex[at(i, m_shell->next(i))] = ring_edge;
+      m_value[at(i, m_shell->next(i))] = m_quality.best();
+    }
+  }
+
+  // For values that are written before they are read: they need not be initialized for each shell.
+  static void make_room(std::vector<Value>& values, const int n)
+  {
+    if(values.size() < static_cast<std::size_t>(n))
+      values.resize(n);
   }
 
   void fill_in_ring(const int i, const int j)
@@ -238,7 +248,7 @@ private:
   {
     bool has_chord = false;
     m_has_arc.assign(m * m, false);
-    m_arc_value.resize(m * m);
+    make_room(m_arc_value, m * m);
     const Shell_positivity<Tr> positivity(*m_shell, m_predicates);
     for(int i = 0; i < m; ++i)
       for(int j = 0; j < m; ++j)
@@ -333,7 +343,7 @@ private:
   int fill_in_suffixes(const int s, const int largest, const int avoided)
   {
     m_has_suffix.assign((largest + 1) * m, false);
-    m_suffix.resize((largest + 1) * m);
+    make_room(m_suffix, (largest + 1) * m);
     for(int i = s + 1; i < m; ++i)
       if(i != avoided && has_arc(i, s))
       {
