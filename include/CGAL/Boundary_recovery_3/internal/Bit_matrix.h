@@ -48,9 +48,7 @@ public:
     return (word(row, column / bits_of_word) >> column % bits_of_word & 1) != 0;
   }
 
-  // Of each row.
-  std::size_t number_of_words() const { return m_number_of_words; }
-
+  // The bits of the columns from 64 w on.
   Word word(const std::size_t row, const std::size_t w) const { return m_words[row * m_number_of_words + w]; }
 
   // Whether `is_wanted` holds for one of the columns of which the bit is set in `combination(w)`, the words of a row or

@@ -29,6 +29,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -248,7 +249,7 @@ private:
   }
 
   // The faces of the obstacles that have a and b on opposite sides, word by word.
-  typename Bit_matrix::Word separating(const std::size_t a, const std::size_t b, const std::size_t w) const
+  Bit_matrix::Word separating(const std::size_t a, const std::size_t b, const std::size_t w) const
   {
     return (m_obstacles.positive.word(a, w) & m_obstacles.negative.word(b, w))
          | (m_obstacles.negative.word(a, w) & m_obstacles.positive.word(b, w));
@@ -303,6 +304,19 @@ private:
 
   // --- edges ---------------------------------------------------------------------------------------------------------
 
+  template <typename CellRange>
+  void collect_cells_at_vertices(const CellRange& cells)
+  {
+    m_cells_at.assign(n(), std::vector<Cell_handle>());
+    for(const Cell_handle c : cells)
+      for(int i = 0; i < 4; ++i)
+      {
+        const std::size_t v = m_positions[{{ c->vertex(i) }}];
+        if(v != m_positions.none) // it may be the superfluous one
+          m_cells_at[v].push_back(c);
+      }
+  }
+
   void collect_edges()
   {
     m_edges.assign(n(), n());
@@ -315,7 +329,8 @@ private:
       }
   }
 
-  // For an edge that is no obstacle. One that crosses no obstacle is inside at both ends or at none.
+  // For an edge that is no obstacle. One that crosses none is inside at both ends or at none; unless it passes through
+  // a vertex, and then it may be kept, for it is in no tetrahedralization anyway.
   bool is_inside_and_free(const Edge& e) const
   {
     const Uncertain<bool> at_0 = starts_inside(e[0], e[1]), at_1 = starts_inside(e[1], e[0]);
@@ -325,8 +340,8 @@ private:
 
   // Whether the ray from a to b starts inside the polyhedron, as far as the sides of the faces at a tell. The shortest
   // way from a direction to the boundary, seen from a, ends at a face that has it on its inner side if it comes from
-  // inside, on its outer side if from outside. What starts on the boundary may be taken for either: it is on an edge or
-  // a face, and none of the edges wanted here.
+  // inside, on its outer side if from outside. A ray along the boundary may be taken for either: such an edge overlaps
+  // or crosses one of the boundary, and is not wanted.
   Uncertain<bool> starts_inside(const std::size_t a, const std::size_t b) const
   {
     const auto is_any = [&](const Bit_matrix& side)
@@ -341,17 +356,7 @@ private:
     return is_any(m_obstacles.outer) ? Uncertain<bool>::indeterminate() : Uncertain<bool>(true);
   }
 
-  template <typename CellRange>
-  void collect_cells_at_vertices(const CellRange& cells)
-  {
-    m_cells_at.assign(n(), std::vector<Cell_handle>());
-    for(const Cell_handle c : cells)
-      for(int i = 0; i < 4; ++i)
-        if(m_positions[{{ c->vertex(i) }}] != m_positions.none) // it may be the superfluous one
-          m_cells_at[m_positions[{{ c->vertex(i) }}]].push_back(c);
-  }
-
-  // The same for an edge between vertices on the boundary, by the cells at one of them.
+  // Whether an edge between vertices on the boundary starts inside the polyhedron, by the cells at one of them.
   bool is_inside_at_cells(const Edge& e) const
   {
     const bool is_first = m_cells_at[e[0]].size() <= m_cells_at[e[1]].size();
@@ -503,6 +508,7 @@ private:
 
   void collect_boundary()
   {
+    CGAL_assertion(number_of_sides() < (std::numeric_limits<Number>::max)());
     m_boundary.clear();
     m_is_outer_side.assign(number_of_sides(), false);
     for(const Outer_face& f : m_outer_faces)

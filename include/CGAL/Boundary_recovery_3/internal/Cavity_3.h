@@ -13,13 +13,11 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/Constraints_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Simplex_key_3.h>
 #include <CGAL/Boundary_recovery_3/internal/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/contains.h>
 
-#include <algorithm>
 #include <array>
-#include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -28,7 +26,6 @@ namespace internal {
 
 /*
  * Finite cells that are to be replaced together, in the order in which they were added; and what is around them.
- * There are some hundreds of them at most, so all searches are linear.
  */
 template <typename Tr>
 class Cavity_3

@@ -59,6 +59,8 @@ public:
   {
     CGAL_precondition(number_of_sides < no_side && 4 * tetrahedra.size() < no_side);
     initialize(number_of_sides, tetrahedra, boundary);
+    CGAL_precondition(std::all_of(boundary.begin(), boundary.end(),
+                                  [this](const Side s) { return m_number[opposite(s)] == 0; }));
     return search(max_number_of_steps);
   }
 
@@ -78,7 +80,7 @@ public:
   const std::vector<Side>& dead_ends() const { return m_dead_ends; }
 
 private:
-  typedef std::uint32_t Number; // of a tetrahedron: there may be many, so memory counts
+  typedef std::uint32_t Number; // of tetrahedra, or their positions: there may be many, so memory counts
 
   static constexpr Side no_side = (std::numeric_limits<Side>::max)();
 

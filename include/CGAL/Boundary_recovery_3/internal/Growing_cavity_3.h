@@ -13,9 +13,9 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/Candidate_tetrahedra_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Spanned_cavity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Face_matching.h>
+#include <CGAL/Boundary_recovery_3/internal/Spanned_cavity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/contains.h>
@@ -71,7 +71,7 @@ public:
   enum Outcome
   {
     FOUND,
-    NONE,    // the point is needed: constraints enclose the cavity, and it cannot be filled without the point
+    NONE,    // constraints and the hull enclose the cavity, and it cannot be filled without the point
     GAVE_UP
   };
 
@@ -193,7 +193,7 @@ private:
   }
 
   // Adds vertices, with all the cells that these bring. Returns false if there would be too many, of them or of
-  // tetrahedra, whose number grows with the square of theirs at least.
+  // tetrahedra, by an estimate: mostly, their number grows with the square of that of the vertices, or faster.
   template <typename Context>
   bool grow(const Growth growth, const Bounds& bounds, Context& context)
   {

@@ -65,7 +65,7 @@ public:
     add_spanned_cells(0);
   }
 
-  // Adds a vertex, with all the cells that it brings.
+  // Adds a vertex that is behind a face, with all the cells that it brings.
   void add(const Vertex_handle x)
   {
     m_index_of_vertex.insert({{ x }});
