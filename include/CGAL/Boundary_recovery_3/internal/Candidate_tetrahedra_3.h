@@ -14,7 +14,7 @@
 
 #include <CGAL/Boundary_recovery_3/internal/Bit_matrix.h>
 #include <CGAL/Boundary_recovery_3/internal/Face_matching.h>
-#include <CGAL/Boundary_recovery_3/internal/Simplex_key_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Simplex_index_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/contains.h>

@@ -12,7 +12,8 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/internal/Simplex_key_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Simplex_index_3.h>
+#include <CGAL/Boundary_recovery_3/internal/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/contains.h>
 
 #include <CGAL/assertions.h>
@@ -21,6 +22,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 namespace CGAL {
 namespace Boundary_recovery_3 {
@@ -82,15 +84,20 @@ public:
 private:
   struct Open_facet
   {
-    Simplex_key_3<3> key;
+    Open_facet(const std::array<Vertex_handle, 3>& vertices, const Cell_handle cell, const int index)
+      : hash(Simplex_hash()(vertices)), vertices(vertices), cell(cell), index(index)
+    { }
+
+    bool has_vertices_of(const Open_facet& other) const
+    {
+      return hash == other.hash && internal::is_permutation(vertices, other.vertices);
+    }
+
+    std::uint64_t hash; // tells most facets apart
+    std::array<Vertex_handle, 3> vertices;
     Cell_handle cell;
     int index;
   };
-
-  static Simplex_key_3<3> facet_key(const Cell_handle c, const int i)
-  {
-    return internal::simplex_key(c->vertex((i + 1) & 3), c->vertex((i + 2) & 3), c->vertex((i + 3) & 3));
-  }
 
   // The facets of the cells around the polyhedron, seen from outside.
   template <typename CellRange>
@@ -101,7 +108,7 @@ private:
       {
         const Cell_handle n = c->neighbor(i);
         if(! internal::contains(old_cells, n))
-          m_open_facets.push_back({ facet_key(c, i), n, n->index(c) });
+          m_open_facets.emplace_back(internal::facet_vertices(c, i), n, n->index(c));
       }
   }
 
@@ -109,16 +116,16 @@ private:
   // The list is short (a shell has 2m outer facets), so a search from its end beats any table.
   void glue(Tr& tr, const Cell_handle c, const int i)
   {
-    const Simplex_key_3<3> key = facet_key(c, i);
+    const Open_facet facet(internal::facet_vertices(c, i), c, i);
     for(std::size_t k = m_open_facets.size(); k-- > 0; )
-      if(is_equal(m_open_facets[k].key, key))
+      if(m_open_facets[k].has_vertices_of(facet))
       {
         tr.tds().set_adjacency(c, i, m_open_facets[k].cell, m_open_facets[k].index);
         m_open_facets[k] = m_open_facets.back();
         m_open_facets.pop_back();
         return;
       }
-    m_open_facets.push_back({ key, c, i });
+    m_open_facets.push_back(facet);
   }
 
   boost::container::small_vector<Open_facet, 64> m_open_facets;

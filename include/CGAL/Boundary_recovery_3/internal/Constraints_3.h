@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/internal/Simplex_key_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Simplex_index_3.h>
 #include <CGAL/Boundary_recovery_3/internal/cell_simplices.h>
 
 #include <array>
@@ -20,7 +20,6 @@
 #include <cstdint>
 #include <functional>
 #include <iterator>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -65,8 +64,8 @@ public:
     return inserted.first;
   }
 
-  const std::vector<Edge>& edges() const { return m_edges.simplices(); }
-  const std::vector<Facet>& facets() const { return m_facets.simplices(); }
+  const std::vector<Edge>& edges() const { return m_edges.keys(); }
+  const std::vector<Facet>& facets() const { return m_facets.keys(); }
 
   // The indices of the edges of a facet.
   const std::array<std::size_t, 3>& edges_of_facet(const std::size_t f) const { return m_edges_of_facets[f]; }
@@ -131,7 +130,7 @@ struct Lost_constraints
  *
  * All of them: by one sweep over the mesh facets, which finds the constrained facets and their edges; a small filter
  * spares most facets the look-up in the table. What is not found so, and a given set of constraints, is looked for in
- * the stars of vertices, each visited once for all the constraints that have this vertex first.
+ * the stars of vertices, each visited once for all the constraints that are looked for there.
  */
 template <typename Tr>
 class Constraint_search_3
@@ -168,12 +167,12 @@ public:
   // Those of the given constraints that are lost.
   Lost_constraints operator()(const Lost_constraints& candidates)
   {
-    sort_by_first_vertex(candidates);
+    sort_by_vertex(candidates);
     std::vector<char> is_edge_lost(candidates.edges.size()), is_facet_lost(candidates.facets.size());
-    for(std::size_t i = 0; i < m_vertices.size(); ++i)
+    for(std::size_t i = 0; i < m_centers.size(); ++i)
     {
       m_star.clear();
-      m_tr.tds().incident_cells(m_vertices[i], std::back_inserter(m_star));
+      m_tr.tds().incident_cells(m_centers.keys()[i][0], std::back_inserter(m_star));
       for(std::size_t k = m_edge_ranges[i]; k < m_edge_ranges[i + 1]; ++k)
         is_edge_lost[m_edges[k]] = ! is_in_star(m_constraints.edges()[candidates.edges[m_edges[k]]]);
       for(std::size_t k = m_facet_ranges[i]; k < m_facet_ranges[i + 1]; ++k)
@@ -214,7 +213,7 @@ private:
   {
     std::array<std::uint64_t, 4> h;
     for(int i = 0; i < 4; ++i)
-      h[i] = mix(c->vertex(i));
+      h[i] = hash_share(c->vertex(i));
     const std::uint64_t sum = h[0] + h[1] + h[2] + h[3];
     unsigned result = 0;
     for(int i = 0; i < 4; ++i)
@@ -234,7 +233,7 @@ private:
         is_found[f] = true;
   }
 
-  // One bit for each constrained facet in a table with 8 to 16 times as many.
+  // Two bits of one word for each constrained facet, in a table with 8 to 16 times as many.
   void fill_in_filter()
   {
     std::size_t size = 1;
@@ -243,21 +242,15 @@ private:
     m_filter.assign(size, 0);
     for(const auto& f : m_constraints.facets())
     {
-      const std::uint64_t sum = mix(f[0]) + mix(f[1]) + mix(f[2]);
-      m_filter[filter_word(sum)] |= filter_bit(sum);
+      const std::uint64_t sum = hash_share(f[0]) + hash_share(f[1]) + hash_share(f[2]);
+      m_filter[filter_word(sum)] |= filter_bits(sum);
     }
-  }
-
-  static std::uint64_t mix(const Vertex_handle v)
-  {
-    const std::uint64_t h = reinterpret_cast<std::uintptr_t>(&*v) * UINT64_C(0x9E3779B97F4A7C15);
-    return h ^ (h >> 29);
   }
 
   // The facet is given by the sum over its vertices, which need not be sorted so.
   bool may_be_constrained(const std::uint64_t sum) const
   {
-    return (m_filter[filter_word(sum)] & filter_bit(sum)) != 0;
+    return (m_filter[filter_word(sum)] & filter_bits(sum)) == filter_bits(sum);
   }
 
   std::size_t filter_word(const std::uint64_t sum) const
@@ -265,7 +258,10 @@ private:
     return static_cast<std::size_t>(sum >> 13) & (m_filter.size() - 1);
   }
 
-  static std::uint64_t filter_bit(const std::uint64_t sum) { return std::uint64_t(1) << (sum >> 7 & 63); }
+  static std::uint64_t filter_bits(const std::uint64_t sum)
+  {
+    return (std::uint64_t(1) << (sum & 63)) | (std::uint64_t(1) << (sum >> 6 & 63));
+  }
 
   template <std::size_t N>
   bool is_in_star(const std::array<Vertex_handle, N>& simplex) const
@@ -281,33 +277,36 @@ private:
     return false;
   }
 
-  // Buckets the constraints by their first vertex, in the order in which vertices come first.
-  void sort_by_first_vertex(const Lost_constraints& candidates)
+  // Buckets the constraints by one of their vertices each, in the order in which these come first: where possible by
+  // one that has a bucket, for edges and facets are lost together, and each star costs.
+  void sort_by_vertex(const Lost_constraints& candidates)
   {
-    m_vertices.clear();
-    std::unordered_map<const void*, std::size_t> index; // look-up only
-    index.reserve(candidates.edges.size() / 3 + 1);
+    m_centers = Simplex_index_3<Vertex_handle, 1>();
     std::vector<std::size_t> edge_bucket, facet_bucket;
     for(const std::size_t e : candidates.edges)
-      edge_bucket.push_back(bucket(m_constraints.edges()[e][0], index));
+      edge_bucket.push_back(bucket(m_constraints.edges()[e]));
     for(const std::size_t f : candidates.facets)
-      facet_bucket.push_back(bucket(m_constraints.facets()[f][0], index));
+      facet_bucket.push_back(bucket(m_constraints.facets()[f]));
     count_sort(edge_bucket, m_edges, m_edge_ranges);
     count_sort(facet_bucket, m_facets, m_facet_ranges);
   }
 
-  std::size_t bucket(const Vertex_handle v, std::unordered_map<const void*, std::size_t>& index)
+  template <std::size_t N>
+  std::size_t bucket(const std::array<Vertex_handle, N>& simplex)
   {
-    const auto inserted = index.emplace(&*v, m_vertices.size());
-    if(inserted.second)
-      m_vertices.push_back(v);
-    return inserted.first->second;
+    for(const Vertex_handle v : simplex)
+    {
+      const std::size_t b = m_centers[{{ v }}];
+      if(b != Constraints::none)
+        return b;
+    }
+    return m_centers.insert({{ simplex[0] }}).first;
   }
 
   void count_sort(const std::vector<std::size_t>& buckets,
                   std::vector<std::size_t>& sorted, std::vector<std::size_t>& ranges) const
   {
-    ranges.assign(m_vertices.size() + 1, 0);
+    ranges.assign(m_centers.size() + 1, 0);
     for(const std::size_t b : buckets)
       ++ranges[b + 1];
     for(std::size_t i = 1; i < ranges.size(); ++i)
@@ -322,9 +321,9 @@ private:
 
   const Tr& m_tr;
   const Constraints& m_constraints;
-  std::vector<Vertex_handle> m_vertices;
-  std::vector<std::size_t> m_edges, m_facets;             // positions among the candidates, sorted by first vertex
-  std::vector<std::size_t> m_edge_ranges, m_facet_ranges; // where each vertex begins
+  Simplex_index_3<Vertex_handle, 1> m_centers;            // of the stars
+  std::vector<std::size_t> m_edges, m_facets;             // positions among the candidates, sorted by center
+  std::vector<std::size_t> m_edge_ranges, m_facet_ranges; // where each center begins
   std::vector<Cell_handle> m_star;
   std::vector<std::uint64_t> m_filter;
   std::vector<std::size_t> m_indices;

@@ -12,14 +12,13 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/internal/Simplex_key_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Simplex_index_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
 
 #include <CGAL/Bbox_3.h>
 
 #include <array>
 #include <cstddef>
-#include <unordered_map>
 #include <vector>
 
 namespace CGAL {
@@ -53,29 +52,41 @@ public:
     m_boxes.clear();
     for(const Constraint& c : constraints)
       m_boxes.push_back(box(c));
-    m_edges.clear();
-    m_faces.clear();
+    m_edges = Counts<2>();
+    m_faces = Counts<3>();
   }
 
   int number_of_crossings(const Vertex_handle u, const Vertex_handle v)
   {
-    const auto inserted = m_edges.emplace(internal::simplex_key(u, v), 0);
-    if(inserted.second)
-      inserted.first->second = count(std::array<Vertex_handle, 2>{{ u, v }});
-    return inserted.first->second;
+    return remembered_count(Edge{{ u, v }}, m_edges);
   }
 
   int number_of_crossings(const Vertex_handle u, const Vertex_handle v, const Vertex_handle w)
   {
-    if(N == 3) // where a lost facet has its edges, a mesh face can meet it along its own edges only
-      return 0;
-    const auto inserted = m_faces.emplace(internal::simplex_key(u, v, w), 0);
-    if(inserted.second)
-      inserted.first->second = count(std::array<Vertex_handle, 3>{{ u, v, w }});
-    return inserted.first->second;
+    // where a lost facet has its edges, a mesh face can meet it along its own edges only
+    return N == 3 ? 0 : remembered_count(Face{{ u, v, w }}, m_faces);
   }
 
 private:
+  typedef std::array<Vertex_handle, 2> Edge;
+  typedef std::array<Vertex_handle, 3> Face;
+
+  template <std::size_t M>
+  struct Counts
+  {
+    Simplex_index_3<Vertex_handle, M> index;
+    std::vector<int> numbers; // by it
+  };
+
+  template <std::size_t M>
+  int remembered_count(const std::array<Vertex_handle, M>& entity, Counts<M>& counts) const
+  {
+    const auto inserted = counts.index.insert(entity);
+    if(inserted.second)
+      counts.numbers.push_back(count(entity));
+    return counts.numbers[inserted.first];
+  }
+
   template <std::size_t M>
   Bbox_3 box(const std::array<Vertex_handle, M>& simplex) const
   {
@@ -96,9 +107,6 @@ private:
     return n;
   }
 
-  typedef std::array<Vertex_handle, 2> Edge;
-  typedef std::array<Vertex_handle, 3> Face;
-
   bool crosses(const Edge& c, const Edge& e) const { return m_predicates.segments_cross(c[0], c[1], e[0], e[1]); }
 
   bool crosses(const Edge& c, const Face& f) const
@@ -116,8 +124,8 @@ private:
   Vertex_predicates_3<Tr> m_predicates;
   std::vector<Constraint> m_constraints;
   std::vector<Bbox_3> m_boxes;
-  std::unordered_map<Simplex_key_3<2>, int, Simplex_key_hash> m_edges; // look-up only
-  std::unordered_map<Simplex_key_3<3>, int, Simplex_key_hash> m_faces; // look-up only
+  Counts<2> m_edges;
+  Counts<3> m_faces;
 };
 
 } // namespace internal

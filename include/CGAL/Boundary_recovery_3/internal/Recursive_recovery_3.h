@@ -19,7 +19,7 @@
 #include <CGAL/Boundary_recovery_3/internal/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Intersection_table_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Recovery_context.h>
-#include <CGAL/Boundary_recovery_3/internal/Simplex_key_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Simplex_index_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
 #include <CGAL/Shell_transformation_3.h>
 

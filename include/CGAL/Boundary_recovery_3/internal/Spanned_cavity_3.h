@@ -13,7 +13,7 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/Constraints_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Simplex_key_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Simplex_index_3.h>
 #include <CGAL/Boundary_recovery_3/internal/cell_simplices.h>
 
 #include <algorithm>
