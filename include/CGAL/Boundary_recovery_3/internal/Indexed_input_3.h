@@ -13,6 +13,7 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Hash_index.h>
 
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
@@ -21,7 +22,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <set>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -145,30 +148,58 @@ std::vector<char> used_vertices(const Indexed_input_3<Point_3>& input)
   return used;
 }
 
+/// of vertices in increasing order, makes the smallest one at each point the representative of the others. It may hash
+/// where the coordinates are of a floating-point type, which takes less than a tenth of the time of sorting. What is
+/// known at once of an exact number is an enclosure only, and may differ from that of an equal number.
+template <typename GT>
+void represent_equal_points(const Indexed_input_3<typename GT::Point_3>& input,
+                            std::vector<std::size_t> vertices, const GT& gt,
+                            std::vector<std::size_t>& representative)
+{
+  const std::vector<typename GT::Point_3>& points = input.points;
+  typedef std::decay_t<decltype(points[0][0])> FT;
+  if constexpr(std::is_floating_point<FT>::value)
+  {
+    const auto hash = [&](const std::size_t v)
+    {
+      const std::hash<FT> h;
+      return mixed_bits(h(points[v][0]) + mixed_bits(h(points[v][1]) + mixed_bits(h(points[v][2]))));
+    };
+    const auto equal = gt.equal_3_object();
+    const auto are_equal = [&](const std::size_t a, const std::size_t b) { return equal(points[a], points[b]); };
+    Hash_index<std::size_t, decltype(hash), decltype(are_equal)> index(hash, are_equal);
+    index.reserve(vertices.size());
+    for(const std::size_t v : vertices)
+      representative[v] = index.keys()[index.insert(v).first];
+  }
+  else
+  {
+    const auto compare = gt.compare_xyz_3_object();
+    std::sort(vertices.begin(), vertices.end(), [&](const std::size_t a, const std::size_t b)
+    {
+      const Comparison_result c = (a == b) ? EQUAL : compare(points[a], points[b]);
+      return c == SMALLER || (c == EQUAL && a < b);
+    });
+    for(std::size_t i = 1; i < vertices.size(); ++i)
+      if(compare(points[vertices[i-1]], points[vertices[i]]) == EQUAL)
+        representative[vertices[i]] = representative[vertices[i-1]];
+  }
+}
+
 /// returns, for each vertex with `used[v]`, the smallest used vertex at the same point; for others the vertex itself.
 template <typename GT>
 std::vector<std::size_t> point_representatives(const Indexed_input_3<typename GT::Point_3>& input,
                                                const std::vector<char>& used, const GT& gt)
 {
   std::vector<std::size_t> representative(input.points.size());
-  std::vector<std::size_t> order;
+  std::vector<std::size_t> vertices;
   for(std::size_t v = 0; v < used.size(); ++v)
   {
     representative[v] = v;
     if(used[v])
-      order.push_back(v);
+      vertices.push_back(v);
   }
-
-  const auto compare = gt.compare_xyz_3_object();
-  std::sort(order.begin(), order.end(), [&](const std::size_t a, const std::size_t b)
-  {
-    const Comparison_result c = (a == b) ? EQUAL : compare(input.points[a], input.points[b]);
-    return c == SMALLER || (c == EQUAL && a < b);
-  });
-
-  for(std::size_t i = 1; i < order.size(); ++i)
-    if(compare(input.points[order[i-1]], input.points[order[i]]) == EQUAL)
-      representative[order[i]] = representative[order[i-1]];
+  represent_equal_points(input, std::move(vertices), gt, representative);
   return representative;
 }
 

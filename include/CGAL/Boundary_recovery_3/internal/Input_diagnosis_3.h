@@ -12,14 +12,14 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <CGAL/Boundary_recovery_3/internal/Hash_index.h>
 #include <CGAL/Boundary_recovery_3/internal/Indexed_input_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Simplex_index_3.h>
 
 #include <CGAL/enum.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -88,13 +88,21 @@ public:
   /// reports each facet that was given before, with the first facet of the same three vertices.
   void check_duplicate_facets()
   {
-    const std::vector<Keyed_facet> facets = facets_sorted_by_vertices();
+    const auto hash = [this](const std::size_t f) { return Simplex_hash()(m_input.facets[f]); };
+    const auto are_equal = [this](const std::size_t f, const std::size_t g)
+    {
+      return internal::is_permutation(m_input.facets[f], m_input.facets[g]);
+    };
+    Hash_index<std::size_t, decltype(hash), decltype(are_equal)> index(hash, are_equal);
+    index.reserve(m_input.facets.size());
     Index_pairs pairs;
-    for(std::size_t i = 1, first = 0; i < facets.size(); ++i)
-      if(facets[i].first == facets[first].first)
-        pairs.emplace_back(facets[first].second, facets[i].second);
-      else
-        first = i;
+    for(std::size_t f = 0; f < m_input.facets.size(); ++f)
+      if(is_in_range(m_input, m_input.facets[f]))
+      {
+        const auto inserted = index.insert(f);
+        if(! inserted.second)
+          pairs.emplace_back(index.keys()[inserted.first], f);
+      }
 
     std::sort(pairs.begin(), pairs.end());
     for(const auto& p : pairs)
@@ -126,37 +134,10 @@ public:
 
 private:
   typedef std::vector<std::pair<std::size_t, std::size_t> > Index_pairs;
-  typedef std::pair<std::array<std::size_t, 3>, std::size_t> Keyed_facet; // sorted vertices, index
 
   void report(const Input_defect_kind kind, std::vector<Simplex> simplices = std::vector<Simplex>())
   {
     m_defects.push_back(Defect{ kind, std::move(simplices) });
-  }
-
-  // By vertices, then by index. A radix sort: this runs on all input, and nearly always finds nothing.
-  std::vector<Keyed_facet> facets_sorted_by_vertices() const
-  {
-    std::vector<Keyed_facet> facets;
-    facets.reserve(m_input.facets.size());
-    for(std::size_t f = 0; f < m_input.facets.size(); ++f)
-      if(is_in_range(m_input, m_input.facets[f]))
-      {
-        facets.emplace_back(m_input.facets[f], f);
-        std::sort(facets.back().first.begin(), facets.back().first.end());
-      }
-    std::vector<Keyed_facet> sorted(facets.size());
-    std::vector<std::size_t> next(m_input.points.size() + 1);
-    for(int d = 2; d >= 0; --d)
-    {
-      std::fill(next.begin(), next.end(), 0);
-      for(const Keyed_facet& f : facets)
-        ++next[f.first[d] + 1];
-      std::partial_sum(next.begin(), next.end(), next.begin());
-      for(const Keyed_facet& f : facets)
-        sorted[next[f.first[d]]++] = f;
-      facets.swap(sorted);
-    }
-    return facets;
   }
 
   // A repeated index is enough; only for other constraints the coordinates must be good.

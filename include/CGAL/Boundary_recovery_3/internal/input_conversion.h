@@ -98,6 +98,12 @@ public:
   typedef typename Tr::Geom_traits::Point_3      Point_3;
   typedef Boundary_recovery_result_3<Tr>         Result;
 
+  void reserve(const std::size_t number_of_points, const std::size_t number_of_facets)
+  {
+    m_input.points.reserve(number_of_points);
+    m_input.facets.reserve(number_of_facets);
+  }
+
   void add_point(const Point_3& p) { m_input.points.push_back(p); }
 
   template <typename Face>
@@ -113,6 +119,7 @@ public:
   void add_surface(const FaceListGraph& surface, const PointMap& point_map)
   {
     typedef typename boost::graph_traits<FaceListGraph>::vertex_descriptor vertex_descriptor;
+    reserve(num_vertices(surface), num_faces(surface));
     std::unordered_map<vertex_descriptor, std::size_t> index; // look-up only
     for(const auto v : vertices(surface))
     {
