@@ -124,9 +124,10 @@ public:
   Outcome operator()(const Edge& e, const Vertex_handle p = Vertex_handle())
   {
     CGAL_precondition(m_tr.dimension() == 3);
-    const Supporting_edge root(e.first->vertex(e.second), e.first->vertex(e.third), e.first, nullptr);
-    if(m_tr.is_infinite(root.a) || m_tr.is_infinite(root.b))
+    const Vertex_handle a = e.first->vertex(e.second), b = e.first->vertex(e.third);
+    if(m_tr.is_infinite(a) || m_tr.is_infinite(b))
       return UNCHANGED;
+    const Supporting_edge root(a, b, e.first, nullptr, m_validity);
     const Shell shell(m_tr, e.first, e.second, e.third);
     const int f = p == Vertex_handle() ? Shell::none : shell.index(p);
     return p != Vertex_handle() && f == Shell::none ? UNCHANGED : transform(shell, root, f);
@@ -211,16 +212,65 @@ private:
   // `cell` is one of the cells around the edge; it is kept up to date while cells are replaced.
   struct Supporting_edge
   {
-    Supporting_edge(const Vertex_handle a, const Vertex_handle b, const Cell_handle cell, const Supporting_edge* parent)
-      : a(a), b(b), cell(cell), parent(parent)
+    Supporting_edge(const Vertex_handle a, const Vertex_handle b, const Cell_handle cell, const Supporting_edge* parent,
+                    const Validity& validity)
+      : a(a), b(b), cell(cell), parent(parent), is_constrained(validity.is_constrained(a, b))
     { }
 
     bool is_edge_of(const Cell_handle c) const { return c->has_vertex(a) && c->has_vertex(b); }
-    bool is(const Vertex_handle u, const Vertex_handle v) const { return (u == a && v == b) || (u == b && v == a); }
 
     const Vertex_handle a, b;
     mutable Cell_handle cell;
     const Supporting_edge* const parent;
+    const bool is_constrained; // if not, none of its faces is
+  };
+
+  // Where edges of the way up to the root are edges of a shell further down.
+  class Ancestors
+  {
+  public:
+    Ancestors() { }
+    Ancestors(const Shell& s, const Supporting_edge* const nearest) { assign(s, nearest); }
+
+    void assign(const Shell& s, const Supporting_edge* const nearest)
+    {
+      m_marks.assign(s.degree(), 0);
+      for(const Supporting_edge* x = nearest; x != nullptr; x = x->parent)
+      {
+        const int i = s.index(x->a), j = s.index(x->b);
+        if(i != Shell::none && j != Shell::none)
+          mark_edge_of_skirt_polygon(s, i, j);
+        else if(i != Shell::none && (x->b == s.a() || x->b == s.b()))
+          m_marks[i] |= LINK_EDGE;
+        else if(j != Shell::none && (x->a == s.a() || x->a == s.b()))
+          m_marks[j] |= LINK_EDGE;
+      }
+    }
+
+    // Whether the edge from a or b to p_i is one.
+    bool have_link_edge(const int i) const { return (m_marks[i] & LINK_EDGE) != 0; }
+
+    // Whether the edge from p_i to p_next(i) is one.
+    bool have_edge_of_skirt_polygon(const int i) const { return (m_marks[i] & EDGE_OF_SKIRT_POLYGON) != 0; }
+
+    // Whether an edge of the cell a b p_i p_next(i) is one.
+    bool have_edge_of_cell(const Shell& s, const int i) const
+    {
+      return have_link_edge(i) || have_link_edge(s.next(i)) || have_edge_of_skirt_polygon(i);
+    }
+
+  private:
+    enum Mark { LINK_EDGE = 1, EDGE_OF_SKIRT_POLYGON = 2 };
+
+    void mark_edge_of_skirt_polygon(const Shell& s, const int i, const int j)
+    {
+      if(s.next(i) == j)
+        m_marks[i] |= EDGE_OF_SKIRT_POLYGON;
+      else if(s.next(j) == i)
+        m_marks[j] |= EDGE_OF_SKIRT_POLYGON;
+    }
+
+    boost::container::small_vector<unsigned char, 32> m_marks; // for each position
   };
 
   // Condition 2 of [CZZ+17, Section 3.2]: no new supporting face around an ancestor edge. It is the conjunction with
@@ -228,31 +278,19 @@ private:
   struct Recursion_validity
   {
     const Validity* validity;
-    const Supporting_edge* ancestors;
-
-    bool is_ancestor(const Vertex_handle u, const Vertex_handle v) const
-    {
-      for(const Supporting_edge* e = ancestors; e != nullptr; e = e->parent)
-        if(e->is(u, v))
-          return true;
-      return false;
-    }
+    Ancestors ancestors;
 
     bool is_valid_triangle(const Shell& s, const int i, const int k, const int j) const
     {
-      return ! (s.next(i) == k && is_ancestor(s.vertex(i), s.vertex(k)))
-          && ! (s.next(k) == j && is_ancestor(s.vertex(k), s.vertex(j)))
-          && ! (s.next(j) == i && is_ancestor(s.vertex(j), s.vertex(i)))
+      return ! (s.next(i) == k && ancestors.have_edge_of_skirt_polygon(i))
+          && ! (s.next(k) == j && ancestors.have_edge_of_skirt_polygon(k))
+          && ! (s.next(j) == i && ancestors.have_edge_of_skirt_polygon(j))
           && validity->is_valid_triangle(s, i, k, j);
     }
 
     bool is_valid_chord(const Shell& s, const int i, const int j) const
     {
-      if(ancestors != nullptr)
-        for(const Vertex_handle apex : { s.a(), s.b() })
-          if(is_ancestor(apex, s.vertex(i)) || is_ancestor(apex, s.vertex(j)))
-            return false;
-      return validity->is_valid_chord(s, i, j);
+      return ! ancestors.have_link_edge(i) && ! ancestors.have_link_edge(j) && validity->is_valid_chord(s, i, j);
     }
   };
 
@@ -265,7 +303,7 @@ private:
       return false;
     m_total_number_of_shells += m_number_of_shells;
     m_number_of_shells = 0;
-    const Supporting_edge root(a, b, c, nullptr);
+    const Supporting_edge root(a, b, c, nullptr, m_validity);
     const bool is_removed = remove(root, p, 0, l_max);
     m_root_cell = root.cell;
     return is_removed;
@@ -305,12 +343,12 @@ private:
   // that were there first: they change only if its degree falls, for no new face around an ancestor is allowed.
   bool reduce_by_link_edges(const Shell& shell, const Supporting_edge& e, const int l, const int l_max)
   {
-    const bool is_ab_constrained = m_validity.is_constrained(shell.a(), shell.b()); // else none of its faces is
+    const Ancestors ancestors(shell, e.parent);
     for(int i = 0; i < shell.degree(); ++i)
       for(const bool at_a : { true, false })
       {
-        if(! is_recursable_link_edge(shell, i, at_a, e)
-           || (is_ab_constrained && m_validity.is_constrained(shell.a(), shell.b(), shell.vertex(i))))
+        if(! is_recursable_link_edge(shell, i, at_a, ancestors)
+           || (e.is_constrained && m_validity.is_constrained(shell.a(), shell.b(), shell.vertex(i))))
           continue;
         if(l >= l_max)
         {
@@ -319,7 +357,7 @@ private:
         }
         const Vertex_handle apex = at_a ? shell.a() : shell.b();
         const Vertex_handle other = at_a ? shell.b() : shell.a();
-        const Supporting_edge link_edge(apex, shell.vertex(i), shell.cell(i), &e);
+        const Supporting_edge link_edge(apex, shell.vertex(i), shell.cell(i), &e, m_validity);
         const std::size_t before = m_number_of_transformations;
         remove(link_edge, other, l + 1, l_max);
         if(m_number_of_transformations != before && degree(e) < shell.degree())
@@ -338,18 +376,13 @@ private:
   // The filters of [CZZ+17, Section 2.2] for the edge from a (or b) to p_i, a link edge of the face a b p_i, with two
   // differences. Flat angles count as reflex, and angles on the hull as flat: in the planes of CAD models everything is
   // flat. Constrained link edges are not filtered out: their shells can be reduced, and their constrained faces stay.
-  bool is_recursable_link_edge(const Shell& s, const int i, const bool at_a, const Supporting_edge& e) const
+  bool is_recursable_link_edge(const Shell& s, const int i, const bool at_a, const Ancestors& ancestors) const
   {
     const int h = s.infinite_index();
-    if(i == h)
+    if(i == h || ancestors.have_edge_of_cell(s, i) || ancestors.have_edge_of_cell(s, s.previous(i)))
       return false;
     const bool is_on_hull = h == s.next(i) || h == s.previous(i);
-    if(! is_on_hull && angle_at_link_edge(s, i, at_a) == NEGATIVE)
-      return false;
-    for(const Supporting_edge* x = e.parent; x != nullptr; x = x->parent)
-      if(x->is_edge_of(s.cell(i)) || x->is_edge_of(s.cell(s.previous(i))))
-        return false;
-    return true;
+    return is_on_hull || angle_at_link_edge(s, i, at_a) != NEGATIVE;
   }
 
   // POSITIVE if the edge from a (or b) to p_i is a reflex edge of the face a b p_i [CZZ+17, Fig. 4], ZERO if flat.
@@ -366,13 +399,12 @@ private:
   {
     if(shell.degree() > max_degree)
       return UNCHANGED;
-    m_search_validity = { &m_validity, e.parent };
-    const bool is_ab_constrained = m_validity.is_constrained(shell.a(), shell.b());
+    m_search_validity.ancestors.assign(shell, e.parent);
     const auto is_kept = [&](const int i)
     {
-      return is_ab_constrained && m_validity.is_constrained(shell.a(), shell.b(), shell.vertex(i));
+      return e.is_constrained && m_validity.is_constrained(shell.a(), shell.b(), shell.vertex(i));
     };
-    if(! m_search(shell, f, is_ab_constrained, is_kept, only_if_done)
+    if(! m_search(shell, f, e.is_constrained, is_kept, only_if_done)
        || ! m_validity.is_valid_covering_mesh(shell, m_search.partial_triangulation()))
       return UNCHANGED;
     const Boundary_recovery_3::Partial_triangulation& k = m_search.partial_triangulation();
@@ -426,7 +458,7 @@ private:
   // what the constructor without a visitor points to; other visitors need not be default constructible
   Default_boundary_recovery_visitor_3 m_no_visitor;
   Visitor* m_visitor;
-  Recursion_validity m_search_validity = { nullptr, nullptr };
+  Recursion_validity m_search_validity{ &m_validity, Ancestors() };
   Boundary_recovery_3::internal::Covering_mesh_search<Tr, Quality, Recursion_validity>
     m_search{ m_predicates, m_quality, m_search_validity };
   Cell_replacement m_replacement;

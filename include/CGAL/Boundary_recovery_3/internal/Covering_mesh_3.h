@@ -16,12 +16,15 @@
 #include <CGAL/Boundary_recovery_3/Shell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/enum.h>
 
 #include <boost/container/small_vector.hpp>
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -95,6 +98,7 @@ public:
   typedef typename Quality::Value     Value;
 
   static constexpr int none = Shell::none;
+  static constexpr int max_degree = 63; // positions are bits
 
   Covering_mesh_search(const Predicates& predicates, const Quality& quality, const Validity& validity)
     : m_predicates(predicates), m_quality(quality), m_validity(validity)
@@ -108,13 +112,15 @@ public:
   bool operator()(const Shell& shell, const int f, const bool keeps_edge, const IsKept& is_kept,
                   const bool only_if_done = false)
   {
+    CGAL_precondition(shell.degree() <= max_degree);
     m_shell = &shell;
     m = shell.degree();
     m_f = f;
     m_keeps_edge = keeps_edge;
-    m_kept.resize(m);
+    m_kept = 0;
     for(int i = 0; i < m; ++i)
-      m_kept[i] = is_kept(i);
+      if(is_kept(i))
+        m_kept |= only(i);
     choose_covering_mesh(only_if_done);
     if(m_best.core_size < 0 || m_best.core_size == m)
       return false;
@@ -137,8 +143,17 @@ private:
     Value value = Value();  // Q
   };
 
+  // A set of positions in the skirt polygon: most of the entries of the matrices do not exist, and the others are found
+  // much faster like this than by looking at all of them.
+  typedef std::uint64_t Positions;
+  typedef std::array<Positions, max_degree> Table; // a set for each position
+
+  static Positions only(const int i) { return Positions(1) << i; }
+  static Positions after(const int i) { return ~Positions(0) << i << 1; }
+  static bool contains(const Positions positions, const int i) { return (positions >> i & 1) != 0; }
+
   int at(const int i, const int j) const { return i * m + j; }
-  bool has_ring(const int i, const int j) const { return m_apex[at(i, j)] != invalid; }
+  bool has_ring(const int i, const int j) const { return contains(m_rings_from[i], j); }
 
   // [CZZ+17, Alg. 2] in two parts. A complete reduction is made of rings that do not contain the arc from the last
   // position to the first, so the first part tells whether there is one; in most cases it also is the end.
@@ -159,7 +174,7 @@ private:
     }
     if(only_if_done && m_f == none)
       return;
-    for(int d = 2; d < m; ++d)
+    for(int d = 2; d + 1 < m; ++d) // a core has three arcs or more
       for(int i = m - d; i < m; ++i)
         fill_in_ring(i, i + d - m);
     choose_core(only_if_done);
@@ -167,20 +182,31 @@ private:
 
   void start_matrices()
   {
-    m_apex.assign(m * m, invalid);
+    clear(m_rings_from);
+    clear(m_rings_to);
+    clear(m_known_chords);
+    clear(m_valid_chords);
+    make_room(m_apex, m * m);
     make_room(m_value, m * m);
-    m_chords.assign(m * m, unknown);
     m_triangles.assign(m * m * m, unknown);
     make_room(m_triangle_values, m * m * m);
     for(int i = 0; i < m; ++i)
-    {
-      m_apex[at(i, m_shell->next(i))] = ring_edge;
-      m_value[at(i, m_shell->next(i))] = m_quality.best();
-    }
+      set_ring(i, m_shell->next(i), ring_edge, m_quality.best());
   }
 
+  void set_ring(const int i, const int j, const int apex, const Value& value)
+  {
+    m_rings_from[i] |= only(j);
+    m_rings_to[j] |= only(i);
+    m_apex[at(i, j)] = apex;
+    m_value[at(i, j)] = value;
+  }
+
+  void clear(Table& table) const { std::fill_n(table.begin(), m, 0); }
+
   // For values that are written before they are read: they need not be initialized for each shell.
-  static void make_room(std::vector<Value>& values, const int n)
+  template <typename T>
+  static void make_room(std::vector<T>& values, const int n)
   {
     if(values.size() < static_cast<std::size_t>(n))
       values.resize(n);
@@ -188,35 +214,43 @@ private:
 
   void fill_in_ring(const int i, const int j)
   {
+    const Positions apices = m_rings_from[i] & m_rings_to[j] & ~m_kept;
+    if(apices == 0)
+      return;
+    int apex = none;
+    Value value = Value();
     for(int k = m_shell->next(i); k != j; k = m_shell->next(k))
     {
-      if(! has_ring(i, k) || ! has_ring(k, j) || m_kept[k])
+      if(! contains(apices, k))
         continue;
       const int t = triangle(i, k, j);
       if(! m_triangles[t])
         continue;
       const Value q = m_quality.combine(m_quality.combine(m_value[at(i, k)], m_value[at(k, j)]), m_triangle_values[t]);
-      if(! has_ring(i, j) || m_value[at(i, j)] < q)
+      if(apex == none || value < q)
       {
-        m_value[at(i, j)] = q;
-        m_apex[at(i, j)] = k;
+        apex = k;
+        value = q;
       }
     }
-    if(! has_ring(i, j) || j == m_shell->previous(i))
-      return; // p_j p_i is an edge of the skirt polygon: no chord
-    if(is_valid_chord((std::min)(i, j), (std::max)(i, j)))
-      m_value[at(i, j)] = m_quality.combine(m_value[at(i, j)], m_quality.of_chord(*m_shell, i, j));
-    else
-      m_apex[at(i, j)] = invalid;
+    if(apex == none)
+      return;
+    if(j == m_shell->previous(i)) // p_j p_i is an edge of the skirt polygon: no chord
+      set_ring(i, j, apex, value);
+    else if(is_valid_chord((std::min)(i, j), (std::max)(i, j)))
+      set_ring(i, j, apex, m_quality.combine(value, m_quality.of_chord(*m_shell, i, j)));
   }
 
   // For i < j; both rings at a chord ask.
   bool is_valid_chord(const int i, const int j)
   {
-    signed char& state = m_chords[at(i, j)];
-    if(state == unknown)
-      state = m_validity.is_valid_chord(*m_shell, i, j);
-    return state == 1;
+    if(! contains(m_known_chords[i], j))
+    {
+      m_known_chords[i] |= only(j);
+      if(m_validity.is_valid_chord(*m_shell, i, j))
+        m_valid_chords[i] |= only(j);
+    }
+    return contains(m_valid_chords[i], j);
   }
 
   // Where what is known of a triangle is stored: whether it is valid, and its value if it is.
@@ -241,28 +275,37 @@ private:
   // The share of one arc <i,j> of a core in the quality: what covers R_ij, the tetrahedron a b p_i p_j, the face a b
   // p_i.
   Value arc_value(const int i, const int j) const { return m_arc_value[at(i, j)]; }
-  bool has_arc(const int i, const int j) const { return m_has_arc[at(i, j)]; }
 
   // Returns whether there is an arc that is not an edge of the skirt polygon.
   bool fill_in_arcs()
   {
     bool has_chord = false;
-    m_has_arc.assign(m * m, false);
+    clear(m_arcs);
     make_room(m_arc_value, m * m);
     const Shell_positivity<Tr> positivity(*m_shell, m_predicates);
     for(int i = 0; i < m; ++i)
       for(int j = 0; j < m; ++j)
       {
         // R_{j-1,j} closed the long way round would be a core of two vertices
-        if(i == j || j == m_shell->previous(i) || ! has_ring(i, j) || ! positivity.is_core_edge_positive(i, j))
+        if(! has_ring(i, j) || j == m_shell->previous(i) || ! positivity.is_core_edge_positive(i, j))
           continue;
-        m_has_arc[at(i, j)] = true;
+        m_arcs[i] |= only(j);
         has_chord = has_chord || j != m_shell->next(i);
         m_arc_value[at(i, j)] = m_quality.combine(m_value[at(i, j)],
                                                   m_quality.combine(m_quality.of_core_edge(*m_shell, i, j),
                                                                     m_quality.of_core_vertex(*m_shell, i)));
       }
     return has_chord;
+  }
+
+  // Whether an arc skips the position f. Then a core does, for all the edges of the skirt polygon are arcs.
+  bool can_skip(const int f) const
+  {
+    for(int i = m_shell->next(f); i != f; i = m_shell->next(i))
+      for(int j = m_shell->next(f); j != i; j = m_shell->next(j))
+        if(contains(m_arcs[i], j))
+          return true;
+    return false;
   }
 
   bool is_better(const Candidate& x, const Candidate& y) const
@@ -289,9 +332,10 @@ private:
       choose_whole_skirt_polygon();
       return;
     }
-    if(! only_if_done)
+    const bool can_avoid = m_f != none && can_skip(m_f);
+    if(! only_if_done && (Quality::is_first_in_vector || ! can_avoid)) // else Q' decides
       choose_core_without(none);
-    if(m_f != none)
+    if(can_avoid)
       choose_core_without(m_f);
   }
 
@@ -317,7 +361,7 @@ private:
       const int largest = fill_in_suffixes(s, limit, avoided);
       for(int n = 3; n <= largest; ++n)
       {
-        if(! m_has_suffix[n * m + s])
+        if(! contains(m_suffixes[n], s))
           continue;
         Candidate c;
         c.core_size = n;
@@ -342,20 +386,20 @@ private:
   // matters.
   int fill_in_suffixes(const int s, const int largest, const int avoided)
   {
-    m_has_suffix.assign((largest + 1) * m, false);
+    m_suffixes.assign(largest + 1, 0);
     make_room(m_suffix, (largest + 1) * m);
     for(int i = s + 1; i < m; ++i)
-      if(i != avoided && has_arc(i, s))
+      if(i != avoided && contains(m_arcs[i], s))
       {
-        m_has_suffix[m + i] = true;
+        m_suffixes[1] |= only(i);
         m_suffix[m + i] = arc_value(i, s);
       }
-    for(int t = 2; t <= largest; ++t)
+    for(int t = 2; t <= largest && m_suffixes[t - 1] != 0; ++t)
     {
       for(int i = s; i < m; ++i)
         if(i != avoided)
           fill_in_suffix(t, i);
-      if(! Quality::is_first_in_vector && m_has_suffix[t * m + s])
+      if(! Quality::is_first_in_vector && contains(m_suffixes[t], s))
         return t;
     }
     return largest;
@@ -363,14 +407,15 @@ private:
 
   void fill_in_suffix(const int t, const int i)
   {
-    for(int j = i + 1; j < m; ++j)
+    const Positions nexts = m_arcs[i] & m_suffixes[t - 1] & after(i);
+    for(int j = i + 1; nexts >> j != 0; ++j)
     {
-      if(! m_has_suffix[(t - 1) * m + j] || ! has_arc(i, j))
+      if(! contains(nexts, j))
         continue;
       const Value q = m_quality.combine(arc_value(i, j), m_suffix[(t - 1) * m + j]);
-      if(! m_has_suffix[t * m + i] || m_suffix[t * m + i] < q)
+      if(! contains(m_suffixes[t], i) || m_suffix[t * m + i] < q)
       {
-        m_has_suffix[t * m + i] = true;
+        m_suffixes[t] |= only(i);
         m_suffix[t * m + i] = q;
       }
     }
@@ -412,7 +457,7 @@ private:
     int best = none;
     for(int j = i + 1; j < m; ++j)
     {
-      if(! m_has_suffix[(t - 1) * m + j] || ! has_arc(i, j))
+      if(! contains(m_arcs[i] & m_suffixes[t - 1], j))
         continue;
       const Value& suffix = m_suffix[(t - 1) * m + j];
       if(! (m_quality.combine(m_quality.combine(prefix, arc_value(i, j)), suffix) < m_best.value))
@@ -442,8 +487,7 @@ private:
     }
   }
 
-  static constexpr int invalid = -1;   // no valid triangulation of the ring
-  static constexpr int ring_edge = -2; // the ring is one edge of the skirt polygon
+  static constexpr int ring_edge = -1; // no apex: the ring is one edge of the skirt polygon
   static constexpr signed char unknown = -1;
 
   const Predicates& m_predicates;
@@ -454,15 +498,18 @@ private:
   int m = 0;
   int m_f = none;
   bool m_keeps_edge = false;
-  std::vector<char> m_kept;
-  std::vector<int> m_apex;              // M_k, and which entries exist
+  Positions m_kept = 0;
+  Table m_rings_from;                   // for each i the j for which R_ij can be triangulated
+  Table m_rings_to;                     // for each j the i
+  std::vector<int> m_apex;              // M_k
   std::vector<Value> m_value;           // M_q
-  std::vector<signed char> m_chords;    // validity of each chord, computed when first asked for
+  Table m_known_chords;                 // for each i the j > i for which the validity was asked for
+  Table m_valid_chords;                 // for each i those of them that are valid
   std::vector<signed char> m_triangles; // validity of each triangle, computed when first asked for
   std::vector<Value> m_triangle_values; // of the valid ones among these
-  std::vector<char> m_has_arc;
+  Table m_arcs;                         // for each i the j to which there is an arc of a core
   std::vector<Value> m_arc_value;
-  std::vector<char> m_has_suffix;
+  std::vector<Positions> m_suffixes;    // for each number t of arcs the i for which there is a suffix
   std::vector<Value> m_suffix;
   Candidate m_best;
   int m_best_avoided = none;
