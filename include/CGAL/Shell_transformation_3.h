@@ -247,13 +247,13 @@ private:
       }
     }
 
-    // Whether the edge from a or b to p_i is one.
+    // Whether the edge from a or b to p_i is one of these.
     bool have_link_edge(const int i) const { return (m_marks[i] & LINK_EDGE) != 0; }
 
-    // Whether the edge from p_i to p_next(i) is one.
+    // Whether the edge from p_i to p_next(i) is one of these.
     bool have_edge_of_skirt_polygon(const int i) const { return (m_marks[i] & EDGE_OF_SKIRT_POLYGON) != 0; }
 
-    // Whether an edge of the cell a b p_i p_next(i) is one.
+    // Whether an edge of the cell a b p_i p_next(i) is one of these.
     bool have_edge_of_cell(const Shell& s, const int i) const
     {
       return have_link_edge(i) || have_link_edge(s.next(i)) || have_edge_of_skirt_polygon(i);
@@ -294,16 +294,21 @@ private:
     }
   };
 
+  typedef Boundary_recovery_3::internal::Covering_mesh_search<Tr, Quality, Recursion_validity> Covering_mesh_search;
+  static_assert(max_degree <= Covering_mesh_search::max_degree, "Shells of this degree cannot be searched.");
+
   bool remove(const Vertex_handle a, const Vertex_handle b, const Vertex_handle p, const Cell_handle c, const int l_max)
   {
     CGAL_precondition(m_tr.dimension() == 3);
     m_was_cut_off = false;
     m_root_cell = c;
-    if(m_tr.is_infinite(a) || m_tr.is_infinite(b) || (p == Vertex_handle() && m_validity.is_constrained(a, b)))
+    if(m_tr.is_infinite(a) || m_tr.is_infinite(b))
+      return false;
+    const Supporting_edge root(a, b, c, nullptr, m_validity);
+    if(p == Vertex_handle() && root.is_constrained)
       return false;
     m_total_number_of_shells += m_number_of_shells;
     m_number_of_shells = 0;
-    const Supporting_edge root(a, b, c, nullptr, m_validity);
     const bool is_removed = remove(root, p, 0, l_max);
     m_root_cell = root.cell;
     return is_removed;
@@ -459,8 +464,7 @@ private:
   Default_boundary_recovery_visitor_3 m_no_visitor;
   Visitor* m_visitor;
   Recursion_validity m_search_validity{ &m_validity, Ancestors() };
-  Boundary_recovery_3::internal::Covering_mesh_search<Tr, Quality, Recursion_validity>
-    m_search{ m_predicates, m_quality, m_search_validity };
+  Covering_mesh_search m_search{ m_predicates, m_quality, m_search_validity };
   Cell_replacement m_replacement;
   boost::container::small_vector<Cell_handle, 32> m_old_cells;
   boost::container::small_vector<Tetrahedron, 32> m_tetrahedra;

@@ -22,7 +22,6 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/property_map.h>
 
-#include <boost/range/distance.hpp>
 #include <boost/range/has_range_iterator.hpp>
 
 #include <cstddef>
@@ -145,7 +144,7 @@ recover_boundary(Triangulation& tr, const PointRange& points, const TriangleRang
     parameters::get_parameter(np, internal_np::point_map));
 
   BR3::Input_conversion<Triangulation> conversion;
-  conversion.reserve(boost::distance(points), boost::distance(triangles));
+  conversion.reserve(BR3::size_or_zero(points, 0), BR3::size_or_zero(triangles, 0));
   for(const auto& p : points)
     conversion.add_point(get(point_map, p));
   for(const auto& t : triangles)

@@ -13,6 +13,7 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cstddef>
 #include <iostream>
@@ -352,7 +353,29 @@ private:
       assert(std::vector<int>(k.core.begin(), k.core.end()) == solution.core);
       assert(std::vector<Triangle>(k.triangles.begin(), k.triangles.end()) == solution.triangles);
     }
+    check_only_if_done(search, problem, solution);
     count(problem, reference, solution, what);
+  }
+
+  // A search among those covering meshes only that avoid the face, or lose ab.
+  template <typename Search>
+  void check_only_if_done(Search& search, const Shell_problem& problem, const Shell_solution& solution)
+  {
+    const bool is_found = search(m_shell, problem.f, problem.keeps_edge,
+                                 [&](const int i) { return problem.is_kept[i]; }, true);
+    const auto is_done = [&](const auto& core)
+    {
+      return core.empty() || (problem.f >= 0 && std::find(core.begin(), core.end(), problem.f) == core.end());
+    };
+    const BR::Partial_triangulation& k = search.partial_triangulation();
+    assert(! is_found || is_done(k.core));
+    assert(is_found || ! is_done(solution.core));
+    if(is_found && (problem.quality != Shell_problem::FEWEST_INTERSECTIONS || is_done(solution.core)))
+    {
+      assert(std::vector<int>(k.core.begin(), k.core.end()) == solution.core);
+      assert(std::vector<Triangle>(k.triangles.begin(), k.triangles.end()) == solution.triangles);
+    }
+    ++number_of[is_found ? "done" : "not to be done"];
   }
 
   static bool are_equal(const Shell_solution& x, const Shell_solution& y)
@@ -466,7 +489,7 @@ void check_that_all_was_met()
   assert(number_of["fewest intersections, tie"] >= 50);
   assert(number_of["fewest intersections, the present one is the best one"] >= 50);
   for(const std::string what : { "BRC1 matters", "BRC2 matters", "BRC1 and BRC2 matter", "ancestor edges matter",
-                                 "kept edge or faces matter", "kept faces matter",
+                                 "kept edge or faces matter", "kept faces matter", "done", "not to be done",
                                  "hull, removed", "hull, reduced", "hull, unchanged",
                                  "BRC3 or BRC4 refuses", "BRC3 or BRC4 accepts", "BRC3 or BRC4 likes", "flips",
                                  "sum of doubles, removed", "sum of doubles, reduced" })

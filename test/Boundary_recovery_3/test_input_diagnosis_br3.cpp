@@ -15,6 +15,7 @@
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Simple_cartesian.h>
 
 #include <CGAL/Boundary_recovery_3/internal/Constraint_intersections_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Input_diagnosis_3.h>
@@ -305,6 +306,37 @@ void test_duplicate_facets()
   expect("duplicates", simple<K>(soup), { "duplicate_facet f1 f5", "duplicate_facet f2 f4",
                                           "duplicate_facet f2 f6", "duplicate_facet f2 f7" });
   expect("duplicates", intersections<K>(soup), {});
+
+  // equal sums of indices, and one out of range
+  soup = with_point(with_point({ tetrahedron, {{{0, 1, 5}}, {{0, 2, 4}}, {{1, 2, 3}}, {{1, 2, 9}}, {{2, 9, 1}}}, {} },
+                               {{3, 1, 2}}), {{-2, 5, 1}});
+  expect("other facets", simple<K>(soup), { "index_out_of_range f3", "index_out_of_range f4" });
+}
+
+// By hashing and by sorting, against the definition.
+template <typename K>
+void test_point_representatives(const unsigned seed)
+{
+  std::mt19937 rng(seed);
+  Soup soup;
+  std::vector<char> used;
+  for(int i = 0; i < 200; ++i)
+  {
+    Coordinates c;
+    for(double& x : c)
+      x = rng() % 3 == 0 ? -0. : static_cast<double>(rng() % 4) - 1.5;
+    soup.points.push_back(c);
+    used.push_back(rng() % 5 != 0);
+  }
+  const auto representatives = internal::point_representatives(to_input<K>(soup), used, K());
+  for(std::size_t v = 0; v < used.size(); ++v)
+  {
+    std::size_t first = v;
+    for(std::size_t w = 0; w < v && used[v] && first == v; ++w)
+      if(used[w] && soup.points[w] == soup.points[v])
+        first = w;
+    assert(representatives[v] == first);
+  }
 }
 
 template <typename K>
@@ -831,6 +863,7 @@ void test()
   test_degenerate_facets<K>();
   test_degenerate_edges<K>();
   test_duplicate_facets<K>();
+  test_point_representatives<K>(1);
   test_coincident_vertices<K>();
   test_dimension<K>();
   test_many_defects<K>();
@@ -844,6 +877,8 @@ void test()
 
 int main()
 {
+  test_point_representatives<CGAL::Simple_cartesian<float> >(2);
+  test_point_representatives<CGAL::Simple_cartesian<long double> >(3);
   test<Epick>();
   test<Epeck>();
   test_exact_number_beyond_double();

@@ -22,6 +22,7 @@
 #include <functional>
 #include <iostream>
 #include <limits>
+#include <list>
 #include <map>
 #include <memory>
 #include <set>
@@ -277,6 +278,28 @@ Cells recovered_cells(const Soup<K>& soup)
   return cells_by_index(tr, result.vertices);
 }
 
+// Has nothing but iterators.
+template <typename Container>
+struct Bare_range
+{
+  typedef typename Container::const_iterator const_iterator;
+  const_iterator begin() const { return container.begin(); }
+  const_iterator end() const { return container.end(); }
+  Container container;
+};
+
+void test_ranges()
+{
+  const Soup<K> soup = read<K>("two_cubes_br3.off");
+  CGAL::Delaunay_triangulation_3<K> expected, tr;
+  const auto result = CGAL::recover_boundary(expected, soup.points, soup.triangles);
+  typedef std::list<K::Point_3> Points;
+  const Points points(soup.points.begin(), soup.points.end());
+  const auto same = CGAL::recover_boundary(tr, Bare_range<Points>{ points }, soup.triangles);
+  assert(result && same);
+  assert(cells_by_index(tr, same.vertices) == cells_by_index(expected, result.vertices));
+}
+
 void test_determinism()
 {
   const Soup<K> soup = read<K>("gear_br3.off");
@@ -400,6 +423,7 @@ int main()
   test_parameters<EK>();
 #endif
   test_custom_base();
+  test_ranges();
   test_determinism();
   test_visitor();
   test_visitor_by_value();

@@ -20,6 +20,7 @@
 #include <CGAL/Boundary_recovery_3/internal/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Exact_positions_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Exterior_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Hash_index.h>
 #include <CGAL/Boundary_recovery_3/internal/Kernel_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Mesh_snapshot_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Simplex_index_3.h>
@@ -34,6 +35,8 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <iostream>
 #include <map>
 #include <random>
@@ -107,6 +110,97 @@ void test_simplex_index(const unsigned seed, const int number_of_vertices)
   }
   check_many();
   assert(index.keys() == inserted_simplices);
+}
+
+// Numbers whose hash values collide: in all bits, in those that decide on the slot, or in those that are in it.
+void test_colliding_hash_values()
+{
+  const std::array<std::uint64_t (*)(std::uint64_t), 3> hashes = {{
+    [](std::uint64_t) { return std::uint64_t(7); },
+    [](const std::uint64_t i) { return i << 32; },
+    [](const std::uint64_t i) { return i; }
+  }};
+  for(const auto hash : hashes)
+  {
+    internal::Hash_index<std::uint64_t, std::uint64_t (*)(std::uint64_t), std::equal_to<std::uint64_t> > index(hash);
+    index.reserve(0);
+    assert(index[0] == index.none);
+    for(const std::uint64_t i : { 5, 3, 5, 0, 3, 200, 0 })
+      index.insert(i);
+    assert((index.keys() == std::vector<std::uint64_t>{ 5, 3, 0, 200 }));
+    for(std::uint64_t i = 0; i < 300; ++i)
+      index.insert(i);
+    assert(index.size() == 300 && index[0] == 2 && index[4] == 6 && index[299] == 299 && index[300] == index.none);
+  }
+}
+
+// Against the triangulation's own answers: facets that are there, in any order of their vertices, and others.
+void test_constraint_search(const br3_test::Lattice_points& points, std::mt19937& rng)
+{
+  Tr tr;
+  for(const auto& p : points)
+    tr.insert(Point_3(p.x, p.y, p.z));
+  if(tr.dimension() < 3)
+    return;
+  std::vector<Vertex_handle> vertices;
+  for(const Vertex_handle v : tr.finite_vertex_handles())
+    vertices.push_back(v);
+  const auto random_vertex = [&]
+  {
+    return vertices[static_cast<std::size_t>(br3_test::random_int(rng, static_cast<int>(vertices.size())))];
+  };
+  internal::Constraints_3<Tr> constraints;
+  for(const auto& f : tr.finite_facets())
+    if(br3_test::random_int(rng, 4) == 0)
+    {
+      const int first = br3_test::random_int(rng, 3), step = 1 + br3_test::random_int(rng, 2);
+      const auto v = internal::facet_vertices(f.first, f.second);
+      constraints.insert(v[first], v[(first + step) % 3], v[(first + 2 * step) % 3]);
+    }
+  for(std::size_t i = 0; i < vertices.size(); ++i)
+  {
+    const Vertex_handle u = random_vertex(), v = random_vertex(), w = random_vertex();
+    if(u == v || v == w || w == u)
+      continue;
+    constraints.insert(u, v);
+    if(i % 3 == 0)
+      constraints.insert(u, v, w);
+  }
+
+  internal::Lost_constraints expected, some, expected_of_some;
+  Tr::Cell_handle c;
+  int i, j, k;
+  for(std::size_t e = 0; e < constraints.edges().size(); ++e)
+  {
+    const bool is_lost = ! tr.is_edge(constraints.edges()[e][0], constraints.edges()[e][1], c, i, j);
+    const bool is_chosen = br3_test::random_int(rng, 2) == 0;
+    if(is_lost)
+      expected.edges.push_back(e);
+    if(is_chosen)
+      some.edges.push_back(e);
+    if(is_lost && is_chosen)
+      expected_of_some.edges.push_back(e);
+  }
+  for(std::size_t f = 0; f < constraints.facets().size(); ++f)
+  {
+    const auto& v = constraints.facets()[f];
+    const bool is_lost = ! tr.is_facet(v[0], v[1], v[2], c, i, j, k);
+    const bool is_chosen = br3_test::random_int(rng, 2) == 0;
+    if(is_lost)
+      expected.facets.push_back(f);
+    if(is_chosen)
+      some.facets.push_back(f);
+    if(is_lost && is_chosen)
+      expected_of_some.facets.push_back(f);
+  }
+  internal::Constraint_search_3<Tr> search(tr, constraints);
+  for(int repetition = 0; repetition < 2; ++repetition)
+  {
+    const internal::Lost_constraints lost = search(), lost_of_some = search(some), lost_of_none = search({});
+    assert(lost.edges == expected.edges && lost.facets == expected.facets);
+    assert(lost_of_some.edges == expected_of_some.edges && lost_of_some.facets == expected_of_some.facets);
+    assert(lost_of_none.edges.empty() && lost_of_none.facets.empty());
+  }
 }
 
 // The vertices of all the cells in their order, and the coordinates, by the addresses of the vertices.
@@ -545,6 +639,12 @@ int main()
       test_simplex_index<2>(seed, n);
       test_simplex_index<3>(seed, n);
     }
+  test_colliding_hash_values();
+  for(const unsigned seed : { 1u, 2u, 3u, 4u, 5u, 6u })
+  {
+    std::mt19937 rng(seed);
+    test_constraint_search(br3_test::random_points(seed % 2 == 0 ? 300 : 20, seed % 3 == 0 ? 5 : 1000, rng), rng);
+  }
   test_snapshots();
   test_exteriors();
   test_deepest_point();

@@ -33,7 +33,8 @@ public:
 
   /*!
   The point type. A point is constructed from three values of type `double`; it has `x()`, `y()`, `z()`, `bbox()`
-  and `operator[]`. It has to be the type of the points of the vertices, so there are no weights.
+  and `operator[]`, which returns the exact coordinates. It has to be the type of the points of the vertices, so there
+  are no weights.
   */
   typedef unspecified_type Point_3;
 

@@ -84,7 +84,7 @@ public:
 
   /// \name Constraints
   /// What is constrained and in the triangulation is never destroyed. The edges of a constrained facet
-  /// have to be constrained, too.
+  /// have to be constrained, too. The answers must not change while a member of `CGAL::Shell_transformation_3` runs.
   /// @{
 
   /*!

@@ -233,7 +233,7 @@ private:
         is_found[f] = true;
   }
 
-  // Two bits of one word for each constrained facet, in a table with 8 to 16 times as many.
+  // Two bits for each constrained facet, both in one word of a table that has 8 to 16 bits for each facet.
   void fill_in_filter()
   {
     std::size_t size = 1;
@@ -247,7 +247,7 @@ private:
     }
   }
 
-  // The facet is given by the sum over its vertices, which need not be sorted so.
+  // The facet is given by the sum over its vertices, which does not depend on their order.
   bool may_be_constrained(const std::uint64_t sum) const
   {
     return (m_filter[filter_word(sum)] & filter_bits(sum)) == filter_bits(sum);
@@ -297,7 +297,7 @@ private:
     for(const Vertex_handle v : simplex)
     {
       const std::size_t b = m_centers[{{ v }}];
-      if(b != Constraints::none)
+      if(b != m_centers.none)
         return b;
     }
     return m_centers.insert({{ simplex[0] }}).first;

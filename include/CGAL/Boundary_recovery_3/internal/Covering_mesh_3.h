@@ -143,8 +143,8 @@ private:
     Value value = Value();  // Q
   };
 
-  // A set of positions in the skirt polygon: most of the entries of the matrices do not exist, and the others are found
-  // much faster like this than by looking at all of them.
+  // A set of positions in the skirt polygon. Most of the entries of the matrices do not exist; sets tell quickly where
+  // there is none, and are quickly emptied for the next shell.
   typedef std::uint64_t Positions;
   typedef std::array<Positions, max_degree> Table; // a set for each position
 
@@ -298,7 +298,8 @@ private:
     return has_chord;
   }
 
-  // Whether an arc skips the position f. Then a core does, for all the edges of the skirt polygon are arcs.
+  // Whether an arc skips the position f. Then a core does, for all the edges of the skirt polygon are arcs, and no arc
+  // leaves only one of them for the rest of the core.
   bool can_skip(const int f) const
   {
     for(int i = m_shell->next(f); i != f; i = m_shell->next(i))
@@ -333,7 +334,8 @@ private:
       return;
     }
     const bool can_avoid = m_f != none && can_skip(m_f);
-    if(! only_if_done && (Quality::is_first_in_vector || ! can_avoid)) // else Q' decides
+    // A core without p_f beats all others by Q', unless Q comes first.
+    if(! only_if_done && (Quality::is_first_in_vector || ! can_avoid))
       choose_core_without(none);
     if(can_avoid)
       choose_core_without(m_f);

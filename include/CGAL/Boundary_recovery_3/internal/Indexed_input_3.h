@@ -148,9 +148,9 @@ std::vector<char> used_vertices(const Indexed_input_3<Point_3>& input)
   return used;
 }
 
-/// of vertices in increasing order, makes the smallest one at each point the representative of the others. It may hash
-/// where the coordinates are of a floating-point type, which takes less than a tenth of the time of sorting. What is
-/// known at once of an exact number is an enclosure only, and may differ from that of an equal number.
+/// of vertices in increasing order, makes the smallest one at each point the representative of the others. It hashes
+/// coordinates of a floating-point type, which takes less than a tenth of the time of sorting. It sorts exact numbers:
+/// what is known of them at once is an enclosure only, and may differ from that of an equal number.
 template <typename GT>
 void represent_equal_points(const Indexed_input_3<typename GT::Point_3>& input,
                             std::vector<std::size_t> vertices, const GT& gt,
@@ -163,7 +163,8 @@ void represent_equal_points(const Indexed_input_3<typename GT::Point_3>& input,
     const auto hash = [&](const std::size_t v)
     {
       const std::hash<FT> h;
-      return mixed_bits(h(points[v][0]) + mixed_bits(h(points[v][1]) + mixed_bits(h(points[v][2]))));
+      return internal::mixed_bits(h(points[v][0])
+                                  + internal::mixed_bits(h(points[v][1]) + internal::mixed_bits(h(points[v][2]))));
     };
     const auto equal = gt.equal_3_object();
     const auto are_equal = [&](const std::size_t a, const std::size_t b) { return equal(points[a], points[b]); };

@@ -75,7 +75,7 @@ private:
   struct Counts
   {
     Simplex_index_3<Vertex_handle, M> index;
-    std::vector<int> numbers; // by it
+    std::vector<int> numbers; // by the numbers of `index`
   };
 
   template <std::size_t M>

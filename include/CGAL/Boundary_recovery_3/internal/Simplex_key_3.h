@@ -14,13 +14,11 @@
 
 #include <CGAL/Boundary_recovery_3/internal/Hash_index.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Boundary_recovery_3 {

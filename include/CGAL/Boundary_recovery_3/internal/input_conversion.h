@@ -88,6 +88,16 @@ void for_each_constrained_edge(const NamedParameters& np, const Add& add)
   }
 }
 
+// The size of a range that knows it, else 0. To be called with 0 as the second argument.
+template <typename Range>
+auto size_or_zero(const Range& range, int) -> decltype(static_cast<std::size_t>(range.size()))
+{
+  return static_cast<std::size_t>(range.size());
+}
+
+template <typename Range>
+std::size_t size_or_zero(const Range&, long) { return 0; }
+
 /*
  * Brings soups and surface meshes into index form.
  */
