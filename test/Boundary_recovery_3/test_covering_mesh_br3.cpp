@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <cstddef>
 #include <iostream>
 #include <map>
@@ -496,8 +497,47 @@ void check_that_all_was_met()
     assert(number_of[what] >= 50);
 }
 
+// Rings around an edge that are so large that every bit of a set of positions counts. All of it is convex, so an edge
+// that may go does, and a core has three vertices, with or without any given one.
+template <typename Quality>
+void test_large_ring(const int m)
+{
+  typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+  typedef Triangulations<Kernel>::Delaunay Tr;
+  Tr tr;
+  const Tr::Vertex_handle a = tr.insert(Kernel::Point_3(0, 0, -1)), b = tr.insert(Kernel::Point_3(0, 0, 1));
+  for(int i = 0; i < m; ++i)
+    tr.insert(Kernel::Point_3(9 * std::cos(6.28 * i / m), 9 * std::sin(6.28 * i / m), 0));
+  Tr::Cell_handle c;
+  int i, j;
+  assert(tr.is_edge(a, b, c, i, j));
+  const BR::Shell_3<Tr> shell(tr, c, i, j);
+  assert(shell.degree() == m);
+
+  const BR::internal::Vertex_predicates_3<Tr> predicates(tr);
+  const Quality quality(tr);
+  const BR::No_shell_validity_3 validity;
+  BR::internal::Covering_mesh_search<Tr, Quality, BR::No_shell_validity_3> search(predicates, quality, validity);
+  const auto none_is_kept = [](int) { return false; };
+  const BR::Partial_triangulation& k = search.partial_triangulation();
+  for(const int f : { -1, 0, 31, 32, m - 1 })
+  {
+    assert(search(shell, f, false, none_is_kept));
+    assert(k.core.empty() && static_cast<int>(k.triangles.size()) == m - 2);
+    assert(search(shell, f, true, none_is_kept));
+    assert(k.core_size() == 3 && static_cast<int>(k.triangles.size()) == m - 3);
+    assert(std::find(k.core.begin(), k.core.end(), f) == k.core.end());
+  }
+  const auto some_are_kept = [m](const int p) { return p == 0 || p == 1 || p == m / 2 || p >= m - 2; };
+  assert(search(shell, -1, true, some_are_kept));
+  assert((std::vector<int>(k.core.begin(), k.core.end()) == std::vector<int>{ 0, 1, m / 2, m - 2, m - 1 }));
+}
+
 int main()
 {
+  typedef Triangulations<CGAL::Exact_predicates_inexact_constructions_kernel>::Delaunay Delaunay;
+  for(const int m : { 24, 33, 62, 63 })
+    test_large_ring<BR::Worst_element_quality_3<Delaunay> >(m);
   test_kernel<CGAL::Exact_predicates_inexact_constructions_kernel>(20, 1);
   test_kernel<CGAL::Exact_predicates_exact_constructions_kernel>(2, 2);
   check_that_all_was_met();
