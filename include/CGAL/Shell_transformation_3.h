@@ -130,7 +130,7 @@ public:
     const Supporting_edge root(a, b, e.first, nullptr, m_validity);
     const Shell shell(m_tr, e.first, e.second, e.third);
     const int f = p == Vertex_handle() ? Shell::none : shell.index(p);
-    return p != Vertex_handle() && f == Shell::none ? UNCHANGED : transform(shell, root, f);
+    return p != Vertex_handle() && f == Shell::none ? UNCHANGED : transform(shell, root, Ancestors(shell, nullptr), f);
   }
 
   /*!
@@ -278,19 +278,19 @@ private:
   struct Recursion_validity
   {
     const Validity* validity;
-    Ancestors ancestors;
+    const Ancestors* ancestors;
 
     bool is_valid_triangle(const Shell& s, const int i, const int k, const int j) const
     {
-      return ! (s.next(i) == k && ancestors.have_edge_of_skirt_polygon(i))
-          && ! (s.next(k) == j && ancestors.have_edge_of_skirt_polygon(k))
-          && ! (s.next(j) == i && ancestors.have_edge_of_skirt_polygon(j))
+      return ! (s.next(i) == k && ancestors->have_edge_of_skirt_polygon(i))
+          && ! (s.next(k) == j && ancestors->have_edge_of_skirt_polygon(k))
+          && ! (s.next(j) == i && ancestors->have_edge_of_skirt_polygon(j))
           && validity->is_valid_triangle(s, i, k, j);
     }
 
     bool is_valid_chord(const Shell& s, const int i, const int j) const
     {
-      return ! ancestors.have_link_edge(i) && ! ancestors.have_link_edge(j) && validity->is_valid_chord(s, i, j);
+      return ! ancestors->have_link_edge(i) && ! ancestors->have_link_edge(j) && validity->is_valid_chord(s, i, j);
     }
   };
 
@@ -319,6 +319,7 @@ private:
   bool remove(const Supporting_edge& e, const Vertex_handle p, const int l, const int l_max)
   {
     Shell shell;
+    Ancestors ancestors;
     while(true)
     {
       shell.assign(m_tr, e.cell, e.cell->index(e.a), e.cell->index(e.b));
@@ -330,7 +331,8 @@ private:
         m_was_cut_off = true;
         return false;
       }
-      const Outcome outcome = transform(shell, e, f, l == l_max);
+      ancestors.assign(shell, e.parent);
+      const Outcome outcome = transform(shell, e, ancestors, f, l == l_max);
       if(outcome == REMOVED)
         return true;
       if(outcome == REDUCED)
@@ -338,17 +340,18 @@ private:
         shell.assign(m_tr, e.cell, e.cell->index(e.a), e.cell->index(e.b));
         if(f != Shell::none && shell.index(p) == Shell::none)
           return true;
+        ancestors.assign(shell, e.parent);
       }
-      if(! reduce_by_link_edges(shell, e, l, l_max))
+      if(! reduce_by_link_edges(shell, e, ancestors, l, l_max))
         return false;
     }
   }
 
   // Lines 8 to 14 of [CZZ+17, Alg. 1]: returns true as soon as the shell of e shrank. Until then, its cells are those
   // that were there first: they change only if its degree falls, for no new face around an ancestor is allowed.
-  bool reduce_by_link_edges(const Shell& shell, const Supporting_edge& e, const int l, const int l_max)
+  bool reduce_by_link_edges(const Shell& shell, const Supporting_edge& e, const Ancestors& ancestors, const int l,
+                            const int l_max)
   {
-    const Ancestors ancestors(shell, e.parent);
     for(int i = 0; i < shell.degree(); ++i)
       for(const bool at_a : { true, false })
       {
@@ -400,11 +403,12 @@ private:
 
   // shellTransformation(a, b, f, P, K_old) of [CZZ+17, Alg. 3], where f is a position in the skirt polygon.
   // If `only_if_done`, a covering mesh that neither loses ab nor avoids f is not worth a change: no recursion follows.
-  Outcome transform(const Shell& shell, const Supporting_edge& e, const int f, const bool only_if_done = false)
+  Outcome transform(const Shell& shell, const Supporting_edge& e, const Ancestors& ancestors, const int f,
+                    const bool only_if_done = false)
   {
     if(shell.degree() > max_degree)
       return UNCHANGED;
-    m_search_validity.ancestors.assign(shell, e.parent);
+    m_search_validity = { &m_validity, &ancestors };
     const auto is_kept = [&](const int i)
     {
       return e.is_constrained && m_validity.is_constrained(shell.a(), shell.b(), shell.vertex(i));
@@ -463,7 +467,7 @@ private:
   // what the constructor without a visitor points to; other visitors need not be default constructible
   Default_boundary_recovery_visitor_3 m_no_visitor;
   Visitor* m_visitor;
-  Recursion_validity m_search_validity{ &m_validity, Ancestors() };
+  Recursion_validity m_search_validity = { nullptr, nullptr };
   Covering_mesh_search m_search{ m_predicates, m_quality, m_search_validity };
   Cell_replacement m_replacement;
   boost::container::small_vector<Cell_handle, 32> m_old_cells;
