@@ -168,31 +168,26 @@ void test_constraint_search(const br3_test::Lattice_points& points, std::mt19937
   }
 
   internal::Lost_constraints expected, some, expected_of_some;
+  typedef std::vector<std::size_t> internal::Lost_constraints::* Kind;
+  const auto expect = [&](const Kind kind, const auto& simplices, const auto& is_in_mesh)
+  {
+    for(std::size_t s = 0; s < simplices.size(); ++s)
+    {
+      const bool is_lost = ! is_in_mesh(simplices[s]), is_chosen = br3_test::random_int(rng, 2) == 0;
+      if(is_lost)
+        (expected.*kind).push_back(s);
+      if(is_chosen)
+        (some.*kind).push_back(s);
+      if(is_lost && is_chosen)
+        (expected_of_some.*kind).push_back(s);
+    }
+  };
   Tr::Cell_handle c;
   int i, j, k;
-  for(std::size_t e = 0; e < constraints.edges().size(); ++e)
-  {
-    const bool is_lost = ! tr.is_edge(constraints.edges()[e][0], constraints.edges()[e][1], c, i, j);
-    const bool is_chosen = br3_test::random_int(rng, 2) == 0;
-    if(is_lost)
-      expected.edges.push_back(e);
-    if(is_chosen)
-      some.edges.push_back(e);
-    if(is_lost && is_chosen)
-      expected_of_some.edges.push_back(e);
-  }
-  for(std::size_t f = 0; f < constraints.facets().size(); ++f)
-  {
-    const auto& v = constraints.facets()[f];
-    const bool is_lost = ! tr.is_facet(v[0], v[1], v[2], c, i, j, k);
-    const bool is_chosen = br3_test::random_int(rng, 2) == 0;
-    if(is_lost)
-      expected.facets.push_back(f);
-    if(is_chosen)
-      some.facets.push_back(f);
-    if(is_lost && is_chosen)
-      expected_of_some.facets.push_back(f);
-  }
+  expect(&internal::Lost_constraints::edges, constraints.edges(),
+         [&](const auto& e) { return tr.is_edge(e[0], e[1], c, i, j); });
+  expect(&internal::Lost_constraints::facets, constraints.facets(),
+         [&](const auto& f) { return tr.is_facet(f[0], f[1], f[2], c, i, j, k); });
   internal::Constraint_search_3<Tr> search(tr, constraints);
   for(int repetition = 0; repetition < 2; ++repetition)
   {
