@@ -11,7 +11,6 @@
 #include <CGAL/Boundary_recovery_3/internal/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Face_matching.h>
 #include <CGAL/Boundary_recovery_3/internal/Growing_cavity_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Simplex_key_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Small_polyhedron_reconnection_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Spanned_cavity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/contains.h>
@@ -271,12 +270,11 @@ void test_growing_cavity()
   assert(tr.number_of_vertices() == points.size() && tr.tds().is_valid());
 }
 
-// The facets of the cells that have none of them behind them, as sorted vertices, and the vertices behind those that
-// are open.
-std::map<std::array<const void*, 3>, Vertex_handle> boundary(const Tr& tr, const Cells& cells,
-                                                             const Constraints& constraints)
+// The facets of the cells that have none of them behind them, and the vertices behind those that are open.
+std::map<std::set<Vertex_handle>, Vertex_handle> boundary(const Tr& tr, const Cells& cells,
+                                                          const Constraints& constraints)
 {
-  std::map<std::array<const void*, 3>, Vertex_handle> result;
+  std::map<std::set<Vertex_handle>, Vertex_handle> result;
   for(const Cell_handle c : cells)
     for(int i = 0; i < 4; ++i)
     {
@@ -285,7 +283,7 @@ std::map<std::array<const void*, 3>, Vertex_handle> boundary(const Tr& tr, const
         continue;
       const Facet f = {{ c->vertex((i + 1) % 4), c->vertex((i + 2) % 4), c->vertex((i + 3) % 4) }};
       const bool is_closed = tr.is_infinite(n) || constraints.is_constrained(f[0], f[1], f[2]);
-      result[BR::internal::simplex_key(f)] = is_closed ? Vertex_handle() : tr.mirror_vertex(c, i);
+      result[{ f[0], f[1], f[2] }] = is_closed ? Vertex_handle() : tr.mirror_vertex(c, i);
     }
   return result;
 }
@@ -322,7 +320,7 @@ void test_spanned_cavity(const unsigned seed, const bool on_grid)
       std::map<Vertex_handle, int> numbers;
       for(const auto& f : cavity.boundary())
       {
-        assert(expected.at(BR::internal::simplex_key(f.face)) == f.vertex_behind);
+        assert(expected.at({ f.face[0], f.face[1], f.face[2] }) == f.vertex_behind);
         assert(vertices.count(f.vertex_behind) == 0); // else there was one more cell to add
         ++numbers[f.vertex_behind];
       }

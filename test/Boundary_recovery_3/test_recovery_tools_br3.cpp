@@ -24,7 +24,6 @@
 #include <CGAL/Boundary_recovery_3/internal/Kernel_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Mesh_snapshot_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Simplex_index_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Simplex_key_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/cell_simplices.h>
 #include <CGAL/Delaunay_triangulation_3.h>
@@ -83,13 +82,6 @@ void test_simplex_index(const unsigned seed, const int number_of_vertices)
     Simplex s;
     for(const Point_3*& p : s)
       p = &vertices[static_cast<std::size_t>(br3_test::random_int(rng, number_of_vertices))];
-    if constexpr(N > 1)
-    {
-      const internal::Simplex_key_3<N> key = internal::simplex_key(s);
-      assert(std::is_sorted(key.begin(), key.end(), std::less<const void*>()));
-      assert(std::is_permutation(key.begin(), key.end(), s.begin()));
-    }
-
     queries.push_back(s);
     assert(index[s] == expected_number(s));
     if(br3_test::random_int(rng, 3) == 0)
@@ -110,6 +102,11 @@ void test_simplex_index(const unsigned seed, const int number_of_vertices)
   }
   check_many();
   assert(index.keys() == inserted_simplices);
+
+  index.clear();
+  assert(index.size() == 0 && index[queries.back()] == index.none);
+  for(const bool is_new : { true, false })
+    assert(index.insert(queries.back()) == std::make_pair(std::size_t(0), is_new));
 }
 
 // Numbers whose hash values collide: in all bits, in those that decide on the slot, or in those that are in it.

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/internal/Simplex_key_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Simplex_index_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Steiner_points_3.h>
 #include <CGAL/Boundary_recovery_3/internal/cell_simplices.h>
 
@@ -20,8 +20,6 @@
 #include <array>
 #include <cstddef>
 #include <iterator>
-#include <unordered_map>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -65,13 +63,13 @@ public:
   std::vector<Facet> of_facet(const std::size_t f) const
   {
     std::vector<Facet> parts = facets_on(f);
-    Edges open;
+    Odd_edges open;
     for(const Facet& part : parts)
       for(int i = 0; i < 3; ++i)
-        toggle(open, part[i], part[(i + 1) % 3]);
+        open.toggle({{ part[i], part[(i + 1) % 3] }});
     for(const std::size_t e : m_steiner_points.constraints().edges_of_facet(f))
       for(const Edge& part : chain(e))
-        toggle(open, part[0], part[1]);
+        open.toggle(part);
     if(! open.empty())
       return std::vector<Facet>();
     orient(parts, f);
@@ -79,14 +77,25 @@ public:
   }
 
 private:
-  typedef std::unordered_set<Simplex_key_3<2>, Simplex_key_hash> Edges; // look-up only
-
-  static void toggle(Edges& edges, const Vertex_handle u, const Vertex_handle v)
+  // The edges that came an odd number of times.
+  class Odd_edges
   {
-    const auto inserted = edges.insert(internal::simplex_key(u, v));
-    if(! inserted.second)
-      edges.erase(inserted.first);
-  }
+  public:
+    bool empty() const { return m_size == 0; }
+
+    void toggle(const Edge& e)
+    {
+      const std::size_t i = m_index.insert(e).first;
+      m_is_odd.resize(m_index.size(), false);
+      m_is_odd[i] = ! m_is_odd[i];
+      m_is_odd[i] ? ++m_size : --m_size;
+    }
+
+  private:
+    Simplex_index_3<Vertex_handle, 2> m_index;
+    std::vector<bool> m_is_odd;
+    std::size_t m_size = 0;
+  };
 
   std::vector<Edge> chain(const std::size_t e) const
   {
@@ -143,8 +152,7 @@ private:
   // The mesh facets whose vertices are all on the facet f.
   std::vector<Facet> facets_on(const std::size_t f) const
   {
-    std::vector<Facet> facets;
-    std::unordered_set<Simplex_key_3<3>, Simplex_key_hash> seen; // look-up only
+    Simplex_index_3<Vertex_handle, 3> facets;
     std::vector<Cell_handle> star;
     for(const Vertex_handle v : m_steiner_points.vertices_on_facet(f))
     {
@@ -154,11 +162,11 @@ private:
         for(int i = 0; i < 4; ++i)
         {
           const Facet facet = internal::facet_vertices(c, i);
-          if(is_on(facet, f) && seen.insert(internal::simplex_key(facet)).second)
-            facets.push_back(facet);
+          if(is_on(facet, f))
+            facets.insert(facet);
         }
     }
-    return facets;
+    return facets.keys();
   }
 
   bool is_on(const Facet& facet, const std::size_t f) const

@@ -14,11 +14,11 @@
 
 #include <CGAL/Boundary_recovery_3/internal/Facet_walk_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Segment_walk_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Simplex_key_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Simplex_index_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
-#include <CGAL/Boundary_recovery_3/internal/contains.h>
 #include <CGAL/Boundary_recovery_3/internal/walk_elements.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <type_traits>
@@ -94,6 +94,8 @@ public:
   bool was_cut_off() const { return m_was_cut_off; }
 
 private:
+  typedef std::array<Vertex_handle, 3> Entity; // as Crossing_3::simplex()
+
   // Returns whether the mesh changed, so that the crossings have to be collected again.
   template <typename Shell_transformation>
   bool try_crossings(Shell_transformation& st, const int l_max)
@@ -126,9 +128,11 @@ private:
   // An entity is tried once between two decreases of the number of crossings.
   bool is_new(const Crossing& crossing)
   {
-    if(internal::contains(m_tried, crossing.key()))
+    const Entity entity = crossing.simplex();
+    const auto is_same = [&](const Entity& other) { return internal::is_permutation(entity, other); };
+    if(std::any_of(m_tried.begin(), m_tried.end(), is_same))
       return false;
-    m_tried.push_back(crossing.key());
+    m_tried.push_back(entity);
     return true;
   }
 
@@ -139,7 +143,7 @@ private:
   static constexpr std::size_t max_number_of_attempts = N == 2 ? 8 : std::size_t(-1);
 
   Walk m_walk;
-  std::vector<Simplex_key_3<3> > m_tried;
+  std::vector<Entity> m_tried;
   bool m_was_cut_off = false;
 };
 

@@ -13,7 +13,7 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/Shell_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Simplex_key_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Simplex_index_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/walk_elements.h>
 
@@ -22,7 +22,6 @@
 
 #include <array>
 #include <cstddef>
-#include <unordered_set>
 #include <vector>
 
 namespace CGAL {
@@ -137,7 +136,7 @@ private:
   {
     if(m_tr.is_infinite(p) || m_tr.is_infinite(q) || ! m_predicates.segment_pierces_triangle(p, q, m_u, m_v, m_w))
       return;
-    if(m_crossed.insert(internal::simplex_key(p, q)).second)
+    if(m_crossed.insert({{ p, q }}).second)
       m_crossings.push_back({ 1, {{ p, q, Vertex_handle() }}, c });
   }
 
@@ -145,7 +144,7 @@ private:
   const Predicates& m_predicates;
   Vertex_handle m_u, m_v, m_w;
   std::vector<Crossing> m_crossings;
-  std::unordered_set<Simplex_key_3<2>, Simplex_key_hash> m_crossed; // look-up only
+  Simplex_index_3<Vertex_handle, 2> m_crossed;
   Vertex_handle m_blocking_vertex;
   Shell m_shell;
 };

@@ -14,6 +14,7 @@
 
 #include <CGAL/assertions.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -32,7 +33,7 @@ inline std::uint64_t mixed_bits(const std::uint64_t bits)
 
 /*
  * Numbers keys in the order in which they come. A hash table with open addressing, for the flips ask all the time
- * whether a simplex is in it; nothing is ever taken out.
+ * whether a simplex is in it; no single key is ever taken out.
  *
  * The slots hold a number and a part of the hash value only: the table is small, and what is not in it is told from the
  * slots alone as a rule. The keys are dense, so those of neighbors, numbered one after the other, are close together.
@@ -60,6 +61,12 @@ public:
     m_keys.reserve(n);
     if(are_too_few(m_slots.size(), n))
       rehash(n);
+  }
+
+  void clear()
+  {
+    m_keys.clear();
+    std::fill(m_slots.begin(), m_slots.end(), Slot());
   }
 
   // Returns the number of the key, and whether it is new.

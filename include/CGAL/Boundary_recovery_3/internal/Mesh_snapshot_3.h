@@ -12,15 +12,13 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/internal/Simplex_key_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Simplex_index_3.h>
 
 #include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <unordered_map>
-#include <unordered_set>
 #include <vector>
 
 namespace CGAL {
@@ -47,13 +45,13 @@ public:
   // The vertices that came into the triangulation since; no other may have gone.
   std::vector<Vertex_handle> new_vertices(const Tr& tr) const
   {
-    std::unordered_set<const void*> old; // look-up only
+    Simplex_index_3<Vertex_handle, 1> old;
     for(const Tetrahedron& t : m_cells)
       for(const Vertex_handle v : t)
-        old.insert(&*v);
+        old.insert({{ v }});
     std::vector<Vertex_handle> result;
     for(auto v = tr.tds().vertices().begin(); v != tr.tds().vertices().end(); ++v)
-      if(old.count(&*v) == 0)
+      if(old[{{ v }}] == old.none)
         result.push_back(v);
     return result;
   }
@@ -100,19 +98,21 @@ private:
   {
     std::vector<Adjacency> result;
     result.reserve(2 * m_cells.size());
-    std::unordered_map<Simplex_key_3<3>, Facet, Simplex_key_hash> open_facets; // look-up only
+    Simplex_index_3<Vertex_handle, 3> facets;
+    std::vector<Facet> seen_first; // by these numbers
+    facets.reserve(2 * m_cells.size());
+    seen_first.reserve(2 * m_cells.size());
     for(std::size_t c = 0; c < m_cells.size(); ++c)
       for(int i = 0; i < 4; ++i)
       {
         const Tetrahedron& v = m_cells[c];
-        const Simplex_key_3<3> key = internal::simplex_key(v[(i + 1) & 3], v[(i + 2) & 3], v[(i + 3) & 3]);
-        const auto inserted = open_facets.insert({ key, Facet{ c, i } });
+        const auto inserted = facets.insert({{ v[(i + 1) & 3], v[(i + 2) & 3], v[(i + 3) & 3] }});
         if(inserted.second)
-          continue;
-        result.push_back({{ Facet{ c, i }, inserted.first->second }});
-        open_facets.erase(inserted.first);
+          seen_first.push_back(Facet{ c, i });
+        else
+          result.push_back({{ Facet{ c, i }, seen_first[inserted.first] }});
       }
-    CGAL_postcondition(open_facets.empty());
+    CGAL_postcondition(result.size() == facets.size());
     return result;
   }
 

@@ -13,7 +13,6 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/Shell_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Simplex_key_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
 
 #include <CGAL/assertions.h>
@@ -38,8 +37,6 @@ struct Crossing_3
   {
     return {{ vertices[0], vertices[1], vertices[dimension] }};
   }
-
-  Simplex_key_3<3> key() const { return internal::simplex_key(simplex()); }
 };
 
 // A place in the shell of an edge ab: the interior of the facet a b p_i, or of the cell a b p_i p_next(i).
