@@ -19,6 +19,7 @@
 
 #include <CGAL/Boundary_recovery_3/internal/Constraint_intersections_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Input_diagnosis_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Recovery_context.h>
 
 #include <algorithm>
 #include <array>
@@ -126,13 +127,56 @@ Strings simple(const Soup& soup, const bool check_dimension = true)
   return names(defects);
 }
 
+struct Stopping_visitor
+{
+  bool go_further() { return number_of_questions++ != last_question; }
+
+  std::size_t number_of_questions = 0;
+  std::size_t last_question = std::size_t(-1);
+};
+
+typedef internal::Recovery_context<Stopping_visitor> Context;
+
+template <typename K, typename Input>
+std::vector<BR3::Input_defect_3<typename K::Point_3> > intersecting_constraints(const Input& input)
+{
+  Stopping_visitor visitor;
+  Context context(visitor);
+  return internal::intersecting_constraints(input, K(), context);
+}
+
+// Asked for one constraint, the search has to say whether a defect names it.
+template <typename K, typename Input, typename Defects>
+void check_single_constraints(const Input& input, const Defects& defects)
+{
+  typedef internal::Constraint_intersections_3<K> Intersections;
+  std::set<std::pair<int, std::size_t> > named;
+  for(const auto& d : defects)
+    for(const auto& s : d.simplices)
+      named.emplace(s.dimension, s.index);
+
+  const Intersections intersections(input, K());
+  Stopping_visitor visitor;
+  Context context(visitor);
+  const auto check = [&](const typename Intersections::Simplex& s)
+  {
+    assert(intersections.have_defects({ s }, context) == (named.count({ s.dimension, s.index }) > 0));
+  };
+  for(std::size_t f = 0; f < input.facets.size(); ++f)
+    check(internal::describe_facet(input, f));
+  for(std::size_t e = 0; e < input.edges.size(); ++e)
+    check(internal::describe_edge(input, e));
+  assert(! intersections.have_defects({}, context));
+}
+
 template <typename K>
 Strings intersections(const Soup& soup)
 {
   const auto input = to_input<K>(soup);
-  const auto defects = internal::intersecting_constraints(input, K());
+  const auto defects = intersecting_constraints<K>(input);
   check_contents(input, defects);
-  assert(full_text(defects) == full_text(internal::intersecting_constraints(to_input<K>(soup), K())));
+  check_single_constraints<K>(input, defects);
+  assert(full_text(defects) == full_text(intersecting_constraints<K>(to_input<K>(soup))));
 
   Strings result;
   const std::string kind = "intersecting_constraints ";
@@ -233,7 +277,7 @@ void test_exact_number_beyond_double()
   input.points[1] = Epeck::Point_3(ten_300 * ten_300, 0, 0);
   input.points[2] = Epeck::Point_3(0, - ten_300 * ten_300, 0);
   assert(internal::simple_defects(input, Epeck()).empty());
-  assert(internal::intersecting_constraints(input, Epeck()).empty());
+  assert(intersecting_constraints<Epeck>(input).empty());
 
   // Exact coordinates that no double can tell from those of the facet they touch or miss.
   const Epeck::FT third = Epeck::FT(1) / 3, less = third - Epeck::FT(1e-200);
@@ -242,7 +286,7 @@ void test_exact_number_beyond_double()
     input = to_input<Epeck>({ {}, {{{0, 1, 2}}}, {{{3, 4}}} });
     input.points = { Epeck::Point_3(0, 0, third), Epeck::Point_3(3, 0, third), Epeck::Point_3(0, 3, third),
                      Epeck::Point_3(1, 1, z), Epeck::Point_3(1, 1, -1) };
-    assert((internal::intersecting_constraints(input, Epeck()).size() == 1) == (z == third));
+    assert((intersecting_constraints<Epeck>(input).size() == 1) == (z == third));
   }
 }
 
@@ -875,6 +919,46 @@ void test()
   test_large_soup<K>();
 }
 
+// A cone, whose triangles all have overlapping boxes, and a triangle that cuts it: stopped after some of the many
+// pairs, the search says nothing.
+void test_stopped_search()
+{
+  const std::size_t n = 100;
+  internal::Indexed_input_3<Epick::Point_3> input;
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    const double angle = 2 * CGAL_PI * static_cast<double>(i) / n;
+    input.points.push_back(Epick::Point_3(std::cos(angle), std::sin(angle), 0));
+    input.facets.push_back({{ i, (i + 1) % n, n }});
+  }
+  for(const double x : { 0, 3, -3 })
+    input.points.push_back(Epick::Point_3(x, 0, x == 0 ? 100 : 50));
+  input.points.push_back(Epick::Point_3(0, 3, 50));
+  input.facets.push_back({{ n + 1, n + 2, n + 3 }});
+
+  typedef internal::Constraint_intersections_3<Epick> Intersections;
+  const Intersections intersections(input, Epick());
+  std::vector<Intersections::Simplex> cone;
+  for(std::size_t f = 0; f < n; ++f)
+    cone.push_back(internal::describe_facet(input, f));
+
+  Stopping_visitor patient;
+  Context context(patient);
+  assert(intersections.defects(context).size() > 1);
+  const std::size_t number_of_questions = patient.number_of_questions;
+  assert(number_of_questions > 1 && ! context.is_stopped());
+  assert(intersections.have_defects(cone, context));
+  for(std::size_t k = 0; k < number_of_questions; ++k)
+  {
+    Stopping_visitor visitor;
+    visitor.last_question = k;
+    Context stopped_context(visitor);
+    assert(intersections.defects(stopped_context).empty());
+    assert(stopped_context.is_stopped());
+    assert(! intersections.have_defects(cone, stopped_context));
+  }
+}
+
 int main()
 {
   test_point_representatives<CGAL::Simple_cartesian<float> >(2);
@@ -883,6 +967,7 @@ int main()
   test<Epeck>();
   test_exact_number_beyond_double();
   test_against_linear_program();
+  test_stopped_search();
   std::cout << "done" << std::endl;
   return 0;
 }

@@ -13,39 +13,28 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/Indexed_input_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Simplex_index_3.h>
+#include <CGAL/Boundary_recovery_3/internal/box_search.h>
 
 #include <CGAL/Bbox_3.h>
-#include <CGAL/box_intersection_d.h>
 #include <CGAL/enum.h>
 #include <CGAL/intersections.h>
+
+#include <boost/container/small_vector.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <iterator>
-#include <set>
 #include <utility>
 #include <vector>
 
-// The expensive half of the diagnosis: which constraints intersect. The filter is CGAL's box intersection, as in
-// PMP::self_intersections(); that function itself accepts manifold meshes only (no soups, no edges) up to CGAL 6.0.
+// The expensive half of the diagnosis: which constraints intersect. PMP::self_intersections() accepts manifold meshes
+// only (no soups, no edges) up to CGAL 6.0.
 
 namespace CGAL {
 namespace Boundary_recovery_3 {
 namespace internal {
-
-// A box with the number of what is in it. CGAL's own boxes number themselves by their address or by a global counter.
-// All the boxes of one search have to have different numbers, also where two ranges are searched.
-class Numbered_box_3
-  : public Box_intersection_d::Box_d<double, 3, Box_intersection_d::ID_NONE>
-{
-  typedef Box_intersection_d::Box_d<double, 3, Box_intersection_d::ID_NONE> Base;
-  std::size_t m_id;
-
-public:
-  Numbered_box_3(const Bbox_3& bbox, const std::size_t id) : Base(bbox), m_id(id) { }
-  std::size_t id() const { return m_id; }
-};
 
 /// finds the pairs of constraints that intersect elsewhere than in a common vertex or a common edge.
 /// Vertices at one point count as one vertex here. Left out are degenerate constraints, those with an unknown vertex,
@@ -67,10 +56,11 @@ class Constraint_intersections_3
   typedef Numbered_box_3 Box;
 
   // A face of a constraint, or a whole one.
-  typedef std::vector<std::size_t> Vertices;
+  typedef boost::container::small_vector<std::size_t, 3> Vertices;
 
 public:
   typedef std::pair<std::size_t, std::size_t> Position_pair;
+  typedef Input_simplex_3<Point_3>            Simplex;
   typedef Input_defect_3<Point_3>             Defect;
 
   Constraint_intersections_3(const Input& input, const GT& gt)
@@ -79,10 +69,12 @@ public:
     collect_constraints();
   }
 
-  /// returns the defects, sorted by the dimensions and indices of their two constraints.
-  std::vector<Defect> defects() const
+  /// returns the defects, sorted by the dimensions and indices of their two constraints; none if `context` stopped the
+  /// search.
+  template <typename Context>
+  std::vector<Defect> defects(Context& context) const
   {
-    std::vector<Position_pair> pairs = intersecting_pairs();
+    std::vector<Position_pair> pairs = intersecting_pairs(context);
     std::sort(pairs.begin(), pairs.end());
 
     std::vector<Defect> result;
@@ -92,12 +84,34 @@ public:
     return result;
   }
 
+  /// returns whether one of these constraints takes part in a defect, `false` if `context` stopped the search.
+  template <typename Context>
+  bool have_defects(const std::vector<Simplex>& constraints, Context& context) const
+  {
+    const std::size_t n = m_constraints.size();
+    std::vector<Box> some, all = boxes();
+    for(const Simplex& s : constraints)
+    {
+      const std::size_t i = position(s);
+      if(i != n)
+        some.emplace_back(bbox(m_constraints[i]), n + i);
+    }
+    bool is_found = false;
+    const auto look_on = [&](const std::size_t n_plus_i, const std::size_t j)
+    {
+      is_found = n_plus_i - n != j && intersect_improperly(n_plus_i - n, j);
+      return ! is_found;
+    };
+    internal::visit_intersecting_boxes(some, all, look_on, context);
+    return is_found;
+  }
+
 private:
   void collect_constraints()
   {
     const std::vector<std::size_t> representative = point_representatives(m_input, used_vertices(m_input), m_gt);
     std::vector<Constraint> facets;
-    std::set<std::pair<std::size_t, std::size_t> > known_edges;
+    Simplex_index_3<std::size_t, 2> known_edges;
 
     for(std::size_t i = 0; i < m_input.facets.size(); ++i)
     {
@@ -108,11 +122,8 @@ private:
       std::sort(c.vertices.begin(), c.vertices.end());
       facets.push_back(c);
       if(! m_input.edges.empty())
-      {
-        known_edges.emplace(c.vertices[0], c.vertices[1]);
-        known_edges.emplace(c.vertices[0], c.vertices[2]);
-        known_edges.emplace(c.vertices[1], c.vertices[2]);
-      }
+        for(int k = 0; k < 3; ++k)
+          known_edges.insert({{ c.vertices[k], c.vertices[(k + 1) % 3] }});
     }
 
     for(std::size_t i = 0; i < m_input.edges.size(); ++i)
@@ -121,33 +132,47 @@ private:
       if(! has_geometry(m_input, e) || is_degenerate(m_input, e, m_gt))
         continue;
       const std::size_t v = representative[e[0]], w = representative[e[1]];
-      if(known_edges.emplace((std::min)(v, w), (std::max)(v, w)).second)
+      if(known_edges.insert({{ v, w }}).second)
         m_constraints.push_back(Constraint{ 1, i, {{ (std::min)(v, w), (std::max)(v, w), v }} });
     }
     m_constraints.insert(m_constraints.end(), facets.begin(), facets.end());
   }
 
-  std::vector<Position_pair> intersecting_pairs() const
+  // Where the constraint is in the list; its size if another constraint speaks for it.
+  std::size_t position(const Simplex& s) const
   {
-    std::vector<Box> boxes;
-    boxes.reserve(m_constraints.size());
-    for(std::size_t i = 0; i < m_constraints.size(); ++i)
-      boxes.emplace_back(bbox(m_constraints[i]), i);
-
-    std::vector<const Box*> pointers;
-    pointers.reserve(boxes.size());
-    for(const Box& box : boxes)
-      pointers.push_back(&box);
-
-    std::vector<Position_pair> pairs;
-    const auto test_pair = [&](const Box* a, const Box* b)
+    const auto comes_before = [](const Constraint& c, const Simplex& s)
     {
-      const std::size_t i = (std::min)(a->id(), b->id()), j = (std::max)(a->id(), b->id());
-      if(intersect_improperly(m_constraints[i], m_constraints[j]))
-        pairs.emplace_back(i, j);
+      return c.dimension != s.dimension ? c.dimension < s.dimension : c.index < s.index;
     };
-    const std::ptrdiff_t cutoff = 2000; // that of PMP::self_intersections()
-    CGAL::box_self_intersection_d<Sequential_tag>(pointers.begin(), pointers.end(), test_pair, cutoff);
+    const auto it = std::lower_bound(m_constraints.begin(), m_constraints.end(), s, comes_before);
+    const bool is_there = it != m_constraints.end() && it->dimension == s.dimension && it->index == s.index;
+    return is_there ? static_cast<std::size_t>(it - m_constraints.begin()) : m_constraints.size();
+  }
+
+  std::vector<Box> boxes() const
+  {
+    std::vector<Box> result;
+    result.reserve(m_constraints.size());
+    for(std::size_t i = 0; i < m_constraints.size(); ++i)
+      result.emplace_back(bbox(m_constraints[i]), i);
+    return result;
+  }
+
+  template <typename Context>
+  std::vector<Position_pair> intersecting_pairs(Context& context) const
+  {
+    std::vector<Position_pair> pairs;
+    std::vector<Box> all = boxes();
+    const auto collect = [&](const std::size_t i, const std::size_t j)
+    {
+      if(intersect_improperly(i, j))
+        pairs.push_back(std::minmax(i, j));
+      return true;
+    };
+    internal::visit_intersecting_boxes(all, collect, context);
+    if(context.is_stopped())
+      pairs.clear();
     return pairs;
   }
 
@@ -161,8 +186,10 @@ private:
   }
 
   // Do they intersect elsewhere than in the simplex spanned by their common vertices?
-  bool intersect_improperly(const Constraint& a, const Constraint& b) const
+  bool intersect_improperly(const std::size_t i, const std::size_t j) const
   {
+    const Constraint& a = m_constraints[(std::min)(i, j)];
+    const Constraint& b = m_constraints[(std::max)(i, j)];
     const Vertices va(a.vertices.begin(), a.vertices.begin() + a.dimension + 1);
     const Vertices vb(b.vertices.begin(), b.vertices.begin() + b.dimension + 1);
     Vertices common, rest_a, rest_b;
@@ -224,7 +251,7 @@ private:
     return m_gt.construct_triangle_3_object()(point(v[0]), point(v[1]), point(v[2]));
   }
 
-  Input_simplex_3<Point_3> describe(const Constraint& c) const
+  Simplex describe(const Constraint& c) const
   {
     return c.dimension == 1 ? describe_edge(m_input, c.index) : describe_facet(m_input, c.index);
   }
@@ -236,17 +263,18 @@ private:
 
 /// returns all the pairs of constraints of `input` that intersect elsewhere than in a common vertex or a common edge,
 /// sorted by dimension and index. Costs far more than `simple_defects()`: to be called if something was found
-/// wrong, or if it is asked for.
+/// wrong, or if it is asked for. None are returned if `context` stopped the search.
 ///
 /// What `simple_defects()` reports does not take part. An edge of the input that is an edge of a facet, too, is never
 /// named, since its facet is; of an edge that was given twice, the first one is named.
 ///
 /// \tparam GT a model of `Kernel`
-template <typename GT>
+/// \tparam Context an instance of `Recovery_context`
+template <typename GT, typename Context>
 std::vector<Input_defect_3<typename GT::Point_3> >
-intersecting_constraints(const Indexed_input_3<typename GT::Point_3>& input, const GT& gt)
+intersecting_constraints(const Indexed_input_3<typename GT::Point_3>& input, const GT& gt, Context& context)
 {
-  return Constraint_intersections_3<GT>(input, gt).defects();
+  return Constraint_intersections_3<GT>(input, gt).defects(context);
 }
 
 } // namespace internal

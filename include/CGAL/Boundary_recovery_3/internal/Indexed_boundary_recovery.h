@@ -66,7 +66,7 @@ public:
   {
     m_result.defects = simple_defects(m_input, m_gt, m_tr.number_of_vertices() == 0);
     if(m_result.defects.empty() && m_options.list_defects)
-      m_result.defects = intersecting_constraints(m_input, m_gt);
+      m_result.defects = intersecting_constraints(m_input, m_gt, m_context);
     if(m_result.defects.empty() && vertices.empty())
       find_vertices();
     else
@@ -75,7 +75,7 @@ public:
       m_result.defects.push_back(Defect{ Input_defect_kind::dimension_less_than_3, {} });
     if(m_result.defects.empty() && m_options.list_defects && ! m_context.is_stopped())
       m_result.defects = Recovery_diagnosis<GT>(m_input, m_gt).vertices_on_constraints(all_constraints(), m_tr,
-                                                                                       m_result.vertices);
+                                                                                       m_result.vertices, m_context);
     if(! m_result.defects.empty())
       return invalid_input();
     if(m_context.is_stopped())
@@ -268,9 +268,9 @@ private:
     missing.insert(missing.end(), m_result.missing_edges.begin(), m_result.missing_edges.end());
     const Recovery_diagnosis<GT> diagnosis(m_input, m_gt);
     if(m_context.go_further())
-      m_result.defects = diagnosis.intersecting_pairs(missing);
+      m_result.defects = diagnosis.intersecting_pairs(missing, m_context);
     if(m_result.defects.empty() && m_context.go_further())
-      m_result.defects = diagnosis.vertices_on_constraints(missing, m_tr, m_result.vertices);
+      m_result.defects = diagnosis.vertices_on_constraints(missing, m_tr, m_result.vertices, m_context);
   }
 
   Tr& m_tr;

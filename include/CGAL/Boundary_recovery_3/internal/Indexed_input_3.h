@@ -14,6 +14,7 @@
 
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Hash_index.h>
+#include <CGAL/Boundary_recovery_3/internal/Simplex_index_3.h>
 
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
@@ -23,7 +24,6 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <set>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -106,10 +106,10 @@ template <typename Point_3, typename Visit>
 void for_each_edge(const Indexed_input_3<Point_3>& input, const Visit& visit)
 {
   typedef typename Indexed_input_3<Point_3>::Edge Edge;
-  std::set<std::pair<std::size_t, std::size_t> > visited;
+  Simplex_index_3<std::size_t, 2> visited;
   const auto visit_once = [&](const std::size_t index, const Edge& e)
   {
-    if(visited.insert(std::minmax({ e[0], e[1] })).second)
+    if(visited.insert(e).second)
       visit(index, e);
   };
   for(std::size_t e = 0; e < input.edges.size(); ++e)

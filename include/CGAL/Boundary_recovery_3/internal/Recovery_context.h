@@ -47,6 +47,9 @@ public:
     return ! m_is_stopped;
   }
 
+  // The same for steps that are so short that it is enough to ask after each 1024 of them.
+  bool go_further_after_short_step() { return ++m_number_of_short_steps % 1024 == 0 ? go_further() : ! m_is_stopped; }
+
   bool is_stopped() const { return m_is_stopped; }
 
 private:
@@ -54,6 +57,7 @@ private:
   Clock::time_point m_start;
   double m_maximum_running_time = std::numeric_limits<double>::infinity();
   bool m_is_stopped = false;
+  std::size_t m_number_of_short_steps = 0;
 };
 
 } // namespace internal

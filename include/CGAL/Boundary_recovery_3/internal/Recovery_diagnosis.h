@@ -16,12 +16,11 @@
 #include <CGAL/Boundary_recovery_3/internal/Constraint_intersections_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Indexed_input_3.h>
 
+#include <CGAL/Boundary_recovery_3/internal/box_search.h>
+
 #include <CGAL/Bbox_3.h>
 
-#include <CGAL/box_intersection_d.h>
-
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -34,7 +33,7 @@ namespace internal {
  * Tells invalid input from difficult input, when constraints are missing after the recovery.
  *
  * Of two constraints that intersect at most one can be in a triangulation. So if any two do, then one that is missing
- * does, and it is enough to look around the missing ones. Only if this finds something, all pairs are computed.
+ * does, and it is enough to compare the missing ones with all. Only if this finds something, all pairs are computed.
  */
 template <typename GT>
 class Recovery_diagnosis
@@ -48,17 +47,20 @@ public:
   Recovery_diagnosis(const Input& input, const GT& gt) : m_input(input), m_gt(gt) { }
 
   // All pairs of constraints that intersect; `missing` are constraints one of which takes part if there are any.
-  std::vector<Defect> intersecting_pairs(const std::vector<Simplex>& missing) const
+  // None if `context` stopped the search.
+  template <typename Context>
+  std::vector<Defect> intersecting_pairs(const std::vector<Simplex>& missing, Context& context) const
   {
-    if(intersecting_constraints(neighborhood(missing), m_gt).empty())
-      return std::vector<Defect>();
-    return intersecting_constraints(m_input, m_gt);
+    const Constraint_intersections_3<GT> intersections(m_input, m_gt);
+    return intersections.have_defects(missing, context) ? intersections.defects(context) : std::vector<Defect>();
   }
 
-  // The given constraints with a vertex of the triangulation on them that is not theirs.
-  template <typename Tr>
+  // The given constraints with a vertex of the triangulation on them that is not theirs; none if `context` stopped the
+  // search.
+  template <typename Tr, typename Context>
   std::vector<Defect> vertices_on_constraints(const std::vector<Simplex>& constraints, const Tr& tr,
-                                              const std::vector<typename Tr::Vertex_handle>& vertices) const
+                                              const std::vector<typename Tr::Vertex_handle>& vertices,
+                                              Context& context) const
   {
     typedef typename Tr::Vertex_handle Vertex_handle;
     std::vector<Vertex_handle> all;
@@ -72,12 +74,15 @@ public:
       all.push_back(v);
     }
     std::vector<std::pair<std::size_t, std::size_t> > found; // constraint and vertex
-    box_intersection_d(constraint_boxes.begin(), constraint_boxes.end(), vertex_boxes.begin(), vertex_boxes.end(),
-                       [&](const Box& c, const Box& v)
-                       {
-                         if(is_inside(all[v.id() - n]->point(), constraints[c.id()]))
-                           found.push_back(std::make_pair(c.id(), v.id() - n));
-                       });
+    const auto collect = [&](const std::size_t i, const std::size_t n_plus_k)
+    {
+      if(is_inside(all[n_plus_k - n]->point(), constraints[i]))
+        found.push_back(std::make_pair(i, n_plus_k - n));
+      return true;
+    };
+    internal::visit_intersecting_boxes(constraint_boxes, vertex_boxes, collect, context);
+    if(context.is_stopped())
+      return std::vector<Defect>();
     std::sort(found.begin(), found.end());
     std::vector<Defect> defects;
     for(const auto& pair : found)
@@ -111,46 +116,6 @@ private:
     for(const Point_3& p : points)
       b += p.bbox();
     return b;
-  }
-
-  template <std::size_t N>
-  Bbox_3 bbox(const std::array<std::size_t, N>& simplex) const
-  {
-    Bbox_3 b;
-    for(const std::size_t v : simplex)
-      b += m_input.points[v].bbox();
-    return b;
-  }
-
-  // The constraints whose bounding boxes meet that of a missing one.
-  Input neighborhood(const std::vector<Simplex>& missing) const
-  {
-    std::vector<Box> missing_boxes; // numbered behind the facets and edges
-    for(const Simplex& simplex : missing)
-      missing_boxes.push_back(Box(bbox(simplex.points),
-                                  m_input.facets.size() + m_input.edges.size() + missing_boxes.size()));
-    Input near;
-    near.points = m_input.points;
-    near.facets = meeting(m_input.facets, missing_boxes);
-    near.edges = meeting(m_input.edges, missing_boxes);
-    return near;
-  }
-
-  // Those of the simplices whose bounding boxes meet one of the boxes, which are put in another order.
-  template <typename Simplices>
-  Simplices meeting(const Simplices& simplices, std::vector<Box>& boxes) const
-  {
-    std::vector<Box> simplex_boxes;
-    for(std::size_t i = 0; i < simplices.size(); ++i)
-      simplex_boxes.push_back(Box(bbox(simplices[i]), i));
-    std::vector<bool> is_near(simplices.size(), false);
-    box_intersection_d(simplex_boxes.begin(), simplex_boxes.end(), boxes.begin(), boxes.end(),
-                       [&](const Box& simplex, const Box&) { is_near[simplex.id()] = true; });
-    Simplices near;
-    for(std::size_t i = 0; i < simplices.size(); ++i)
-      if(is_near[i])
-        near.push_back(simplices[i]);
-    return near;
   }
 
   // Whether p is in the simplex, but not one of its vertices.
