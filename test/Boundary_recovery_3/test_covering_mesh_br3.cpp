@@ -346,7 +346,6 @@ private:
                                    [&](const int i) { return problem.is_kept[i]; });
     const Shell_solution solution = reference(problem);
     assert(is_changed == (static_cast<int>(solution.core.size()) < m));
-    assert(static_cast<double>(search.quality()) == solution.value);
     if(is_changed)
     {
       const BR::Partial_triangulation& k = search.partial_triangulation();

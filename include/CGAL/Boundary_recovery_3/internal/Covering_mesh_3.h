@@ -20,6 +20,7 @@
 #include <CGAL/enum.h>
 
 #include <boost/container/small_vector.hpp>
+#include <boost/container/vector.hpp>
 
 #include <algorithm>
 #include <array>
@@ -131,16 +132,13 @@ public:
   // The outcome of the last search that returned true.
   const Partial_triangulation& partial_triangulation() const { return m_result; }
 
-  // The main quality index Q of the best covering mesh, unless only others than the one that is there were searched.
-  const Value& quality() const { return m_best.value; }
-
 private:
   struct Candidate
   {
     int core_size = -1;     // n; -1: none yet
     int start = 0;          // smallest position of the core
     bool avoids = false;    // Q' = 1
-    Value value = Value();  // Q
+    Value value = Value();  // Q, where it can matter
   };
 
   // A set of positions in the skirt polygon. Most of the entries of the matrices do not exist; sets tell quickly where
@@ -168,9 +166,9 @@ private:
     {
       m_best.core_size = 0;
       m_best.avoids = true;
-      m_best.value = m_value[at(0, m - 1)];
       if(! Quality::is_first_in_vector)
         return; // [1, N_big, Q] cannot be beaten
+      m_best.value = ring_value(0, m - 1);
     }
     if(only_if_done && m_f == none)
       return;
@@ -186,59 +184,94 @@ private:
     clear(m_rings_to);
     clear(m_known_chords);
     clear(m_valid_chords);
-    make_room(m_apex, m * m);
+    clear(m_known_values);
+    make_room(m_apices, m * m);
+    make_room(m_best_apex, m * m);
     make_room(m_value, m * m);
-    m_triangles.assign(m * m * m, unknown);
+    m_triangles.assign(m * m * m, UNKNOWN);
     make_room(m_triangle_values, m * m * m);
     for(int i = 0; i < m; ++i)
-      set_ring(i, m_shell->next(i), ring_edge, m_quality.best());
+    {
+      const int j = m_shell->next(i);
+      set_ring(i, j, ring_edge);
+      m_known_values[i] = only(j);
+      m_value[at(i, j)] = m_quality.best();
+    }
   }
 
-  void set_ring(const int i, const int j, const int apex, const Value& value)
+  void set_ring(const int i, const int j, const Positions apices)
   {
     m_rings_from[i] |= only(j);
     m_rings_to[j] |= only(i);
-    m_apex[at(i, j)] = apex;
-    m_value[at(i, j)] = value;
+    m_apices[at(i, j)] = apices;
   }
 
   void clear(Table& table) const { std::fill_n(table.begin(), m, 0); }
 
   // For values that are written before they are read: they need not be initialized for each shell.
-  template <typename T>
-  static void make_room(std::vector<T>& values, const int n)
+  template <typename Vector>
+  static void make_room(Vector& values, const int n)
   {
     if(values.size() < static_cast<std::size_t>(n))
       values.resize(n);
   }
 
+  // One apex is enough for a ring; the others are looked at if it matters which of them is the best.
   void fill_in_ring(const int i, const int j)
   {
-    const Positions apices = m_rings_from[i] & m_rings_to[j] & ~m_kept;
-    if(apices == 0)
-      return;
-    int apex = none;
-    Value value = Value();
+    Positions apices = m_rings_from[i] & m_rings_to[j] & ~m_kept;
+    for(int k = m_shell->next(i); apices != 0; k = m_shell->next(k))
+      if(contains(apices, k))
+      {
+        if(is_valid_triangle(i, k, j))
+          break;
+        apices &= ~only(k);
+      }
+    // p_j p_i may be an edge of the skirt polygon: then it is no chord
+    if(apices != 0 && (j == m_shell->previous(i) || is_valid_chord((std::min)(i, j), (std::max)(i, j))))
+      set_ring(i, j, apices);
+  }
+
+  // The best value of what covers the ring R_ij, its chord included. In most shells nobody asks: there is nothing to
+  // choose from. The depth of the recursion is less than the degree.
+  const Value& ring_value(const int i, const int j)
+  {
+    Value& value = m_value[at(i, j)];
+    if(contains(m_known_values[i], j))
+      return value;
+    m_known_values[i] |= only(j);
+    int& apex = m_best_apex[at(i, j)];
+    apex = none;
     for(int k = m_shell->next(i); k != j; k = m_shell->next(k))
     {
-      if(! contains(apices, k))
+      if(! contains(m_apices[at(i, j)], k) || ! is_valid_triangle(i, k, j))
         continue;
-      const int t = triangle(i, k, j);
-      if(! m_triangles[t])
-        continue;
-      const Value q = m_quality.combine(m_quality.combine(m_value[at(i, k)], m_value[at(k, j)]), m_triangle_values[t]);
+      const Value q = m_quality.combine(m_quality.combine(ring_value(i, k), ring_value(k, j)), triangle_value(i, k, j));
       if(apex == none || value < q)
       {
         apex = k;
         value = q;
       }
     }
-    if(apex == none)
-      return;
-    if(j == m_shell->previous(i)) // p_j p_i is an edge of the skirt polygon: no chord
-      set_ring(i, j, apex, value);
-    else if(is_valid_chord((std::min)(i, j), (std::max)(i, j)))
-      set_ring(i, j, apex, m_quality.combine(value, m_quality.of_chord(*m_shell, i, j)));
+    if(j != m_shell->previous(i))
+      value = m_quality.combine(value, m_quality.of_chord(*m_shell, i, j));
+    return value;
+  }
+
+  // For a ring that is more than an edge.
+  int best_apex(const int i, const int j)
+  {
+    const Positions apices = m_apices[at(i, j)];
+    const bool is_single = (apices & (apices - 1)) == 0;
+    if(! is_single)
+    {
+      ring_value(i, j);
+      return m_best_apex[at(i, j)];
+    }
+    int k = m_shell->next(i);
+    while(! contains(apices, k))
+      k = m_shell->next(k);
+    return k;
   }
 
   // For i < j; both rings at a chord ask.
@@ -253,34 +286,58 @@ private:
     return contains(m_valid_chords[i], j);
   }
 
-  // Where what is known of a triangle is stored: whether it is valid, and its value if it is.
-  int triangle(int i, int k, int j)
+  // Where what is known of a triangle is stored. The same one comes in three rotations; this makes i the smallest.
+  int triangle(int& i, int& k, int& j) const
   {
-    while(k < i || j < i) // the same triangle comes in three rotations
+    while(k < i || j < i)
     {
       const int first = i;
       i = k; k = j; j = first;
     }
-    const int t = at(at(i, k), j);
-    if(m_triangles[t] == unknown)
+    return at(at(i, k), j);
+  }
+
+  bool is_valid_triangle(int i, int k, int j)
+  {
+    unsigned char& state = m_triangles[triangle(i, k, j)];
+    if(state == UNKNOWN)
+      state = Shell_positivity<Tr>(*m_shell, m_predicates).is_triangle_positive(i, k, j)
+           && m_validity.is_valid_triangle(*m_shell, i, k, j) ? VALID : INVALID;
+    return state != INVALID;
+  }
+
+  // Of a valid triangle.
+  const Value& triangle_value(int i, int k, int j)
+  {
+    const int t = triangle(i, k, j);
+    if(m_triangles[t] == VALID)
     {
-      m_triangles[t] = Shell_positivity<Tr>(*m_shell, m_predicates).is_triangle_positive(i, k, j)
-                    && m_validity.is_valid_triangle(*m_shell, i, k, j);
-      if(m_triangles[t])
-        m_triangle_values[t] = m_quality.of_triangle(*m_shell, i, k, j);
+      m_triangles[t] = VALUED;
+      m_triangle_values[t] = m_quality.of_triangle(*m_shell, i, k, j);
     }
-    return t;
+    return m_triangle_values[t];
   }
 
   // The share of one arc <i,j> of a core in the quality: what covers R_ij, the tetrahedron a b p_i p_j, the face a b
   // p_i.
-  Value arc_value(const int i, const int j) const { return m_arc_value[at(i, j)]; }
+  const Value& arc_value(const int i, const int j)
+  {
+    if(! contains(m_known_arc_values[i], j))
+    {
+      m_known_arc_values[i] |= only(j);
+      m_arc_value[at(i, j)] = m_quality.combine(ring_value(i, j),
+                                                m_quality.combine(m_quality.of_core_edge(*m_shell, i, j),
+                                                                  m_quality.of_core_vertex(*m_shell, i)));
+    }
+    return m_arc_value[at(i, j)];
+  }
 
   // Returns whether there is an arc that is not an edge of the skirt polygon.
   bool fill_in_arcs()
   {
     bool has_chord = false;
     clear(m_arcs);
+    clear(m_known_arc_values);
     make_room(m_arc_value, m * m);
     const Shell_positivity<Tr> positivity(*m_shell, m_predicates);
     for(int i = 0; i < m; ++i)
@@ -291,9 +348,6 @@ private:
           continue;
         m_arcs[i] |= only(j);
         has_chord = has_chord || j != m_shell->next(i);
-        m_arc_value[at(i, j)] = m_quality.combine(m_value[at(i, j)],
-                                                  m_quality.combine(m_quality.of_core_edge(*m_shell, i, j),
-                                                                    m_quality.of_core_vertex(*m_shell, i)));
       }
     return has_chord;
   }
@@ -330,7 +384,7 @@ private:
     const bool has_chord = fill_in_arcs();
     if(! has_chord && m_best.core_size < 0)
     {
-      choose_whole_skirt_polygon();
+      m_best.core_size = m; // the covering mesh that is there
       return;
     }
     const bool can_avoid = m_f != none && can_skip(m_f);
@@ -339,16 +393,6 @@ private:
       choose_core_without(none);
     if(can_avoid)
       choose_core_without(m_f);
-  }
-
-  // The covering mesh that is there, where no other core is possible.
-  void choose_whole_skirt_polygon()
-  {
-    m_best.core_size = m;
-    m_best.avoids = m_f == none;
-    m_best.value = m_quality.of_supporting_edge(*m_shell);
-    for(int i = 0; i < m; ++i)
-      m_best.value = m_quality.combine(m_best.value, arc_value(i, m_shell->next(i)));
   }
 
   // Tries all the cores, or those without the position `avoided`.
@@ -454,7 +498,7 @@ private:
   }
 
   // The smallest position that t - 1 arcs lead from back to the start with the best value in all.
-  int next_of_core(const int i, const int t, const Value& prefix) const
+  int next_of_core(const int i, const int t, const Value& prefix)
   {
     int best = none;
     for(int j = i + 1; j < m; ++j)
@@ -480,17 +524,20 @@ private:
     {
       const std::array<int, 2> r = rings.back();
       rings.pop_back();
-      const int k = m_apex[at(r[0], r[1])];
-      if(k == ring_edge)
+      if(m_apices[at(r[0], r[1])] == ring_edge)
         continue;
+      const int k = best_apex(r[0], r[1]);
       m_result.triangles.push_back({{ r[0], k, r[1] }});
       rings.push_back({{ k, r[1] }});
       rings.push_back({{ r[0], k }});
     }
   }
 
-  static constexpr int ring_edge = -1; // no apex: the ring is one edge of the skirt polygon
-  static constexpr signed char unknown = -1;
+  typedef boost::container::vector<Value> Values; // where bool is a type like any other
+
+  static constexpr Positions ring_edge = 0; // no apex: the ring is one edge of the skirt polygon
+
+  enum Triangle_state { UNKNOWN, INVALID, VALID, VALUED };
 
   const Predicates& m_predicates;
   const Quality& m_quality;
@@ -503,16 +550,19 @@ private:
   Positions m_kept = 0;
   Table m_rings_from;                   // for each i the j for which R_ij can be triangulated
   Table m_rings_to;                     // for each j the i
-  std::vector<int> m_apex;              // M_k
-  std::vector<Value> m_value;           // M_q
+  std::vector<Positions> m_apices;      // of each ring; some may turn out not to be valid, but not the first
+  Table m_known_values;                 // for each i the j for which the next two are known
+  std::vector<int> m_best_apex;         // M_k
+  Values m_value;           // M_q
   Table m_known_chords;                 // for each i the j > i for which the validity was asked for
   Table m_valid_chords;                 // for each i those of them that are valid
-  std::vector<signed char> m_triangles; // validity of each triangle, computed when first asked for
-  std::vector<Value> m_triangle_values; // of the valid ones among these
+  std::vector<unsigned char> m_triangles; // what is known of each triangle
+  Values m_triangle_values; // of those that are VALUED
   Table m_arcs;                         // for each i the j to which there is an arc of a core
-  std::vector<Value> m_arc_value;
+  Table m_known_arc_values;             // those of which the value is known
+  Values m_arc_value;
   std::vector<Positions> m_suffixes;    // for each number t of arcs the i for which there is a suffix
-  std::vector<Value> m_suffix;
+  Values m_suffix;
   Candidate m_best;
   int m_best_avoided = none;
   Partial_triangulation m_result;
