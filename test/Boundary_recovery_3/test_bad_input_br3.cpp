@@ -25,6 +25,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <functional>
 #include <iostream>
 #include <limits>
 #include <set>
@@ -257,6 +258,33 @@ struct Test
                   Kind::unknown_vertex, {{{0,4}}});
   }
 
+  struct Stopping_visitor : CGAL::Default_boundary_recovery_visitor_3
+  {
+    bool go_further() { return false; }
+  };
+
+  // A fan, all of whose boxes overlap, and a triangle that cuts it: who stops the search for intersections is not told
+  // that the input is valid, nor some of the defects.
+  void stopped_diagnosis()
+  {
+    const std::size_t n = 60;
+    Points p;
+    Faces faces;
+    for(std::size_t i = 0; i <= n; ++i)
+      p.push_back(P(double(i), double(i * i), 0));
+    for(std::size_t i = 0; i < n; ++i)
+      faces.push_back({ i, i + 1, n + 1 });
+    p.insert(p.end(), { P(0,0,100), P(-10,50,50), P(90,50,50), P(30,60,60) });
+    faces.push_back({ n + 2, n + 3, n + 4 });
+    Dt tr;
+    assert(! defects(CGAL::recover_boundary(tr, p, faces, params::list_defects(true)),
+                     Kind::intersecting_constraints).empty());
+    Stopping_visitor visitor;
+    const auto r = CGAL::recover_boundary(tr, p, faces, params::list_defects(true), params::visitor(std::ref(visitor)));
+    assert(r.status == Recovery_status::stopped && r.defects.empty());
+    assert(r.missing_facets.size() == faces.size() && tr.number_of_vertices() == 0);
+  }
+
   void run()
   {
     simple();
@@ -268,6 +296,7 @@ struct Test
     foreign_vertices_on_single_constraints();
     handles();
     other_types();
+    stopped_diagnosis();
   }
 };
 
