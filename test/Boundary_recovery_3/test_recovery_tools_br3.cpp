@@ -109,6 +109,24 @@ void test_simplex_index(const unsigned seed, const int number_of_vertices)
     assert(index.insert(queries.back()) == std::make_pair(std::size_t(0), is_new));
 }
 
+// All pairs of simplices with N vertices, which may be the same ones.
+template <std::size_t N>
+void test_permutations()
+{
+  std::vector<std::array<std::size_t, N> > simplices(1);
+  for(std::size_t i = 0; i < N; ++i)
+  {
+    std::vector<std::array<std::size_t, N> > longer;
+    for(auto s : simplices)
+      for(s[i] = 0; s[i] < N; ++s[i])
+        longer.push_back(s);
+    simplices = longer;
+  }
+  for(const auto& s : simplices)
+    for(const auto& t : simplices)
+      assert(internal::is_permutation(s, t) == std::is_permutation(s.begin(), s.end(), t.begin()));
+}
+
 // Numbers whose hash values collide: in all bits, in those that decide on the slot, or in those that are in it.
 void test_colliding_hash_values()
 {
@@ -631,6 +649,9 @@ int main()
       test_simplex_index<2>(seed, n);
       test_simplex_index<3>(seed, n);
     }
+  test_permutations<1>();
+  test_permutations<2>();
+  test_permutations<3>();
   test_colliding_hash_values();
   for(const unsigned seed : { 1u, 2u, 3u, 4u, 5u, 6u })
   {

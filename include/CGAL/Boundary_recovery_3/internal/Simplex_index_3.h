@@ -41,25 +41,27 @@ struct Simplex_hash
   }
 };
 
+// Whether two simplices have the same vertices. There are no branches, for nobody could predict which order it is.
+
 template <typename Vertex>
 bool is_permutation(const std::array<Vertex, 1>& x, const std::array<Vertex, 1>& y) { return x[0] == y[0]; }
 
 template <typename Vertex>
 bool is_permutation(const std::array<Vertex, 2>& x, const std::array<Vertex, 2>& y)
 {
-  return (x[0] == y[0] && x[1] == y[1]) || (x[0] == y[1] && x[1] == y[0]);
+  const auto is_same = [&](const int i, const int j) -> unsigned { return x[i] == y[j]; };
+  return ((is_same(0, 0) & is_same(1, 1)) | (is_same(0, 1) & is_same(1, 0))) != 0;
 }
 
 template <typename Vertex>
 bool is_permutation(const std::array<Vertex, 3>& x, const std::array<Vertex, 3>& y)
 {
-  for(int i = 0; i < 3; ++i)
+  const auto is_same = [&](const int i, const int j) -> unsigned { return x[i] == y[j]; };
+  const auto is_order = [&](const int i, const int j, const int k) // i is where x[0] is in y
   {
-    const Vertex v = y[(i + 1) % 3], w = y[(i + 2) % 3];
-    if(x[0] == y[i] && ((x[1] == v && x[2] == w) || (x[1] == w && x[2] == v)))
-      return true;
-  }
-  return false;
+    return is_same(0, i) & ((is_same(1, j) & is_same(2, k)) | (is_same(1, k) & is_same(2, j)));
+  };
+  return (is_order(0, 1, 2) | is_order(1, 2, 0) | is_order(2, 0, 1)) != 0;
 }
 
 struct Have_same_vertices
