@@ -119,9 +119,9 @@ namespace CGAL {
  *
  * \return the status, and what is missing or wrong in terms of the indices of points and triangles. It converts to
  *         `true` iff every triangle and constrained edge is in the triangulation.
- *         If the status is `stopped`, intersections may not have been looked for; if points of the input were still
- *         to be inserted then, all constraints are listed as missing, and the vertices of these points are default
- *         handles. If the status is `invalid_input`, the triangulation was not changed, with these exceptions: the
+ *         If the status is `stopped`, defects that would have to be searched are not known; if points of the input
+ *         were still to be inserted then, all constraints are listed as missing, and the vertices of these points are
+ *         default handles. If the status is `invalid_input`, the triangulation was not changed, with these exceptions: the
  *         points have been inserted if they and the vertices of a triangulation of a dimension less than 3 turn out
  *         to be coplanar, or if a vertex is on a constraint that is not its own, be it of the triangulation or a
  *         point that no constraint uses; and constraints that intersect are, unless `list_defects` is set, found only

@@ -258,31 +258,130 @@ struct Test
                   Kind::unknown_vertex, {{{0,4}}});
   }
 
+  // Says stop once, at one of the questions; who is asked again says something else.
   struct Stopping_visitor : CGAL::Default_boundary_recovery_visitor_3
   {
-    bool go_further() { return false; }
+    explicit Stopping_visitor(const std::size_t last_question) : last_question(last_question) { }
+
+    bool go_further() { return number_of_questions++ != last_question; }
+    bool has_stopped() const { return number_of_questions > last_question; }
+
+    std::size_t last_question;
+    std::size_t number_of_questions = 0;
   };
 
-  // A fan, all of whose boxes overlap, and a triangle that cuts it: who stops the search for intersections is not told
-  // that the input is valid, nor some of the defects.
-  void stopped_diagnosis()
+  // Missing is what is not in the triangulation.
+  template <typename Result>
+  static void check_missing(const Dt& tr, const Faces& faces, const Result& r)
+  {
+    std::set<std::size_t> missing_facets;
+    for(const auto& f : r.missing_facets)
+      missing_facets.insert(f.index);
+    std::set<std::set<std::size_t> > missing_edges;
+    for(const auto& e : r.missing_edges)
+      missing_edges.emplace(e.vertices.begin(), e.vertices.end());
+    typename Dt::Cell_handle c;
+    int i, j, k;
+    for(std::size_t f = 0; f < faces.size(); ++f)
+    {
+      const auto vertex = [&](const int n) { return r.vertices.at(faces[f][n % 3]); };
+      const auto is_known = [&](const int n) { return vertex(n) != typename Dt::Vertex_handle(); };
+      assert(missing_facets.count(f) == ! (is_known(0) && is_known(1) && is_known(2)
+                                           && tr.is_facet(vertex(0), vertex(1), vertex(2), c, i, j, k)));
+      for(int n = 0; n < 3; ++n)
+        assert(missing_edges.count({ faces[f][n], faces[f][(n + 1) % 3] })
+               == ! (is_known(n) && is_known(n + 1) && tr.is_edge(vertex(n), vertex(n + 1), c, i, j)));
+    }
+  }
+
+  // Stops invalid input at each question: nobody is told then that it is valid, nor some of the defects, and no points
+  // are added. `others` are in the triangulation before. Returns the number of questions.
+  static std::size_t stop_everywhere(const Points& p, const Faces& faces, const Points& others, const bool is_first)
+  {
+    for(std::size_t k = 0; ; ++k)
+    {
+      Dt tr(others.begin(), others.end());
+      Stopping_visitor visitor(k);
+      const auto r = CGAL::recover_boundary(tr, p, faces, params::list_defects(is_first),
+                                            params::visitor(std::ref(visitor)));
+      if(! visitor.has_stopped())
+      {
+        assert(! defects(r, Kind::intersecting_constraints).empty());
+        return k;
+      }
+      assert(r.status == Recovery_status::stopped && r.defects.empty() && r.steiner_vertices.empty());
+      check_missing(tr, faces, r);
+      assert(tr.tds().is_valid() && tr.number_of_vertices() <= p.size() + others.size());
+    }
+  }
+
+  // A fan, all of whose boxes overlap.
+  static void make_fan(Points& p, Faces& faces)
   {
     const std::size_t n = 60;
-    Points p;
-    Faces faces;
     for(std::size_t i = 0; i <= n; ++i)
       p.push_back(P(double(i), double(i * i), 0));
+    p.push_back(P(0,0,100));
     for(std::size_t i = 0; i < n; ++i)
       faces.push_back({ i, i + 1, n + 1 });
-    p.insert(p.end(), { P(0,0,100), P(-10,50,50), P(90,50,50), P(30,60,60) });
-    faces.push_back({ n + 2, n + 3, n + 4 });
+  }
+
+  void stopped_on_invalid_input()
+  {
+    Points fan;
+    Faces faces;
+    make_fan(fan, faces);
+    const Points on_the_fan = { P(15.25,465.25,50) };
+    Points with_cut = fan;
+    Faces faces_with_cut = faces;
+    with_cut.insert(with_cut.end(), { P(-10,50,50), P(90,50,50), P(30,60,60) });
+    faces_with_cut.push_back({ fan.size(), fan.size() + 1, fan.size() + 2 });
+    for(const bool is_first : { true, false })
+    {
+      assert(stop_everywhere(with_cut, faces_with_cut, {}, is_first) > 0);
+      assert(stop_everywhere(fan, faces, on_the_fan, is_first) > 2);
+    }
+  }
+
+  // What is in the triangulation is not missing because the search for defects was stopped.
+  void stopped_on_valid_input()
+  {
+    Points p;
+    Faces faces;
+    make_fan(p, faces);
     Dt tr;
-    assert(! defects(CGAL::recover_boundary(tr, p, faces, params::list_defects(true)),
-                     Kind::intersecting_constraints).empty());
-    Stopping_visitor visitor;
-    const auto r = CGAL::recover_boundary(tr, p, faces, params::list_defects(true), params::visitor(std::ref(visitor)));
-    assert(r.status == Recovery_status::stopped && r.defects.empty());
-    assert(r.missing_facets.size() == faces.size() && tr.number_of_vertices() == 0);
+    const auto first = CGAL::recover_boundary(tr, p, faces);
+    assert(first);
+    std::size_t k = 0;
+    for(bool has_stopped = true; has_stopped; ++k)
+    {
+      Stopping_visitor visitor(k);
+      assert(CGAL::recover_boundary(tr, p, faces, params::list_defects(true), params::visitor(std::ref(visitor))));
+      has_stopped = visitor.has_stopped();
+    }
+    assert(k > 2);
+
+    // in the order in which the facets name them, as the indices of vertex handles are
+    Faces faces_of_handles;
+    for(std::size_t i = 0; i < faces.size(); ++i)
+      faces_of_handles.push_back({ i < 2 ? i : i + 1, i < 1 ? i + 1 : i + 2, 2 });
+    std::vector<std::array<typename Dt::Vertex_handle, 3> > facets;
+    Dt delaunay;
+    std::vector<typename Dt::Vertex_handle> vertices;
+    for(const P& q : p)
+      vertices.push_back(delaunay.insert(q));
+    for(const auto& f : faces)
+    {
+      facets.push_back({{ vertices[f[0]], vertices[f[1]], vertices[f[2]] }});
+      delaunay.insert(CGAL::midpoint(p[f[0]], p[f[2]]) + typename K::Vector_3(0.25,0,0)); // beside the fan
+    }
+    const auto before = cells(delaunay);
+    Stopping_visitor visitor(0);
+    const auto r = CGAL::recover_boundary(delaunay, facets, params::list_defects(true),
+                                          params::visitor(std::ref(visitor)));
+    assert(r.status == Recovery_status::stopped && cells(delaunay) == before);
+    assert(r.missing_edges.size() > 0 && r.missing_edges.size() < 2 * faces.size() + 1);
+    check_missing(delaunay, faces_of_handles, r);
   }
 
   void run()
@@ -296,7 +395,8 @@ struct Test
     foreign_vertices_on_single_constraints();
     handles();
     other_types();
-    stopped_diagnosis();
+    stopped_on_invalid_input();
+    stopped_on_valid_input();
   }
 };
 

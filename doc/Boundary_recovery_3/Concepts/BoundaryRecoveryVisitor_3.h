@@ -57,8 +57,8 @@ public:
   /// @{
 
   /*!
-  is asked again and again between attempts. Once it returned `false`, it is not asked again, and the recovery stops
-  soon, with a valid triangulation.
+  is asked again and again between attempts, and while the input is searched for defects. Once it returned `false`, it
+  is not asked again, and the recovery stops soon, with a valid triangulation.
   */
   bool go_further();
 

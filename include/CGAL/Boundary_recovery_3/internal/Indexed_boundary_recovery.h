@@ -67,18 +67,17 @@ public:
     m_result.defects = simple_defects(m_input, m_gt, m_tr.number_of_vertices() == 0);
     if(m_result.defects.empty() && m_options.list_defects)
       m_result.defects = intersecting_constraints(m_input, m_gt, m_context);
-    if(m_result.defects.empty() && vertices.empty())
-      find_vertices();
-    else
+    if(m_result.defects.empty())
+    {
       m_result.vertices = std::move(vertices);
-    if(m_result.defects.empty() && m_tr.dimension() < 3 && ! m_context.is_stopped())
-      m_result.defects.push_back(Defect{ Input_defect_kind::dimension_less_than_3, {} });
-    if(m_result.defects.empty() && m_options.list_defects && ! m_context.is_stopped())
-      m_result.defects = Recovery_diagnosis<GT>(m_input, m_gt).vertices_on_constraints(all_constraints(), m_tr,
-                                                                                       m_result.vertices, m_context);
+      if(m_result.vertices.empty())
+        find_vertices();
+      if(! m_context.is_stopped())
+        check_triangulation();
+    }
     if(! m_result.defects.empty())
       return invalid_input();
-    if(m_context.is_stopped())
+    if(m_context.is_stopped() && ! are_constraints_spanned())
       return stopped_early();
     recover();
     return std::move(m_result);
@@ -88,22 +87,14 @@ private:
   typedef Constrained_boundary_recovery_3<Tr, Visitor> Recovery;
   typedef typename Input::Edge Edge;
 
+  // Once stopped, no points are inserted.
   void find_vertices()
   {
     const double start = m_context.seconds();
+    const bool is_complete = locate_points();
+    if(m_context.is_stopped())
+      return;
     m_context.visitor().on_phase_begin(Recovery_phase::insertion);
-    m_result.vertices.assign(m_input.points.size(), Vertex_handle());
-    bool is_complete = false;
-    if(m_tr.number_of_vertices() > 0)
-    {
-      const Vertex_location<Tr> location(m_tr);
-      is_complete = true;
-      for(std::size_t i = 0; i < m_input.points.size(); ++i)
-      {
-        m_result.vertices[i] = location(m_input.points[i]);
-        is_complete = is_complete && m_result.vertices[i] != Vertex_handle();
-      }
-    }
     if(! is_complete)
       insert_missing_points();
     Phase_report report;
@@ -111,6 +102,23 @@ private:
     report.seconds = m_context.seconds() - start;
     m_result.phases.push_back(report);
     m_context.visitor().on_phase_end(report);
+  }
+
+  // Looks for the points in the triangulation. Returns whether all of them are there.
+  bool locate_points()
+  {
+    m_result.vertices.assign(m_input.points.size(), Vertex_handle());
+    if(m_tr.number_of_vertices() == 0)
+      return false;
+    const Vertex_location<Tr> location(m_tr);
+    for(std::size_t i = 0; i < m_input.points.size(); ++i)
+      m_result.vertices[i] = location(m_input.points[i]);
+    return is_every_point_known();
+  }
+
+  bool is_every_point_known() const
+  {
+    return std::find(m_result.vertices.begin(), m_result.vertices.end(), Vertex_handle()) == m_result.vertices.end();
   }
 
   void insert_missing_points()
@@ -122,6 +130,18 @@ private:
         if(m_result.vertices[i] == Vertex_handle())
           m_result.defects.push_back(Defect{ Input_defect_kind::unknown_vertex, { describe_vertex(m_input, i) } });
   }
+
+  // The checks that need all vertices.
+  void check_triangulation()
+  {
+    if(m_result.defects.empty() && m_tr.dimension() < 3)
+      m_result.defects.push_back(Defect{ Input_defect_kind::dimension_less_than_3, {} });
+    if(m_result.defects.empty() && m_options.list_defects)
+      m_result.defects = Recovery_diagnosis<GT>(m_input, m_gt).vertices_on_constraints(all_constraints(), m_tr,
+                                                                                       m_result.vertices, m_context);
+  }
+
+  bool are_constraints_spanned() const { return m_tr.dimension() == 3 && is_every_point_known(); }
 
   Result invalid_input()
   {
@@ -154,8 +174,8 @@ private:
     if(m_options.max_recursion_level >= 0)
       recovery.set_max_recursion_level(m_options.max_recursion_level);
     insert_constraints(recovery);
-    bool is_recovered = recovery.recover_by_flips();
-    if(! is_recovered && ! recovery.is_stopped())
+    bool is_recovered = m_context.is_stopped() ? is_nothing_lost(recovery) : recovery.recover_by_flips();
+    if(! is_recovered && ! recovery.is_stopped() && ! m_context.is_stopped())
     {
       // only now, for in most cases flips are enough, and prove the input valid
       describe_missing(recovery);
@@ -170,6 +190,12 @@ private:
                     : Recovery_status::incomplete;
     if(m_result.status == Recovery_status::invalid_input)
       m_result.vertices.clear(); // as for input that is refused at once
+  }
+
+  static bool is_nothing_lost(Recovery& recovery)
+  {
+    recovery.search();
+    return recovery.lost_edges().empty() && recovery.lost_facets().empty();
   }
 
   // The facets, then the edges, those of the facets included.
