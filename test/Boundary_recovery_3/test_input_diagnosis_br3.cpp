@@ -155,17 +155,21 @@ void check_single_constraints(const Input& input, const Defects& defects)
     for(const auto& s : d.simplices)
       named.emplace(s.dimension, s.index);
 
-  const Intersections intersections(input, K());
+  const K kernel;
+  const Intersections intersections(input, kernel);
   Stopping_visitor visitor;
   Context context(visitor);
   const auto check = [&](const typename Intersections::Simplex& s)
   {
     assert(intersections.have_defects({ s }, context) == (named.count({ s.dimension, s.index }) > 0));
   };
+  std::vector<typename Intersections::Simplex> all;
   for(std::size_t f = 0; f < input.facets.size(); ++f)
-    check(internal::describe_facet(input, f));
+    all.push_back(internal::describe_facet(input, f));
   for(std::size_t e = 0; e < input.edges.size(); ++e)
-    check(internal::describe_edge(input, e));
+    all.push_back(internal::describe_edge(input, e));
+  std::for_each(all.begin(), all.end(), check);
+  assert(intersections.have_defects(all, context) == ! defects.empty());
   assert(! intersections.have_defects({}, context));
 }
 
@@ -937,7 +941,8 @@ void test_stopped_search()
   input.facets.push_back({{ n + 1, n + 2, n + 3 }});
 
   typedef internal::Constraint_intersections_3<Epick> Intersections;
-  const Intersections intersections(input, Epick());
+  const Epick kernel;
+  const Intersections intersections(input, kernel);
   std::vector<Intersections::Simplex> cone;
   for(std::size_t f = 0; f < n; ++f)
     cone.push_back(internal::describe_facet(input, f));

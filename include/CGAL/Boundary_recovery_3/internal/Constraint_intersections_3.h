@@ -90,16 +90,21 @@ public:
   {
     const std::size_t n = m_constraints.size();
     std::vector<Box> some, all = boxes();
+    std::vector<char> is_given(n, false);
     for(const Simplex& s : constraints)
     {
       const std::size_t i = position(s);
-      if(i != n)
-        some.emplace_back(bbox(m_constraints[i]), n + i);
+      if(i == n)
+        continue;
+      some.emplace_back(bbox(m_constraints[i]), n + i);
+      is_given[i] = true;
     }
     bool is_found = false;
     const auto look_on = [&](const std::size_t n_plus_i, const std::size_t j)
     {
-      is_found = n_plus_i - n != j && intersect_improperly(n_plus_i - n, j);
+      const std::size_t i = n_plus_i - n;
+      const bool is_known = is_given[j] && j <= i; // the pair comes twice, or it is none
+      is_found = ! is_known && intersect_improperly(i, j);
       return ! is_found;
     };
     internal::visit_intersecting_boxes(some, all, look_on, context);
