@@ -94,7 +94,7 @@ public:
   bool was_cut_off() const { return m_was_cut_off; }
 
 private:
-  typedef std::array<Vertex_handle, 3> Entity; // as Crossing_3::simplex()
+  typedef std::array<Vertex_handle, 3> Entity; // as Crossing_3::vertices
 
   // Returns whether the mesh changed, so that the crossings have to be collected again.
   template <typename Shell_transformation>
@@ -128,11 +128,10 @@ private:
   // An entity is tried once between two decreases of the number of crossings.
   bool is_new(const Crossing& crossing)
   {
-    const Entity entity = crossing.simplex();
-    const auto is_same = [&](const Entity& other) { return internal::is_permutation(entity, other); };
+    const auto is_same = [&](const Entity& other) { return internal::is_permutation(crossing.vertices, other); };
     if(std::any_of(m_tried.begin(), m_tried.end(), is_same))
       return false;
-    m_tried.push_back(entity);
+    m_tried.push_back(crossing.vertices);
     return true;
   }
 

@@ -190,7 +190,8 @@ private:
   {
     Report result;
     result.n1 = m_lost.size();
-    Simplex_index_3<Vertex_handle, 3> crossed;
+    Simplex_index_3<Vertex_handle, 2> crossed_edges;
+    Simplex_index_3<Vertex_handle, 3> crossed_facets;
     m_order.clear();
     for(const std::size_t i : m_lost)
     {
@@ -199,10 +200,13 @@ private:
       result.n2 += n;
       result.n3 = (std::max)(result.n3, n);
       for(const Crossing_3<Tr>& crossing : crossings)
-        crossed.insert(crossing.simplex());
+        if(crossing.dimension == 1)
+          crossed_edges.insert({{ crossing.vertices[0], crossing.vertices[1] }});
+        else
+          crossed_facets.insert(crossing.vertices);
       m_order.emplace_back(N == 2 ? n : 0, i);
     }
-    result.n4 = crossed.size();
+    result.n4 = crossed_edges.size() + crossed_facets.size();
     std::sort(m_order.begin(), m_order.end());
     return result;
   }

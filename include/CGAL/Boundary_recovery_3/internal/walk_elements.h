@@ -29,14 +29,8 @@ template <typename Tr>
 struct Crossing_3
 {
   int dimension;
-  std::array<typename Tr::Vertex_handle, 3> vertices;
+  std::array<typename Tr::Vertex_handle, 3> vertices; // the third one of an edge is the default handle
   typename Tr::Cell_handle cell;
-
-  // An edge counts as a facet with a vertex twice.
-  std::array<typename Tr::Vertex_handle, 3> simplex() const
-  {
-    return {{ vertices[0], vertices[1], vertices[dimension] }};
-  }
 };
 
 // A place in the shell of an edge ab: the interior of the facet a b p_i, or of the cell a b p_i p_next(i).
