@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <map>
@@ -47,7 +46,7 @@ struct Shell_problem
   int degree() const { return static_cast<int>(ring.size()); }
 };
 
-// One covering mesh. Its value is that of the quality; a larger one is better.
+// One covering mesh.
 struct Covering_mesh
 {
   std::vector<int> core;
@@ -64,7 +63,6 @@ struct Shell_solution
 {
   std::vector<int> core;
   std::vector<Triangle> triangles;
-  double value = 0;                    // as the library computes it
   std::size_t number_of_valid = 0;     // covering meshes, without the present one
   std::size_t number_of_optimal = 0;
 };
@@ -153,7 +151,6 @@ public:
       const int i = best->core[c], j = best->core[(c + 1) % n];
       triangulate_ring(i, (j - i + m) % m + 1, solution.triangles);
     }
-    solution.value = library_value(*best);
     return solution;
   }
 
@@ -231,7 +228,6 @@ private:
   struct Exact_quality
   {
     boost::multiprecision::cpp_int squared_volume, cubed_sum;
-    double rounded;
 
     friend bool operator<(const Exact_quality& x, const Exact_quality& y)
     {
@@ -251,8 +247,7 @@ private:
         sum += dot(point(t[i]) - point(t[j]), point(t[i]) - point(t[j]));
     const Wide v = volume(point(t[0]), point(t[1]), point(t[2]), point(t[3]));
     const boost::multiprecision::cpp_int big_v(v), big_sum(sum);
-    const double dv = static_cast<double>(v), ds = static_cast<double>(sum); // both exact
-    m_qualities[s] = { big_v * big_v, big_sum * big_sum * big_sum, 12 * std::sqrt(3.) * dv / (ds * std::sqrt(ds)) };
+    m_qualities[s] = { big_v * big_v, big_sum * big_sum * big_sum };
   }
 
   // ---- enumeration ----
@@ -410,19 +405,6 @@ private:
     if(m_problem.quality == Shell_problem::FEWEST_INTERSECTIONS)
       return {{ q, q1, q2 }};
     return {{ q1, q2, q }};
-  }
-
-  double library_value(const Covering_mesh& mesh) const
-  {
-    if(m_problem.quality == Shell_problem::NONE)
-      return 1;
-    if(m_problem.quality == Shell_problem::FEWEST_INTERSECTIONS)
-      return quality(mesh.tetrahedra, mesh.interior_entities);
-    double q = (std::numeric_limits<double>::max)();
-    for(const Mask t : mesh.tetrahedra)
-      if(is_finite(t))
-        q = (std::min)(q, m_qualities.at(t).rounded);
-    return q;
   }
 
   // ---- ties ----

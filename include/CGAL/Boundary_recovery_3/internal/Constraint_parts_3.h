@@ -88,7 +88,10 @@ private:
       const std::size_t i = m_index.insert(e).first;
       m_is_odd.resize(m_index.size(), false);
       m_is_odd[i] = ! m_is_odd[i];
-      m_is_odd[i] ? ++m_size : --m_size;
+      if(m_is_odd[i])
+        ++m_size;
+      else
+        --m_size;
     }
 
   private:

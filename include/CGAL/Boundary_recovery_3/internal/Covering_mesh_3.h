@@ -551,13 +551,13 @@ private:
   Table m_rings_from;                   // for each i the j for which R_ij can be triangulated
   Table m_rings_to;                     // for each j the i
   std::vector<Positions> m_apices;      // of each ring; some may turn out not to be valid, but not the first
-  Table m_known_values;                 // for each i the j for which the next two are known
+  Table m_known_values;                 // for each i the j for which M_k and M_q are known
   std::vector<int> m_best_apex;         // M_k
-  Values m_value;           // M_q
+  Values m_value;                       // M_q
   Table m_known_chords;                 // for each i the j > i for which the validity was asked for
   Table m_valid_chords;                 // for each i those of them that are valid
   std::vector<unsigned char> m_triangles; // what is known of each triangle
-  Values m_triangle_values; // of those that are VALUED
+  Values m_triangle_values;             // of those that are VALUED
   Table m_arcs;                         // for each i the j to which there is an arc of a core
   Table m_known_arc_values;             // those of which the value is known
   Values m_arc_value;

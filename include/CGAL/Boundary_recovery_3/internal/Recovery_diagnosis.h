@@ -15,7 +15,6 @@
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Constraint_intersections_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Indexed_input_3.h>
-
 #include <CGAL/Boundary_recovery_3/internal/box_search.h>
 
 #include <CGAL/Bbox_3.h>
