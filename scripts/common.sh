@@ -2,6 +2,11 @@
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 jobs=${JOBS:-$(nproc)} # each compiler takes up to 2 GB of memory
+# For CMake: where CGAL is, or that the place used last is to be forgotten.
+cgal_option=-UCGAL_DIR
+if [[ -n ${CGAL_DIR:-} ]]; then
+  cgal_option=-DCGAL_DIR=$CGAL_DIR
+fi
 
 # Installs those of the given Debian packages that are missing.
 install_missing()
