@@ -17,6 +17,7 @@
 #include <CGAL/Boundary_recovery_3/internal/Cavity_recovery_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Conforming_recovery_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Constraint_parts_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Constraint_search_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Mesh_snapshot_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Recovery_context.h>
@@ -78,7 +79,7 @@ public:
    */
   Constrained_boundary_recovery_3(Tr& tr, Visitor& visitor)
     : m_tr(tr), m_steiner_points(m_constraints), m_parts(tr, m_steiner_points),
-      m_predicates(tr, &m_steiner_points.positions()), m_context(visitor),
+      m_predicates(tr, &m_steiner_points.positions()), m_context(visitor), m_search(tr, m_constraints),
       m_edge_recovery(tr, m_predicates, m_constraints, m_context, m_lost.edges, m_levels),
       m_facet_recovery(tr, m_predicates, m_constraints, m_context, m_treatable_facets, m_levels)
   {
@@ -585,7 +586,7 @@ private:
   // In the mode `conforming`, constraints may be unions of simplices.
   void look_up()
   {
-    m_lost = Boundary_recovery_3::internal::Constraint_search_3<Tr>(m_tr, m_constraints)();
+    m_lost = m_search();
     if(m_steiner_points.vertices().empty())
       return;
     const auto is_edge_covered = [this](const std::size_t e) { return ! parts_of_edge(e).empty(); };
@@ -596,10 +597,7 @@ private:
   }
 
   // What is in the mesh stays there, so only what was lost has to be looked up.
-  void look_up_lost()
-  {
-    m_lost = Boundary_recovery_3::internal::Constraint_search_3<Tr>(m_tr, m_constraints)(Lost_constraints(m_lost));
-  }
+  void look_up_lost() { m_lost = m_search(m_lost); }
 
   // One success may clear the way for another constraint, so passes are repeated while they help. What failed is not
   // tried again in the same mesh.
@@ -658,6 +656,7 @@ private:
   std::size_t m_number_of_constraint_points = 0;
   Boundary_recovery_3::internal::Vertex_predicates_3<Tr> m_predicates;
   Boundary_recovery_3::internal::Recovery_context<Visitor> m_context;
+  Boundary_recovery_3::internal::Constraint_search_3<Tr> m_search;
   Lost_constraints m_lost;
   Lost_constraints m_unrepresentable;
   std::vector<std::size_t> m_treatable_facets; // lost facets whose edges are in the mesh

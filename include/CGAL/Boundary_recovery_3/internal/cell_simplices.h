@@ -17,6 +17,7 @@
 #include <CGAL/Triangulation_utils_3.h>
 
 #include <array>
+#include <cstddef>
 #include <iterator>
 #include <type_traits>
 #include <vector>
@@ -33,6 +34,16 @@ auto facet_vertices(const Cell_handle c, const int i)
   return std::array<decltype(c->vertex(0)), 3>{{ c->vertex(Utils::vertex_triple_index(i, 0)),
                                                  c->vertex(Utils::vertex_triple_index(i, 1)),
                                                  c->vertex(Utils::vertex_triple_index(i, 2)) }};
+}
+
+// Whether all vertices of the simplex are vertices of the cell.
+template <typename Cell_handle, typename Vertex_handle, std::size_t N>
+bool has_vertices(const Cell_handle c, const std::array<Vertex_handle, N>& simplex)
+{
+  std::size_t i = 0;
+  while(i < N && c->has_vertex(simplex[i]))
+    ++i;
+  return i == N;
 }
 
 // The vertices of some cells, in the order in which they are met, without v.
