@@ -72,7 +72,8 @@ public:
   static constexpr int default_conforming_recursion_level = 3;
 
   /*!
-   * \param tr the triangulation to change
+   * \param tr the triangulation to change. As long as this object is used, it must not be cleared, assigned to or
+   *        swapped, and vertices of constraints must not be removed.
    * \param visitor is told about progress and may stop the recovery. It has to outlive this object.
    *
    * \pre `tr.dimension() == 3`
@@ -104,13 +105,18 @@ public:
   /// adds the constrained edge `uv`, unless it is there already, and returns its index.
   ///
   /// \pre `u` and `v` are different finite vertices of the triangulation.
-  std::size_t insert_constraint(const Vertex_handle u, const Vertex_handle v) { return m_constraints.insert(u, v); }
+  std::size_t insert_constraint(const Vertex_handle u, const Vertex_handle v)
+  {
+    CGAL_precondition(u != v);
+    return m_constraints.insert(u, v);
+  }
 
   /// adds the constrained facet `uvw` and its edges, unless they are there already, and returns the index of the facet.
   ///
   /// \pre `u`, `v` and `w` are different finite vertices of the triangulation and not collinear.
   std::size_t insert_constraint(const Vertex_handle u, const Vertex_handle v, const Vertex_handle w)
   {
+    CGAL_precondition(u != v && v != w && w != u);
     return m_constraints.insert(u, v, w);
   }
 

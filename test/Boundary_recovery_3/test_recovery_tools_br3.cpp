@@ -151,6 +151,16 @@ void test_colliding_hash_values()
   }
 }
 
+// So many that the search looks at the link of this vertex.
+void insert_many_at_one_vertex(internal::Constraints_3<Tr>& constraints, const std::vector<Vertex_handle>& vertices)
+{
+  for(std::size_t i = 2; i < vertices.size(); ++i)
+  {
+    constraints.insert(vertices[0], vertices[i]);
+    constraints.insert(vertices[i - 1], vertices[0], vertices[i]);
+  }
+}
+
 // Facets that are in the mesh, in any order of their vertices, and edges and facets by chance.
 internal::Constraints_3<Tr> random_constraints(const Tr& tr, const std::size_t vertices_per_lost_one, std::mt19937& rng)
 {
@@ -178,6 +188,8 @@ internal::Constraints_3<Tr> random_constraints(const Tr& tr, const std::size_t v
     if(i % 3 == 0)
       constraints.insert(u, v, w);
   }
+  if(vertices_per_lost_one == 1)
+    insert_many_at_one_vertex(constraints, vertices);
   return constraints;
 }
 

@@ -69,10 +69,11 @@ private:
 /*
  * Looks up constraints in the mesh.
  *
- * All of them: first the facets where they were the last time. If many have gone from there, one sweep over the mesh
- * facets finds them; a small filter spares most facets the look-up in the table. Edges are found with the facets. What
- * is not found so, and a given set of constraints, is looked for in the stars of vertices, each visited once for all
- * the constraints that are looked for there.
+ * All of them: first the facets where the last sweep found them. If many have gone from there, another sweep over the
+ * mesh facets finds them; a small filter spares most facets the look-up in the table. Edges are found with the facets.
+ * What is not found so, and a given set of constraints, is looked for in the stars of vertices.
+ *
+ * Which of its two cells is the place of a facet depends on addresses; what is found does not.
  */
 template <typename Tr>
 class Constraint_search_3
@@ -92,7 +93,7 @@ public:
     leave_old_places();
     Lost_constraints candidates;
     candidates.facets = facets_without_place();
-    if(16 * candidates.facets.size() <= m_places.size())
+    if(min_number_of_facets_per_star * candidates.facets.size() <= m_places.size())
     {
       candidates.edges = edges_without_place();
       return (*this)(candidates);
@@ -112,7 +113,8 @@ public:
   }
 
 private:
-  // Forgets where facets were, if they are not there any more. (A cell that is gone may still have its vertices.)
+  // Forgets where facets were, if they are not there any more. A cell that is gone may still have its vertices; the
+  // container keeps its memory until it is cleared, assigned to or swapped.
   void leave_old_places()
   {
     for(std::size_t f = 0; f < m_places.size(); ++f)
@@ -197,6 +199,9 @@ private:
       if(indices[k] != Constraints::none)
         m_places[indices[k]] = cells[k];
   }
+
+  // A sweep takes less time than the stars if more than one facet of so many has no place.
+  static constexpr std::size_t min_number_of_facets_per_star = 16;
 
   static constexpr std::size_t number_of_facets_at_a_time = 1024;
 

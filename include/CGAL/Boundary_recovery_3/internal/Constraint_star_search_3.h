@@ -27,7 +27,7 @@ namespace internal {
 
 /*
  * Looks for given constraints in the stars of vertices, each visited once for all the constraints that are looked for
- * there.
+ * there. Where these are many, the link of the vertex is indexed.
  */
 template <typename Tr>
 class Constraint_star_search_3
@@ -48,10 +48,11 @@ public:
     {
       m_star.clear();
       m_tr.tds().incident_cells(m_centers.keys()[i][0], std::back_inserter(m_star));
-      for(std::size_t k = m_edge_ranges[i]; k < m_edge_ranges[i + 1]; ++k)
-        is_edge_lost[m_edges[k]] = ! is_in_star(m_constraints.edges()[candidates.edges[m_edges[k]]]);
-      for(std::size_t k = m_facet_ranges[i]; k < m_facet_ranges[i + 1]; ++k)
-        is_facet_lost[m_facets[k]] = ! is_in_star(m_constraints.facets()[candidates.facets[m_facets[k]]]);
+      const std::size_t n = m_edge_ranges[i + 1] - m_edge_ranges[i] + m_facet_ranges[i + 1] - m_facet_ranges[i];
+      if(n <= max_number_of_scans)
+        look_up(i, candidates, is_edge_lost, is_facet_lost, [this](const auto& s) { return is_in_star(s); });
+      else
+        look_up(i, candidates, is_edge_lost, is_facet_lost, Link(m_centers.keys()[i][0], m_star));
     }
     Lost_constraints lost;
     for(std::size_t e = 0; e < is_edge_lost.size(); ++e)
@@ -64,6 +65,51 @@ public:
   }
 
 private:
+  // The simplices at a vertex, by their other vertices.
+  class Link
+  {
+  public:
+    Link(const Vertex_handle center, const std::vector<Cell_handle>& star) : m_center(center)
+    {
+      for(const Cell_handle c : star)
+        for(int i = 0; i < 4; ++i)
+          if(c->vertex(i) != center)
+          {
+            m_vertices.insert({{ c->vertex(i) }});
+            for(int j = i + 1; j < 4; ++j)
+              if(c->vertex(j) != center)
+                m_edges.insert({{ c->vertex(i), c->vertex(j) }});
+          }
+    }
+
+    bool operator()(const std::array<Vertex_handle, 2>& e) const
+    {
+      return m_vertices[{{ e[0] == m_center ? e[1] : e[0] }}] != m_vertices.none;
+    }
+
+    bool operator()(const std::array<Vertex_handle, 3>& f) const
+    {
+      const int i = f[0] == m_center ? 0 : f[1] == m_center ? 1 : 2;
+      return m_edges[{{ f[(i + 1) % 3], f[(i + 2) % 3] }}] != m_edges.none;
+    }
+
+  private:
+    const Vertex_handle m_center;
+    Simplex_index_3<Vertex_handle, 1> m_vertices;
+    Simplex_index_3<Vertex_handle, 2> m_edges;
+  };
+
+  // Answers for all that is in bucket i.
+  template <typename Is_in_star>
+  void look_up(const std::size_t i, const Lost_constraints& candidates, std::vector<char>& is_edge_lost,
+               std::vector<char>& is_facet_lost, const Is_in_star& is_in_star) const
+  {
+    for(std::size_t k = m_edge_ranges[i]; k < m_edge_ranges[i + 1]; ++k)
+      is_edge_lost[m_edges[k]] = ! is_in_star(m_constraints.edges()[candidates.edges[m_edges[k]]]);
+    for(std::size_t k = m_facet_ranges[i]; k < m_facet_ranges[i + 1]; ++k)
+      is_facet_lost[m_facets[k]] = ! is_in_star(m_constraints.facets()[candidates.facets[m_facets[k]]]);
+  }
+
   template <std::size_t N>
   bool is_in_star(const std::array<Vertex_handle, N>& simplex) const
   {
@@ -112,6 +158,9 @@ private:
     for(std::size_t i = 0; i < buckets.size(); ++i)
       sorted[next[buckets[i]]++] = i;
   }
+
+  // An index of the link takes as much time as so many scans of the star.
+  static constexpr std::size_t max_number_of_scans = 32;
 
   const Tr& m_tr;
   const Constraints& m_constraints;
