@@ -22,6 +22,7 @@
 #include <CGAL/Triangulation_3.h>
 #include <CGAL/recover_boundary.h>
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
@@ -36,6 +37,7 @@
 
 namespace params = CGAL::parameters;
 typedef CGAL::Boundary_recovery_3::Input_defect_kind Kind;
+typedef CGAL::Boundary_recovery_3::Recovery_phase Phase;
 using CGAL::Boundary_recovery_3::Recovery_status;
 typedef std::vector<std::size_t> Indices;
 typedef std::vector<Indices> Faces;
@@ -258,13 +260,14 @@ struct Test
                   Kind::unknown_vertex, {{{0,4}}});
   }
 
-  // Says stop once, at one of the questions; who is asked again says something else.
+  // Says stop once, at one of the questions; who is asked again says something else. No points are inserted then.
   struct Stopping_visitor : CGAL::Default_boundary_recovery_visitor_3
   {
     explicit Stopping_visitor(const std::size_t last_question) : last_question(last_question) { }
 
     bool go_further() { return number_of_questions++ != last_question; }
     bool has_stopped() const { return number_of_questions > last_question; }
+    void on_phase_begin(const Phase phase) { assert(phase != Phase::insertion || ! has_stopped()); }
 
     std::size_t last_question;
     std::size_t number_of_questions = 0;
@@ -311,6 +314,9 @@ struct Test
       }
       assert(r.status == Recovery_status::stopped && r.defects.empty() && r.steiner_vertices.empty());
       check_missing(tr, faces, r);
+      const bool has_inserted = std::any_of(r.phases.begin(), r.phases.end(),
+                                            [](const auto& report) { return report.phase == Phase::insertion; });
+      assert(has_inserted ? k > 0 || ! is_first : tr.number_of_vertices() == others.size());
       assert(tr.tds().is_valid() && tr.number_of_vertices() <= p.size() + others.size());
     }
   }
@@ -341,6 +347,27 @@ struct Test
       assert(stop_everywhere(with_cut, faces_with_cut, {}, is_first) > 0);
       assert(stop_everywhere(fan, faces, on_the_fan, is_first) > 2);
     }
+  }
+
+  // What needs no search is told, though the search for other defects was stopped.
+  void stopped_on_wrong_triangulation()
+  {
+    Points fan;
+    Faces faces;
+    make_fan(fan, faces);
+    {
+      CGAL::Triangulation_3<K> plain(fan.begin() + 2, fan.end());
+      Stopping_visitor visitor(0);
+      const auto r = CGAL::recover_boundary(plain, fan, faces, params::list_defects(true),
+                                            params::visitor(std::ref(visitor)));
+      assert(visitor.has_stopped() && defects(r, Kind::unknown_vertex).size() == 2 && r.defects.size() == 2);
+    }
+    fan.back() = P(0,4000,0);
+    Dt flat(fan.begin(), fan.end());
+    Stopping_visitor visitor(0);
+    const auto r = CGAL::recover_boundary(flat, fan, faces, params::list_defects(true),
+                                          params::visitor(std::ref(visitor)));
+    assert(visitor.has_stopped() && r.defects.size() == 1 && r.defects[0].kind == Kind::dimension_less_than_3);
   }
 
   // What is in the triangulation is not missing because the search for defects was stopped.
@@ -396,6 +423,7 @@ struct Test
     handles();
     other_types();
     stopped_on_invalid_input();
+    stopped_on_wrong_triangulation();
     stopped_on_valid_input();
   }
 };

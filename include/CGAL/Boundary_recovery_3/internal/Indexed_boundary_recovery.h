@@ -72,12 +72,11 @@ public:
       m_result.vertices = std::move(vertices);
       if(m_result.vertices.empty())
         find_vertices();
-      if(! m_context.is_stopped())
-        check_triangulation();
+      check_triangulation();
     }
     if(! m_result.defects.empty())
       return invalid_input();
-    if(m_context.is_stopped() && ! are_constraints_spanned())
+    if(m_context.is_stopped() && ! is_every_point_known())
       return stopped_early();
     recover();
     return std::move(m_result);
@@ -92,11 +91,13 @@ private:
   {
     const double start = m_context.seconds();
     const bool is_complete = locate_points();
-    if(m_context.is_stopped())
+    if(! is_complete && ! can_insert(m_tr))
+      list_unknown_vertices();
+    if(! m_result.defects.empty() || m_context.is_stopped())
       return;
     m_context.visitor().on_phase_begin(Recovery_phase::insertion);
     if(! is_complete)
-      insert_missing_points();
+      m_result.number_of_inserted_vertices = insert_points(m_tr, m_input.points, m_result.vertices, m_context);
     Phase_report report;
     report.phase = Recovery_phase::insertion;
     report.seconds = m_context.seconds() - start;
@@ -121,27 +122,24 @@ private:
     return std::find(m_result.vertices.begin(), m_result.vertices.end(), Vertex_handle()) == m_result.vertices.end();
   }
 
-  void insert_missing_points()
+  void list_unknown_vertices()
   {
-    if(can_insert(m_tr))
-      m_result.number_of_inserted_vertices = insert_points(m_tr, m_input.points, m_result.vertices, m_context);
-    else
-      for(std::size_t i = 0; i < m_input.points.size(); ++i)
-        if(m_result.vertices[i] == Vertex_handle())
-          m_result.defects.push_back(Defect{ Input_defect_kind::unknown_vertex, { describe_vertex(m_input, i) } });
+    for(std::size_t i = 0; i < m_input.points.size(); ++i)
+      if(m_result.vertices[i] == Vertex_handle())
+        m_result.defects.push_back(Defect{ Input_defect_kind::unknown_vertex, { describe_vertex(m_input, i) } });
   }
 
   // The checks that need all vertices.
   void check_triangulation()
   {
-    if(m_result.defects.empty() && m_tr.dimension() < 3)
+    if(! m_result.defects.empty() || ! is_every_point_known())
+      return;
+    if(m_tr.dimension() < 3)
       m_result.defects.push_back(Defect{ Input_defect_kind::dimension_less_than_3, {} });
-    if(m_result.defects.empty() && m_options.list_defects)
+    else if(m_options.list_defects && ! m_context.is_stopped())
       m_result.defects = Recovery_diagnosis<GT>(m_input, m_gt).vertices_on_constraints(all_constraints(), m_tr,
                                                                                        m_result.vertices, m_context);
   }
-
-  bool are_constraints_spanned() const { return m_tr.dimension() == 3 && is_every_point_known(); }
 
   Result invalid_input()
   {
@@ -174,15 +172,8 @@ private:
     if(m_options.max_recursion_level >= 0)
       recovery.set_max_recursion_level(m_options.max_recursion_level);
     insert_constraints(recovery);
-    bool is_recovered = m_context.is_stopped() ? is_nothing_lost(recovery) : recovery.recover_by_flips();
-    if(! is_recovered && ! recovery.is_stopped() && ! m_context.is_stopped())
-    {
-      // only now, for in most cases flips are enough, and prove the input valid
-      describe_missing(recovery);
-      judge_missing_constraints();
-      if(m_result.defects.empty() && ! m_context.is_stopped())
-        is_recovered = recovery.recover_by_points(m_options.mode);
-    }
+    const bool is_recovered = m_context.is_stopped() ? is_nothing_lost(recovery)
+                                                     : recovery.recover_by_flips() || recover_by_points(recovery);
     take_account(recovery);
     m_result.status = is_recovered               ? Recovery_status::recovered
                     : ! m_result.defects.empty() ? Recovery_status::invalid_input
@@ -190,6 +181,16 @@ private:
                     : Recovery_status::incomplete;
     if(m_result.status == Recovery_status::invalid_input)
       m_result.vertices.clear(); // as for input that is refused at once
+  }
+
+  // Judges the input only now, for in most cases flips are enough, and prove it valid.
+  bool recover_by_points(Recovery& recovery)
+  {
+    if(recovery.is_stopped())
+      return false;
+    describe_missing(recovery);
+    judge_missing_constraints();
+    return m_result.defects.empty() && ! m_context.is_stopped() && recovery.recover_by_points(m_options.mode);
   }
 
   static bool is_nothing_lost(Recovery& recovery)
