@@ -5,6 +5,7 @@
 
 #include "mesh_validity_br3.h"
 
+#include <CGAL/Constrained_boundary_recovery_3.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -220,7 +221,7 @@ void test_parameters()
     Tr tr;
     const auto result = CGAL::recover_boundary(tr, gear.points, gear.triangles, params::max_recursion_level(0));
     for(const auto& level : result.levels)
-      assert(level.max_recursion_level <= 0);
+      assert(level.max_recursion_level <= 0 && level.n1 <= level.n2 && level.n3 <= level.n4 && level.n4 <= level.n2);
   }
   { // points behind a map
     std::vector<std::pair<int, Point_3> > pairs;
@@ -248,6 +249,31 @@ void test_parameters()
     assert(tr.is_edge(result.vertices[1], result.vertices[5], c, i, j));
     assert(br3_test::is_valid_mesh(tr));
   }
+}
+
+// Two lost edges cross one mesh edge, whichever way they run: n4 counts it once.
+void test_number_of_crossed_entities()
+{
+  typedef CGAL::Exact_predicates_inexact_constructions_kernel K;
+  typedef CGAL::Delaunay_triangulation_3<K> Tr;
+  const std::vector<K::Point_3> points = { { 0, 0, -4 }, { 0, 0, 4 },
+                                           { -8, 0, 1 }, { 8, 0, 1 }, { 0, -8, -1 }, { 0, 8, -1 } };
+  for(const bool is_first_reversed : { false, true })
+    for(const bool is_second_reversed : { false, true })
+    {
+      Tr tr;
+      std::vector<Tr::Vertex_handle> v;
+      for(const K::Point_3& p : points)
+        v.push_back(tr.insert(p));
+      CGAL::Constrained_boundary_recovery_3<Tr> recovery(tr);
+      recovery.insert_constraint(v[is_first_reversed ? 3 : 2], v[is_first_reversed ? 2 : 3]);
+      recovery.insert_constraint(v[is_second_reversed ? 5 : 4], v[is_second_reversed ? 4 : 5]);
+      recovery.search();
+      recovery.recover_edges_brc1();
+      assert(recovery.lost_edges().empty());
+      const auto& level = recovery.levels().front();
+      assert(level.max_recursion_level == -1 && level.n1 == 2 && level.n2 == 2 && level.n3 == 1 && level.n4 == 1);
+    }
 }
 
 // Vertices keep the data of the caller.
@@ -422,6 +448,7 @@ int main()
   test_overloads<EK>();
   test_parameters<EK>();
 #endif
+  test_number_of_crossed_entities();
   test_custom_base();
   test_ranges();
   test_determinism();
