@@ -46,13 +46,13 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--compiler", default=os.environ.get("CXX", "g++"))
     parser.add_argument("--flags", default="-std=c++17 -frounding-math -O2 -DNDEBUG", help="default: %(default)s")
-    parser.add_argument("--include", nargs="*", metavar="DIR", default=[os.path.join(ROOT, "include")],
-                        help="where the headers are, those of other libraries, too; default: this package's folder")
+    parser.add_argument("--include", nargs="*", metavar="DIR", default=[], help="where the headers of other libraries are")
     parser.add_argument("--runs", type=int, default=3, help="compilations of each file, default 3")
     parser.add_argument("--only", choices=list(PAIRS), help="one pair only")
     parser.add_argument("--out", metavar="FILE.json")
     arguments = parser.parse_args()
     command = [arguments.compiler] + shlex.split(arguments.flags) + ["-I" + folder for folder in arguments.include]
+    command.append("-I" + os.path.join(ROOT, "include"))
     rows, start = [], time.strftime("%Y-%m-%d")
     print("| compilation with %s %s | Delaunay_triangulation_3.h | recover_boundary.h | ratio |\n|---|---|---|---|"
           % (os.path.basename(arguments.compiler), arguments.flags))
@@ -68,7 +68,7 @@ def main():
             print("| %s: MB | %.0f | %.0f | %.2f |" % (what, memory[0], memory[1], memory[1] / memory[0]), flush=True)
     if arguments.out:
         with open(arguments.out, "w", encoding="ascii") as file:
-            json.dump({"date": start, "command": " ".join(command), "rows": rows}, file, indent=1)
+            json.dump({"date": start, "command": shlex.join(command), "rows": rows}, file, indent=1)
             file.write("\n")
 
 
