@@ -123,8 +123,8 @@ def tables_of_growth(performance):
     for family in sorted({r["family"] for r in performance} - {""}):
         some = sorted((r for r in performance if r["family"] == family), key=lambda r: r["ours"].get("facets", 0))
         some = [r for r in some if r["ours"]["outcome"] == "recovered"]
-        keys = ("insertion_seconds", "recovery_seconds", "peak_memory_mb")
-        lines = [[r["ours"]["facets"]] + [float(r["ours"][k]) for k in keys]
+        keys = ("insertion_seconds", "shell_transformations", "recovery_seconds", "peak_memory_mb")
+        lines = [[r["ours"]["facets"]] + [r["ours"][k] for k in keys]
                  + [float(r["tetgen"][k]) if r["tetgen"]["outcome"] == "ok" else "-"
                     for k in ("recovery_seconds", "peak_memory_mb")] for r in some]
         if len(some) > 1:
@@ -133,7 +133,8 @@ def tables_of_growth(performance):
                          + ["%.2f" % exponent([(r["ours"]["facets"], r["tetgen"][k]) for r in good]) if len(good) > 1 else "-"
                             for k in ("recovery_seconds", "peak_memory_mb")])
         yield Table("Growth of the family %s" % family,
-                    ["Triangles", "Insertion, s", "Recovery, s", "Memory, MB", "TetGen: recovery, s", "TetGen: memory, MB"],
+                    ["Triangles", "Insertion, s", "Shell transformations", "Recovery, s", "Memory, MB",
+                     "TetGen: recovery, s", "TetGen: memory, MB"],
                     lines)
 
 

@@ -111,14 +111,15 @@ def print_growth(rows):
     for family in sorted({r["family"] for r in rows} - {""}):
         some = sorted((r for r in rows if r["family"] == family and r["ours"]["outcome"] == "recovered"),
                       key=lambda r: r["ours"]["facets"])
-        print("\n%s: triangles, seconds of the insertion, of the recovery, of TetGen's, MB, TetGen's MB" % family)
+        print("\n%s: triangles, seconds of the insertion, shell transformations, seconds of the recovery, of TetGen's, "
+              "MB, TetGen's MB" % family)
         for r in some:
             o, t = r["ours"], r["tetgen"]
-            print("  %8d %9.3f %9.3f %9s %8.0f %8s" % (
-                o["facets"], o["insertion_seconds"], o["recovery_seconds"],
+            print("  %8d %9.3f %9d %9.3f %9s %8.0f %8s" % (
+                o["facets"], o["insertion_seconds"], o["shell_transformations"], o["recovery_seconds"],
                 "%.3f" % t["recovery_seconds"] if t["outcome"] == "ok" else t["outcome"], o["peak_memory_mb"],
                 "%.0f" % t["peak_memory_mb"] if t["outcome"] == "ok" else "-"))
-        for key in ("insertion_seconds", "recovery_seconds", "peak_memory_mb"):
+        for key in ("insertion_seconds", "shell_transformations", "recovery_seconds", "peak_memory_mb"):
             print("  exponent of %s: %.3f" % (key, exponent([(r["ours"]["facets"], r["ours"][key]) for r in some])))
 
 
