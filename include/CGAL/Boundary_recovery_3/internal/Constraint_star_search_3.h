@@ -50,7 +50,7 @@ public:
       m_tr.tds().incident_cells(m_centers.keys()[i][0], std::back_inserter(m_star));
       const std::size_t n = m_edge_ranges[i + 1] - m_edge_ranges[i] + m_facet_ranges[i + 1] - m_facet_ranges[i];
       if(n <= max_number_of_scans)
-        look_up(i, candidates, is_edge_lost, is_facet_lost, [this](const auto& s) { return is_in_star(s); });
+        look_up(i, candidates, is_edge_lost, is_facet_lost, [this](const auto& s) { return this->is_in_star(s); });
       else
         look_up(i, candidates, is_edge_lost, is_facet_lost, Link(m_centers.keys()[i][0], m_star));
     }
