@@ -10,8 +10,7 @@ endfunction()
 set(br3_includes $<TARGET_PROPERTY:Boundary_recovery_3,INTERFACE_INCLUDE_DIRECTORIES>)
 set(br3_definitions $<TARGET_PROPERTY:Boundary_recovery_3,INTERFACE_COMPILE_DEFINITIONS>)
 set(br3_syntax -std=c++17 -frounding-math -fsyntax-only -Wall -Wextra -Werror
-  $<$<BOOL:${br3_includes}>:-I$<JOIN:${br3_includes},$<SEMICOLON>-I>>
-  $<$<BOOL:${br3_definitions}>:-D$<JOIN:${br3_definitions},$<SEMICOLON>-D>>)
+  $<$<BOOL:${br3_includes}>:-I$<JOIN:${br3_includes},$<SEMICOLON>-I>>)
 set(br3_empty_file ${CMAKE_CURRENT_BINARY_DIR}/empty.cpp)
 file(WRITE ${br3_empty_file} "// empty\n")
 
@@ -23,7 +22,8 @@ foreach(header ${br3_headers})
   string(REGEX REPLACE "^CGAL/" "" name ${header})
   string(MAKE_C_IDENTIFIER ${name} name)
   add_test(NAME header_alone__${name}
-           COMMAND ${CMAKE_CXX_COMPILER} ${br3_syntax} -include ${header} ${br3_empty_file} COMMAND_EXPAND_LISTS)
+           COMMAND ${CMAKE_CXX_COMPILER} ${br3_syntax} "$<$<BOOL:${br3_definitions}>:-D$<JOIN:${br3_definitions},;-D>>"
+                   -include ${header} ${br3_empty_file} COMMAND_EXPAND_LISTS)
   set_tests_properties(header_alone__${name} PROPERTIES LABELS header)
 endforeach()
 
