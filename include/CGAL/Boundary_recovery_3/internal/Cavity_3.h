@@ -53,20 +53,23 @@ public:
       m_cells.push_back(c);
   }
 
-  // The finite cells behind faces that are not constrained.
-  std::vector<Cell_handle> cells_around() const
+  // Adds the cells behind the faces that v does not see from inside, until it sees all. Returns false if a constraint
+  // or the hull is in the way, or if there would be more cells than allowed.
+  template <typename Predicates>
+  bool grow_until_seen(const Vertex_handle v, const Predicates& predicates, const std::size_t max_number_of_cells)
   {
-    Simplex_index_3<Cell_handle, 1> known;
-    std::vector<Cell_handle> result;
-    for(const Cell_handle c : m_cells)
+    for(std::size_t k = 0; k < m_cells.size(); ++k)
       for(int i = 0; i < 4; ++i)
       {
-        const Cell_handle n = c->neighbor(i);
-        if(! contains(n) && ! m_tr.is_infinite(n) && ! is_constrained(internal::facet_vertices(c, i))
-           && known.insert({{ n }}).second)
-          result.push_back(n);
+        const Cell_handle n = m_cells[k]->neighbor(i);
+        const Triangle f = internal::facet_vertices(m_cells[k], i);
+        if(contains(n) || predicates.orientation(f[0], f[1], f[2], v) == POSITIVE)
+          continue;
+        if(m_tr.is_infinite(n) || is_constrained(f) || m_cells.size() >= max_number_of_cells)
+          return false;
+        add(n);
       }
-    return result;
+    return true;
   }
 
   // The faces, seen from inside, and the vertices inside. Returns false if there is a constraint inside, or a vertex

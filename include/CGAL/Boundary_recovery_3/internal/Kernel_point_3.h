@@ -116,9 +116,6 @@ public:
     }
   }
 
-  // The distance of the deepest point, computed last, from the planes of the faces; negative if there is no kernel.
-  double depth() const { return m_unit * m_depth; }
-
   // Whether v sees all the faces.
   bool is_kernel_point(const Vertex_handle v, const std::vector<Triangle>& faces) const
   {
@@ -317,7 +314,6 @@ private:
   bool move_to_deepest_point(const Vertex_handle v, const std::vector<Triangle>& faces)
   {
     Vector x;
-    m_depth = - m_diameter;
     if(! maximize(CGAL::NULL_VECTOR, 1, x))
       return false;
     return (move(v, m_diameter * x) && is_kernel_point(v, faces)) || (m_depth > 0 && sample(v, faces, x));
@@ -327,7 +323,6 @@ private:
   // not parallel to an axis: points in it, rounded, are inside now and then.
   bool sample(const Vertex_handle v, const std::vector<Triangle>& faces, const Vector& deepest)
   {
-    const double depth = m_depth;
     std::vector<Vector> extreme;
     for(const Vector& axis : { Vector(1, 0, 0), Vector(0, 1, 0), Vector(0, 0, 1) })
       for(const Vector& objective : { axis, - axis })
@@ -336,7 +331,6 @@ private:
         if(maximize(objective, 0, x))
           extreme.push_back(x);
       }
-    m_depth = depth;
     std::minstd_rand random; // always the same numbers
     for(int k = 0; k < number_of_samples && ! extreme.empty(); ++k)
     {

@@ -22,6 +22,7 @@
 #include <CGAL/Boundary_recovery_3/internal/Exterior_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Growing_cavity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Kernel_point_3.h>
+#include <CGAL/Boundary_recovery_3/internal/Simplex_index_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Small_polyhedron_reconnection_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/cell_simplices.h>
@@ -37,6 +38,7 @@
 #include <cstddef>
 #include <iterator>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -134,6 +136,14 @@ private:
   typedef Small_polyhedron_reconnection_3<Tr>                                    Reconnection;
   typedef typename Cell_replacement<Tr>::Tetrahedron                             Tetrahedron;
   typedef typename Kernel_point_3<Tr>::Triangle                                  Triangle;
+
+  // Cells, their outer faces seen from inside, and the points inside.
+  struct Polyhedron
+  {
+    std::vector<Cell_handle> cells;
+    std::vector<Triangle> faces;
+    std::vector<Vertex_handle> inner_points;
+  };
 
   // Where there is a domain, the points in its exterior are not worth much time.
   enum Points { ALL_POINTS, POINTS_OF_DOMAIN };
@@ -284,7 +294,7 @@ private:
     const typename Positions::Exact_point_3 exact = m_positions(v);
     m_positions.erase(v);
     if(m_kernel_point.is_kernel_point(v, faces) || m_kernel_point(v, faces)
-       || (context.go_further() && m_kernel_point.move_near(v, faces, exact)) || enlarge_ball(v, context))
+       || (context.go_further() && m_kernel_point.move_near(v, faces, exact)) || star_from_nearby(v, context))
       return true;
     m_positions.set(v, exact);
     return false;
@@ -298,42 +308,68 @@ private:
     return std::none_of(m_ball.begin(), m_ball.end(), [this](const Cell_handle c) { return m_tr.is_infinite(c); });
   }
 
-  // Where no number fits into the kernel of the ball of v: adds the cell behind a face of it, and so on, always the one
-  // that makes the kernel deepest. Returns whether v got a position and all the cells around it are new.
+  // Where no number fits into the kernel of the ball of v: moves v to the center of a cell nearby, and adds the cells
+  // behind the faces of the ball that it does not see from there, and so on. Of the centers for which this ends, that
+  // with the fewest cells is taken. Returns whether there is one; all the cells around v are new then. If not, v is
+  // somewhere.
   template <typename Context>
-  bool enlarge_ball(const Vertex_handle v, Context& context)
+  bool star_from_nearby(const Vertex_handle v, Context& context)
+  {
+    typename Positions::Point_3 best_center;
+    std::optional<Polyhedron> best;
+    for(const Cell_handle c : cells_near_ball(v))
+    {
+      if(! context.go_further())
+        break;
+      v->set_point(center(c));
+      if(auto polyhedron = enlarged_ball(v, best ? best->cells.size() - 1 : max_number_of_cells))
+      {
+        best = std::move(polyhedron);
+        best_center = v->point();
+      }
+    }
+    if(! best)
+      return false;
+    v->set_point(best_center);
+    star(v, best->cells, best->faces, best->inner_points);
+    return true;
+  }
+
+  // The finite cells that share a vertex with the ball of v.
+  std::vector<Cell_handle> cells_near_ball(const Vertex_handle v)
+  {
+    collect_neighbors(v);
+    Simplex_index_3<Cell_handle, 1> known;
+    std::vector<Cell_handle> result, star;
+    for(const Vertex_handle w : m_neighbors)
+    {
+      star.clear();
+      m_tr.finite_incident_cells(w, std::back_inserter(star));
+      std::copy_if(star.begin(), star.end(), std::back_inserter(result),
+                   [&](const Cell_handle c) { return known.insert({{ c }}).second; });
+    }
+    return result;
+  }
+
+  typename Positions::Point_3 center(const Cell_handle c) const
+  {
+    std::array<double, 3> x = {{ 0, 0, 0 }};
+    for(int i = 0; i < 4; ++i)
+      for(int k = 0; k < 3; ++k)
+        x[k] += m_predicates.approximate_point(c->vertex(i))[k] / 4; // a sum may be out of range
+    return typename Positions::Point_3(x[0], x[1], x[2]);
+  }
+
+  // The ball of v with the cells that have to be added so that v sees all the faces, none if that is not possible.
+  std::optional<Polyhedron> enlarged_ball(const Vertex_handle v, const std::size_t max_number_of_cells) const
   {
     Cavity cavity(m_tr, m_constraints, m_ball);
-    for(int step = 0; step < max_number_of_added_cells; ++step)
-    {
-      Cell_handle best;
-      double depth = 0;
-      for(const Cell_handle n : cavity.cells_around())
-      {
-        if(! context.go_further())
-          return false;
-        Cavity larger(cavity);
-        larger.add(n);
-        std::vector<Triangle> faces;
-        std::vector<Vertex_handle> inner_points;
-        if(! larger.collect_boundary(m_points, faces, inner_points))
-          continue;
-        if(m_kernel_point(v, faces))
-        {
-          star(v, larger.cells(), faces, inner_points);
-          return true;
-        }
-        if(best == Cell_handle() || m_kernel_point.depth() > depth)
-        {
-          best = n;
-          depth = m_kernel_point.depth();
-        }
-      }
-      if(best == Cell_handle())
-        return false;
-      cavity.add(best);
-    }
-    return false;
+    Polyhedron result;
+    if(! cavity.grow_until_seen(v, m_predicates, max_number_of_cells)
+       || ! cavity.collect_boundary(m_points, result.faces, result.inner_points))
+      return std::nullopt;
+    result.cells = cavity.cells();
+    return result;
   }
 
   // Stars the balls of v and of another Steiner point, its neighbor, from one point.
@@ -485,7 +521,8 @@ private:
   static constexpr std::size_t max_number_of_failures = 40;
   static constexpr std::size_t failures_per_removed_point = 10;
 
-  static constexpr int max_number_of_added_cells = 30;
+  // Of a ball that is enlarged until its vertex sees all. (Of nine balls, the smallest had 101 to 148.)
+  static constexpr std::size_t max_number_of_cells = 1000;
 
   Tr& m_tr;
   const Predicates& m_predicates;
