@@ -31,6 +31,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -144,6 +145,13 @@ private:
   {
     Vector normal; // of length one
     double offset;
+  };
+
+  // A point relative to the origin, in units of the diameter, and its distance from the planes of the half spaces.
+  struct Deep_point
+  {
+    Vector x;
+    double depth;
   };
 
   // Along a ray, the next point is likely to be on the wrong side of the same face.
@@ -313,10 +321,11 @@ private:
   // that with the largest r.
   bool move_to_deepest_point(const Vertex_handle v, const std::vector<Triangle>& faces)
   {
-    Vector x;
-    if(! maximize(CGAL::NULL_VECTOR, 1, x))
+    const std::optional<Deep_point> deepest = maximize(CGAL::NULL_VECTOR, 1);
+    if(! deepest)
       return false;
-    return (move(v, m_diameter * x) && is_kernel_point(v, faces)) || (m_depth > 0 && sample(v, faces, x));
+    return (move(v, m_diameter * deepest->x) && is_kernel_point(v, faces))
+        || (deepest->depth > 0 && sample(v, faces, deepest->x));
   }
 
   // A kernel thinner than the distance of floating point numbers contains many of them nevertheless, if it is wide and
@@ -326,11 +335,8 @@ private:
     std::vector<Vector> extreme;
     for(const Vector& axis : { Vector(1, 0, 0), Vector(0, 1, 0), Vector(0, 0, 1) })
       for(const Vector& objective : { axis, - axis })
-      {
-        Vector x;
-        if(maximize(objective, 0, x))
-          extreme.push_back(x);
-      }
+        if(const std::optional<Deep_point> point = maximize(objective, 0))
+          extreme.push_back(point->x);
     std::minstd_rand random; // always the same numbers
     for(int k = 0; k < number_of_samples && ! extreme.empty(); ++k)
     {
@@ -357,8 +363,8 @@ private:
   }
 
   // Maximizes objective * x + r_max * r over the points x that are at least as deep as r, 0 <= r <= r_max, in units of
-  // the diameter; sets the depth.
-  bool maximize(const Vector& objective, const int r_max, Vector& x)
+  // the diameter.
+  std::optional<Deep_point> maximize(const Vector& objective, const int r_max) const
   {
     typedef CGAL::Quadratic_program<double> Program;
     Program lp(CGAL::LARGER, false, 0, false, 0);
@@ -382,14 +388,12 @@ private:
     const CGAL::Quadratic_program_solution<Exact_float> solution
       = CGAL::solve_linear_program(lp, Exact_float());
     if(! solution.is_optimal())
-      return false;
+      return std::nullopt;
     const double denominator = CGAL::to_double(solution.variables_common_denominator());
     std::array<double, 4> values; // of the three coordinates and r
     std::transform(solution.variable_numerators_begin(), solution.variable_numerators_end(), values.begin(),
                    [&](const Exact_float& numerator) { return CGAL::to_double(numerator) / denominator; });
-    x = Vector(values[0], values[1], values[2]);
-    m_depth = m_diameter * values[3];
-    return true;
+    return Deep_point{ Vector(values[0], values[1], values[2]), m_diameter * values[3] };
   }
 
   static constexpr int max_number_of_bisections = 50;
@@ -400,9 +404,8 @@ private:
   const Predicates& m_predicates;
   Positions& m_positions;
   Point m_origin;
-  double m_unit;     // of the half spaces, the diameter, and the depth
+  double m_unit;     // of the half spaces and the diameter
   double m_diameter;
-  double m_depth;
   std::vector<Half_space> m_half_spaces;
   mutable std::size_t m_last_hidden = 0; // the position of a face that the last point did not see
 };

@@ -22,7 +22,6 @@
 #include <CGAL/Boundary_recovery_3/internal/Exterior_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Growing_cavity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Kernel_point_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Simplex_index_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Small_polyhedron_reconnection_3.h>
 #include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/cell_simplices.h>
@@ -339,16 +338,16 @@ private:
   std::vector<Cell_handle> cells_near_ball(const Vertex_handle v)
   {
     collect_neighbors(v);
-    Simplex_index_3<Cell_handle, 1> known;
-    std::vector<Cell_handle> result, star;
+    Cavity result(m_tr, m_constraints, std::vector<Cell_handle>()); // it takes finite cells only, and each once
+    std::vector<Cell_handle> star;
     for(const Vertex_handle w : m_neighbors)
     {
       star.clear();
-      m_tr.finite_incident_cells(w, std::back_inserter(star));
-      std::copy_if(star.begin(), star.end(), std::back_inserter(result),
-                   [&](const Cell_handle c) { return known.insert({{ c }}).second; });
+      m_tr.incident_cells(w, std::back_inserter(star));
+      for(const Cell_handle c : star)
+        result.add(c);
     }
-    return result;
+    return result.cells();
   }
 
   typename Positions::Point_3 center(const Cell_handle c) const
