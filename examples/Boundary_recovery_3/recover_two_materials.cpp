@@ -2,8 +2,8 @@
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Unique_hash_map.h>
-#include <CGAL/recover_boundary.h>
 #include <CGAL/Boundary_recovery_3/label_regions.h>
+#include <CGAL/recover_boundary.h>
 
 #include <array>
 #include <cmath>

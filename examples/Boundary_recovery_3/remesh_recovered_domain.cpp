@@ -6,8 +6,8 @@
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
 #include <CGAL/Tetrahedral_remeshing/Remeshing_triangulation_3.h>
 #include <CGAL/Unique_hash_map.h>
-#include <CGAL/recover_boundary.h>
 #include <CGAL/Boundary_recovery_3/label_regions.h>
+#include <CGAL/recover_boundary.h>
 #include <CGAL/tetrahedral_remeshing.h>
 
 #include <array>

@@ -14,19 +14,19 @@
 
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_visitor_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Cavity_recovery_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Conforming_recovery_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Constraint_parts_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Constraint_search_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Constraints_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Mesh_snapshot_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Recovery_context.h>
-#include <CGAL/Boundary_recovery_3/internal/Recursive_recovery_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Steiner_points_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Steiner_rounding_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Steiner_splitting_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Steiner_suppression_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
+#include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
+#include <CGAL/Boundary_recovery_3/internal/lost/Cavity_recovery_3.h>
+#include <CGAL/Boundary_recovery_3/internal/lost/Constraint_search_3.h>
+#include <CGAL/Boundary_recovery_3/internal/lost/Recursive_recovery_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_snapshot_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Conforming_recovery_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Constraint_parts_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_points_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_rounding_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_splitting_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_suppression_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 
 #include <CGAL/assertions.h>
 

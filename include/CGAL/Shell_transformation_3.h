@@ -17,10 +17,10 @@
 #include <CGAL/Boundary_recovery_3/Shell_3.h>
 #include <CGAL/Boundary_recovery_3/Shell_quality_3.h>
 #include <CGAL/Boundary_recovery_3/Shell_validity_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Cell_replacement.h>
-#include <CGAL/Boundary_recovery_3/internal/Covering_mesh_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
-#include <CGAL/Boundary_recovery_3/internal/contains.h>
+#include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Cell_replacement.h>
+#include <CGAL/Boundary_recovery_3/internal/shell/Covering_mesh_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/enum.h>

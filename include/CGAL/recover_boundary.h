@@ -14,8 +14,8 @@
 
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_visitor_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Indexed_boundary_recovery.h>
-#include <CGAL/Boundary_recovery_3/internal/input_conversion.h>
+#include <CGAL/Boundary_recovery_3/internal/input/Indexed_boundary_recovery.h>
+#include <CGAL/Boundary_recovery_3/internal/input/input_conversion.h>
 #include <CGAL/Boundary_recovery_3/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>

@@ -12,6 +12,32 @@ import sys
 PACKAGE = "Boundary_recovery_3"
 TEXT = {".h", ".cpp", ".txt", ".cmake", ".md", ".py", ".sh", ".in", ".off", ".cmd", ".bib", ".svg", ""}
 SKIPPED_FOLDERS = {".git", "build", "__pycache__"}
+# The floors of the house, from the top: folders below include/CGAL/Boundary_recovery_3/internal/, and between them the
+# public headers. Each may include what stands above it, and folders also themselves, but not in a circle.
+FLOORS = [
+    "license/Boundary_recovery_3.h",
+    "Boundary_recovery_3/Boundary_recovery_result_3.h",
+    "Boundary_recovery_3/Boundary_recovery_visitor_3.h",
+    "Boundary_recovery_3/parameters.h",
+    "Boundary_recovery_3/Partial_triangulation.h",
+    "Boundary_recovery_3/Shell_3.h",
+    "util",         # ranges, hashing, bits, the context of a run
+    "numbers",      # exact numbers, and floating point numbers near them
+    "mesh",         # simplices of cells, constraints, replacement of cells and its undo, regions
+    "Boundary_recovery_3/label_regions.h",
+    "geometry",     # exact positions, predicates of vertices, visibility, walks
+    "Boundary_recovery_3/Shell_quality_3.h",
+    "Boundary_recovery_3/Shell_validity_3.h",
+    "shell",        # search for covering meshes
+    "Shell_transformation_3.h",
+    "cavity",       # cavities and their reconnection
+    "operations",   # one local operation in each file
+    "lost",         # search for lost constraints, and their recovery without points [CZZ+17, Section 4.2]
+    "steiner",      # Steiner points [CZZ+17, Sections 4.1 and 4.3, Appendix]
+    "Constrained_boundary_recovery_3.h",
+    "input",        # the caller's input, and what is wrong with it
+    "recover_boundary.h",
+]
 FORBIDDEN_IN_HEADERS = {
     r"\bstd::(cout|cerr|clog)\b|\b(printf|fprintf|puts)\s*\(": "prints",
     r"\b(exit|abort|_Exit|quick_exit|terminate)\s*\(": "ends the program",
@@ -37,6 +63,13 @@ def without_comments_and_strings(code):
     return re.sub(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"', " ", code, flags=re.S)
 
 
+def floor(name):
+    """The position in FLOORS of a header, given by its path below include/CGAL, or None."""
+    internal = re.fullmatch(r"%s/internal/(\w+)/\w+\.h" % PACKAGE, name)
+    entry = internal.group(1) if internal else name
+    return FLOORS.index(entry) if entry in FLOORS else None
+
+
 class Checker:
     def __init__(self, root):
         self.root, self.complaints = root, []
@@ -53,6 +86,7 @@ class Checker:
         self.require(headers, "include", "no header")
         for path in headers:
             self.check_header(path)
+        self.check_floors(headers)
         self.check_unique_names()
         self.check_programs()
         self.check_package_info()
@@ -110,6 +144,33 @@ class Checker:
             self.require(False, path, 'includes "%s" with quotes' % include)
         internal = "/internal/" in path
         self.require(not internal or "namespace internal" in code, path, "not in a namespace internal")
+
+    def check_floors(self, headers):
+        """Headers include only what stands above them in FLOORS."""
+        includes = {}
+        for path in headers:
+            name = path[len("include/CGAL/"):]
+            self.require(floor(name) is not None, path, "is on none of the floors")
+            found = re.findall(r"^#include <CGAL/([^>]+)>", read(self.root, path), re.M)
+            includes[name] = [i for i in found if "include/CGAL/" + i in self.paths]
+        for name, included in includes.items():
+            for other in included:
+                if floor(name) is not None and floor(other) is not None:
+                    self.require(floor(other) <= floor(name), "include/CGAL/" + name, "includes %s, which is on a lower floor" % other)
+        for name in includes:
+            self.require(not self.is_in_circle(name, includes), "include/CGAL/" + name, "includes itself in a circle")
+
+    @staticmethod
+    def is_in_circle(name, includes):
+        seen, open_names = set(), list(includes[name])
+        while open_names:
+            other = open_names.pop()
+            if other == name:
+                return True
+            if other not in seen:
+                seen.add(other)
+                open_names += includes[other]
+        return False
 
     def check_unique_names(self):
         seen = {}
@@ -183,6 +244,7 @@ class Checker:
 def self_test(scratch, root):
     """Applies one defect after the other to a copy of the package."""
     header = "include/CGAL/%s/parameters.h" % PACKAGE
+    util = "include/CGAL/%s/internal/util/Hash_index.h" % PACKAGE
 
     def replace(path, old, new):
         def defect(copy):
@@ -213,6 +275,9 @@ def self_test(scratch, root):
         "guard is not named": replace(header, "#ifndef CGAL_BOUNDARY", "#ifndef CGAL_BONDARY"),
         "#endif": replace(header, "#endif // CGAL", "#endif //CGAL"),
         "include is not the one of the licence": replace(header, "#include <CGAL/license/Boundary_recovery_3.h>\n", ""),
+        "which is on a lower floor": replace(util, "\n#include", "\n#include <CGAL/%s/internal/mesh/cell_simplices.h>\n#include" % PACKAGE),
+        "on none of the floors": lambda copy: write(copy, "include/CGAL/%s/internal/x.h" % PACKAGE, read(copy, util)),
+        "in a circle": replace(util, "\n#include", "\n#include <CGAL/%s/internal/util/Simplex_index_3.h>\n#include" % PACKAGE),
         "prints": replace(header, code, "\nvoid f() { std::cerr << 1; }\n" + code),
         "ends the program": replace(header, code, "\nvoid f() { std::abort(); }\n" + code),
         "assert": replace(header, code, "\nvoid f(int i) { assert(i); }\n" + code),

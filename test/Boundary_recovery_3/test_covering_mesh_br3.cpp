@@ -7,8 +7,8 @@
 #include <CGAL/Boundary_recovery_3/Shell_3.h>
 #include <CGAL/Boundary_recovery_3/Shell_quality_3.h>
 #include <CGAL/Boundary_recovery_3/Shell_validity_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Covering_mesh_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Intersection_table_3.h>
+#include <CGAL/Boundary_recovery_3/internal/lost/Intersection_table_3.h>
+#include <CGAL/Boundary_recovery_3/internal/shell/Covering_mesh_3.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

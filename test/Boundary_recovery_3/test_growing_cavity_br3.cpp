@@ -5,19 +5,19 @@
 
 #include "tetrahedralizations_br3.h"
 
-#include <CGAL/Boundary_recovery_3/internal/Bit_matrix.h>
-#include <CGAL/Boundary_recovery_3/internal/Candidate_tetrahedra_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Cell_replacement.h>
-#include <CGAL/Boundary_recovery_3/internal/Constraints_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Exact_positions_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Face_matching.h>
-#include <CGAL/Boundary_recovery_3/internal/Growing_cavity_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Small_polyhedron_reconnection_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Spanned_cavity_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Steiner_suppression_3.h>
-#include <CGAL/Boundary_recovery_3/internal/cell_simplices.h>
-#include <CGAL/Boundary_recovery_3/internal/contains.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh_validity.h>
+#include <CGAL/Boundary_recovery_3/internal/cavity/Candidate_tetrahedra_3.h>
+#include <CGAL/Boundary_recovery_3/internal/cavity/Face_matching.h>
+#include <CGAL/Boundary_recovery_3/internal/cavity/Growing_cavity_3.h>
+#include <CGAL/Boundary_recovery_3/internal/cavity/Small_polyhedron_reconnection_3.h>
+#include <CGAL/Boundary_recovery_3/internal/cavity/Spanned_cavity_3.h>
+#include <CGAL/Boundary_recovery_3/internal/geometry/Exact_positions_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Cell_replacement.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/mesh_validity.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_suppression_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Bit_matrix.h>
+#include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 #include <CGAL/recover_boundary.h>
 
 #include <algorithm>

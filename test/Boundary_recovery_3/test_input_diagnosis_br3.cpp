@@ -17,9 +17,9 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>
 
-#include <CGAL/Boundary_recovery_3/internal/Constraint_intersections_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Input_diagnosis_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Recovery_context.h>
+#include <CGAL/Boundary_recovery_3/internal/input/Constraint_intersections_3.h>
+#include <CGAL/Boundary_recovery_3/internal/input/Input_diagnosis_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 
 #include <algorithm>
 #include <array>

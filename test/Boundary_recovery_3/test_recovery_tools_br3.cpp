@@ -17,16 +17,16 @@
 #include "steiner_inputs_br3.h"
 
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_visitor_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Constraint_search_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Constraints_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Exact_positions_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Exterior_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Hash_index.h>
-#include <CGAL/Boundary_recovery_3/internal/Kernel_point_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Mesh_snapshot_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Simplex_index_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
-#include <CGAL/Boundary_recovery_3/internal/cell_simplices.h>
+#include <CGAL/Boundary_recovery_3/internal/geometry/Exact_positions_3.h>
+#include <CGAL/Boundary_recovery_3/internal/geometry/Kernel_point_3.h>
+#include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
+#include <CGAL/Boundary_recovery_3/internal/lost/Constraint_search_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Exterior_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_snapshot_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Hash_index.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 

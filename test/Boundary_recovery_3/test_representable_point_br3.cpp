@@ -12,7 +12,7 @@
 
 #undef NDEBUG
 
-#include <CGAL/Boundary_recovery_3/internal/Representable_point_3.h>
+#include <CGAL/Boundary_recovery_3/internal/numbers/Representable_point_3.h>
 
 #include <CGAL/Exact_rational.h>
 

@@ -4,8 +4,8 @@
 
 #include "reference_covering_mesh.h"
 
+#include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
 #include <CGAL/Shell_transformation_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Constraints_3.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

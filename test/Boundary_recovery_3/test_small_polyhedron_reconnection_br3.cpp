@@ -5,8 +5,8 @@
 
 #include "tetrahedralizations_br3.h"
 
-#include <CGAL/Boundary_recovery_3/internal/Cell_replacement.h>
-#include <CGAL/Boundary_recovery_3/internal/Small_polyhedron_reconnection_3.h>
+#include <CGAL/Boundary_recovery_3/internal/cavity/Small_polyhedron_reconnection_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Cell_replacement.h>
 
 #include <CGAL/Cartesian_converter.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>

@@ -4,9 +4,9 @@
 
 #include "reference_geometry_br3.h"
 
-#include <CGAL/Boundary_recovery_3/internal/Facet_walk_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Segment_walk_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
+#include <CGAL/Boundary_recovery_3/internal/geometry/Facet_walk_3.h>
+#include <CGAL/Boundary_recovery_3/internal/geometry/Segment_walk_3.h>
+#include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -13,7 +13,7 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/Shell_3.h>
-#include <CGAL/Boundary_recovery_3/internal/Vertex_predicates_3.h>
+#include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 
 #include <CGAL/Kernel/global_functions_3.h>
 

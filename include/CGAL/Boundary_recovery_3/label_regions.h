@@ -12,8 +12,8 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/internal/Simplex_index_3.h>
-#include <CGAL/Boundary_recovery_3/internal/cell_simplices.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
 
 #include <CGAL/Unique_hash_map.h>
 

@@ -1,0 +1,280 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_CAVITY_GROWING_CAVITY_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_CAVITY_GROWING_CAVITY_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/internal/cavity/Candidate_tetrahedra_3.h>
+#include <CGAL/Boundary_recovery_3/internal/cavity/Face_matching.h>
+#include <CGAL/Boundary_recovery_3/internal/cavity/Spanned_cavity_3.h>
+#include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
+#include <CGAL/Boundary_recovery_3/internal/util/contains.h>
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/enum.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * Reconnection of a cavity around a Steiner point without this point; the cavity grows until that succeeds.
+ *
+ * It may grow to where it has to: if it cannot be filled, this follows from faces that no vertex of the cavity makes a
+ * tetrahedron with, so the next vertices are those that do. (A point that goes with 66 vertices chosen like this took a
+ * cavity of 200 of those that touch it most, and others did not go with 300 of these.)
+ */
+template <typename Tr>
+class Growing_cavity_3
+{
+public:
+  typedef typename Tr::Vertex_handle           Vertex_handle;
+  typedef typename Tr::Cell_handle             Cell_handle;
+  typedef Vertex_predicates_3<Tr>              Predicates;
+  typedef Constraints_3<Tr>                    Constraints;
+  typedef Spanned_cavity_3<Tr>                 Cavity;
+  typedef Candidate_tetrahedra_3<Tr>           Candidates;
+  typedef typename Candidates::Tetrahedron     Tetrahedron;
+  typedef std::vector<Vertex_handle>           Vertices;
+
+  // How a cavity grows.
+  enum Growth
+  {
+    AROUND,           // to twice as many vertices, those that touch it most
+    TOWARD_DEAD_ENDS  // by a third, to where it has to; one vertex at a time takes longer, and is of no more use
+  };
+
+  // Bounds on the work.
+  struct Bounds
+  {
+    std::size_t vertices;   // of the largest cavity
+    std::size_t tetrahedra; // between them
+    std::size_t steps;      // of one search
+  };
+
+  enum Outcome
+  {
+    FOUND,
+    NONE,    // constraints and the hull enclose the cavity, and it cannot be filled without the point
+    GAVE_UP
+  };
+
+  Growing_cavity_3(const Tr& tr, const Predicates& predicates, const Constraints& constraints)
+    : m_predicates(predicates), m_constraints(constraints), m_cavity(tr, constraints),
+      m_candidates(predicates)
+  { }
+
+  // Looks for tetrahedra that fill a cavity that contains the ball of v, without v. They need not use any of the
+  // `points`.
+  template <typename Context>
+  Outcome operator()(const std::vector<Cell_handle>& ball, const Vertex_handle v, const Vertices& points,
+                     const Growth growth, const Bounds& bounds, Context& context)
+  {
+    m_cavity.initialize(ball, v);
+    while(m_cavity.number_of_vertices() <= bounds.vertices && context.go_further())
+    {
+      const Face_matching::Outcome outcome = reconnect(v, points, bounds);
+      if(outcome == Face_matching::GAVE_UP)
+        return GAVE_UP;
+      if(outcome == Face_matching::FOUND)
+      {
+        collect_result(v);
+        return FOUND;
+      }
+      if(m_cavity.vertices_behind().empty())
+        return NONE;
+      if(! grow(growth, bounds, context))
+        return GAVE_UP;
+    }
+    return GAVE_UP;
+  }
+
+  // The cells to be replaced, by which tetrahedra, and the points that are then gone.
+  const std::vector<Cell_handle>& cells() const { return m_cavity.cells(); }
+  const std::vector<Tetrahedron>& tetrahedra() const { return m_tetrahedra; }
+  const Vertices& dropped_points() const { return m_dropped_points; }
+
+private:
+  typedef typename Candidates::Triangle        Triangle;
+
+  // What hides the vertices behind the boundary of the cavity from its faces.
+  class Obstacles
+  {
+  public:
+    typedef std::vector<typename Cavity::Boundary_face> Faces;
+
+    Obstacles(const Faces& faces, const Predicates& predicates) : m_faces(faces), m_predicates(predicates)
+    {
+      for(const auto& f : m_faces)
+        m_boxes.push_back(m_predicates.bbox(f.face[0]) + m_predicates.bbox(f.face[1]) + m_predicates.bbox(f.face[2]));
+    }
+
+    // For each of the faces, whether x is on its positive side, and neither a constraint nor, if `with_open_faces`,
+    // another face than those that x is behind of is between x and one of its vertices.
+    std::vector<char> are_seen(const Vertex_handle x, const std::vector<Triangle>& faces,
+                               const bool with_open_faces) const
+    {
+      std::vector<std::pair<Vertex_handle, bool> > known; // many of the faces share vertices
+      const auto is_seen = [&](const Vertex_handle w)
+      {
+        const auto it = std::find_if(known.begin(), known.end(), [&](const auto& k) { return k.first == w; });
+        if(it != known.end())
+          return it->second;
+        known.push_back({ w, sees(x, w, with_open_faces) });
+        return known.back().second;
+      };
+      std::vector<char> result;
+      for(const Triangle& f : faces)
+        result.push_back(m_predicates.orientation(f[0], f[1], f[2], x) == POSITIVE
+                         && std::all_of(f.begin(), f.end(), is_seen));
+      return result;
+    }
+
+  private:
+    bool sees(const Vertex_handle x, const Vertex_handle w, const bool with_open_faces) const
+    {
+      const Bbox_3 box = m_predicates.bbox(w) + m_predicates.bbox(x);
+      for(std::size_t i = 0; i < m_faces.size(); ++i)
+      {
+        const Vertex_handle behind = m_faces[i].vertex_behind;
+        const Triangle& f = m_faces[i].face;
+        if((behind == Vertex_handle() || (with_open_faces && behind != x)) && CGAL::do_overlap(box, m_boxes[i])
+           && m_predicates.segment_pierces_triangle(w, x, f[0], f[1], f[2]))
+          return false;
+      }
+      return true;
+    }
+
+    Faces m_faces;
+    const Predicates& m_predicates;
+    std::vector<Bbox_3> m_boxes;
+  };
+
+  Face_matching::Outcome reconnect(const Vertex_handle v, const Vertices& points, const Bounds& bounds)
+  {
+    std::vector<std::array<Vertex_handle, 2> > edges;
+    std::vector<Triangle> facets;
+    m_constraints.collect(m_cavity.cells(), edges, facets);
+    if(! m_candidates.collect(m_cavity.cells(), edges, facets, points, v, bounds.tetrahedra))
+      return Face_matching::GAVE_UP;
+    return m_matching(m_candidates.number_of_sides(), m_candidates.tetrahedra(), m_candidates.boundary(),
+                      bounds.steps);
+  }
+
+  void collect_result(const Vertex_handle v)
+  {
+    m_tetrahedra.clear();
+    Vertices used;
+    for(const std::size_t t : m_matching.selection())
+    {
+      m_tetrahedra.push_back(m_candidates.vertices_of_tetrahedron(t));
+      used.insert(used.end(), m_tetrahedra.back().begin(), m_tetrahedra.back().end());
+    }
+    m_dropped_points.assign(1, v);
+    for(const Vertex_handle w : m_candidates.vertices())
+      if(! internal::contains(used, w))
+        m_dropped_points.push_back(w);
+  }
+
+  // Adds vertices, with all the cells that these bring. Returns false if there would be too many, of them or of
+  // tetrahedra, by an estimate: mostly, their number grows with the square of that of the vertices, or faster.
+  template <typename Context>
+  bool grow(const Growth growth, const Bounds& bounds, Context& context)
+  {
+    const std::size_t before = m_cavity.number_of_vertices();
+    const std::size_t wanted = (std::min)(growth == AROUND ? 2 * before : before + before / 3 + 1, bounds.vertices);
+    if(m_candidates.tetrahedra().size() * wanted / before * wanted / before > bounds.tetrahedra)
+      return false;
+    std::vector<Triangle> faces;
+    if(growth == TOWARD_DEAD_ENDS)
+      faces = dead_ends();
+    while(m_cavity.number_of_vertices() < wanted && context.go_further())
+    {
+      const Vertex_handle x = next_vertex(faces);
+      if(x == Vertex_handle())
+        break;
+      m_cavity.add(x);
+    }
+    return m_cavity.number_of_vertices() > before;
+  }
+
+  std::vector<Triangle> dead_ends() const
+  {
+    std::vector<Triangle> result;
+    for(const Face_matching::Side s : m_matching.dead_ends())
+      result.push_back(m_candidates.vertices_of_side(s));
+    return result;
+  }
+
+  // A vertex behind the boundary that makes tetrahedra with some of the faces, which are then taken out. First choice
+  // is one that will, most likely, with the cells that it brings; then one that may when the cavity is larger; then the
+  // one that touches the cavity most.
+  Vertex_handle next_vertex(std::vector<Triangle>& faces) const
+  {
+    const Vertices vertices = m_cavity.vertices_behind();
+    if(vertices.empty() || faces.empty())
+      return vertices.empty() ? Vertex_handle() : vertices.front();
+    const Obstacles obstacles(m_cavity.boundary(), m_predicates);
+    for(const bool with_open_faces : { true, false })
+    {
+      Vertex_handle best;
+      std::vector<char> seen_from_best;
+      std::ptrdiff_t most = 0;
+      for(const Vertex_handle x : vertices)
+      {
+        std::vector<char> seen = obstacles.are_seen(x, faces, with_open_faces);
+        const std::ptrdiff_t number = std::count(seen.begin(), seen.end(), true);
+        if(number <= most)
+          continue;
+        most = number;
+        best = x;
+        seen_from_best = std::move(seen);
+      }
+      if(most == 0)
+        continue;
+      if(with_open_faces)
+        take_out(seen_from_best, faces);
+      return best;
+    }
+    return vertices.front();
+  }
+
+  static void take_out(const std::vector<char>& marks, std::vector<Triangle>& faces)
+  {
+    std::vector<Triangle> result;
+    for(std::size_t i = 0; i < faces.size(); ++i)
+      if(! marks[i])
+        result.push_back(faces[i]);
+    faces = std::move(result);
+  }
+
+  const Predicates& m_predicates;
+  const Constraints& m_constraints;
+  Cavity m_cavity;
+  Candidates m_candidates;
+  Face_matching m_matching;
+  std::vector<Tetrahedron> m_tetrahedra;
+  Vertices m_dropped_points;
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_CAVITY_GROWING_CAVITY_3_H

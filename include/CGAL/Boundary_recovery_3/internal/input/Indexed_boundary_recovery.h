@@ -1,0 +1,316 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_INPUT_INDEXED_BOUNDARY_RECOVERY_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_INPUT_INDEXED_BOUNDARY_RECOVERY_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
+#include <CGAL/Boundary_recovery_3/internal/input/Constraint_intersections_3.h>
+#include <CGAL/Boundary_recovery_3/internal/input/Indexed_input_3.h>
+#include <CGAL/Boundary_recovery_3/internal/input/Input_diagnosis_3.h>
+#include <CGAL/Boundary_recovery_3/internal/input/Recovery_diagnosis.h>
+#include <CGAL/Boundary_recovery_3/internal/input/Vertex_location.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
+#include <CGAL/Constrained_boundary_recovery_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+struct Recovery_options
+{
+  Recovery_mode mode = Recovery_mode::constrained;
+  int max_recursion_level = -1;                                               // negative: the default of the driver
+  double maximum_running_time = std::numeric_limits<double>::infinity();      // seconds
+  bool list_defects = false;
+};
+
+/*
+ * The work behind all the overloads of recover_boundary(), on input in index form: it checks the input, finds or
+ * inserts the vertices, runs the recovery, and writes the account in the caller's indices.
+ */
+template <typename Tr, typename GT, typename Visitor>
+class Indexed_boundary_recovery
+{
+public:
+  typedef typename Tr::Vertex_handle                Vertex_handle;
+  typedef typename Tr::Geom_traits::Point_3         Point_3;
+  typedef Indexed_input_3<Point_3>                  Input;
+  typedef Boundary_recovery_result_3<Tr>            Result;
+  typedef typename Result::Input_simplex            Simplex;
+  typedef typename Result::Input_defect             Defect;
+
+  Indexed_boundary_recovery(Tr& tr, const Input& input, const GT& gt, const Recovery_options& options, Visitor& visitor)
+    : m_tr(tr), m_input(input), m_gt(gt), m_options(options), m_context(visitor)
+  {
+    m_context.set_maximum_running_time(options.maximum_running_time);
+  }
+
+  // `vertices` are those of the input points where the caller knows them, else empty.
+  Result operator()(std::vector<Vertex_handle> vertices)
+  {
+    m_result.defects = simple_defects(m_input, m_gt, m_tr.number_of_vertices() == 0);
+    if(m_result.defects.empty() && m_options.list_defects)
+      m_result.defects = intersecting_constraints(m_input, m_gt, m_context);
+    if(m_result.defects.empty())
+    {
+      m_result.vertices = std::move(vertices);
+      if(m_result.vertices.empty())
+        find_vertices();
+      check_triangulation();
+    }
+    if(! m_result.defects.empty())
+      return invalid_input();
+    if(m_context.is_stopped() && ! is_every_point_known())
+      return stopped_early();
+    recover();
+    return std::move(m_result);
+  }
+
+private:
+  typedef Constrained_boundary_recovery_3<Tr, Visitor> Recovery;
+  typedef typename Input::Edge Edge;
+
+  // Once stopped, no points are inserted.
+  void find_vertices()
+  {
+    const double start = m_context.seconds();
+    const bool is_complete = locate_points();
+    if(! is_complete && ! can_insert(m_tr))
+      list_unknown_vertices();
+    if(! m_result.defects.empty() || m_context.is_stopped())
+      return;
+    m_context.visitor().on_phase_begin(Recovery_phase::insertion);
+    if(! is_complete)
+      m_result.number_of_inserted_vertices = insert_points(m_tr, m_input.points, m_result.vertices, m_context);
+    Phase_report report;
+    report.phase = Recovery_phase::insertion;
+    report.seconds = m_context.seconds() - start;
+    m_result.phases.push_back(report);
+    m_context.visitor().on_phase_end(report);
+  }
+
+  // Looks for the points in the triangulation. Returns whether all of them are there.
+  bool locate_points()
+  {
+    m_result.vertices.assign(m_input.points.size(), Vertex_handle());
+    if(m_tr.number_of_vertices() == 0)
+      return false;
+    const Vertex_location<Tr> location(m_tr);
+    for(std::size_t i = 0; i < m_input.points.size(); ++i)
+      m_result.vertices[i] = location(m_input.points[i]);
+    return is_every_point_known();
+  }
+
+  bool is_every_point_known() const
+  {
+    return std::find(m_result.vertices.begin(), m_result.vertices.end(), Vertex_handle()) == m_result.vertices.end();
+  }
+
+  void list_unknown_vertices()
+  {
+    for(std::size_t i = 0; i < m_input.points.size(); ++i)
+      if(m_result.vertices[i] == Vertex_handle())
+        m_result.defects.push_back(Defect{ Input_defect_kind::unknown_vertex, { describe_vertex(m_input, i) } });
+  }
+
+  // The checks that need all vertices.
+  void check_triangulation()
+  {
+    if(! m_result.defects.empty() || ! is_every_point_known())
+      return;
+    if(m_tr.dimension() < 3)
+      m_result.defects.push_back(Defect{ Input_defect_kind::dimension_less_than_3, {} });
+    else if(m_options.list_defects && ! m_context.is_stopped())
+      m_result.defects = Recovery_diagnosis<GT>(m_input, m_gt).vertices_on_constraints(all_constraints(), m_tr,
+                                                                                       m_result.vertices, m_context);
+  }
+
+  Result invalid_input()
+  {
+    m_result.status = Recovery_status::invalid_input;
+    m_result.vertices.clear();
+    m_result.number_of_edges = internal::number_of_edges(m_input);
+    m_result.number_of_facets = m_input.facets.size();
+    return std::move(m_result);
+  }
+
+  // The points are not all in the triangulation: nothing can be said about constraints but that they are missing.
+  Result stopped_early()
+  {
+    m_result.status = Recovery_status::stopped;
+    internal::for_each_edge(m_input, [this](const std::size_t index, const Edge& e)
+    {
+      m_result.missing_edges.push_back(describe_simplex(m_input, index, e));
+    });
+    for(std::size_t f = 0; f < m_input.facets.size(); ++f)
+      m_result.missing_facets.push_back(describe_facet(m_input, f));
+    m_result.number_of_edges = m_result.missing_edges.size();
+    m_result.number_of_facets = m_result.missing_facets.size();
+    return std::move(m_result);
+  }
+
+  void recover()
+  {
+    Recovery recovery(m_tr, m_context.visitor());
+    recovery.set_maximum_running_time(m_options.maximum_running_time - m_context.seconds());
+    if(m_options.max_recursion_level >= 0)
+      recovery.set_max_recursion_level(m_options.max_recursion_level);
+    insert_constraints(recovery);
+    const bool is_recovered = m_context.is_stopped() ? is_nothing_lost(recovery)
+                                                     : recovery.recover_by_flips() || recover_by_points(recovery);
+    take_account(recovery);
+    m_result.status = is_recovered               ? Recovery_status::recovered
+                    : ! m_result.defects.empty() ? Recovery_status::invalid_input
+                    : recovery.is_stopped() || m_context.is_stopped() ? Recovery_status::stopped
+                    : Recovery_status::incomplete;
+    if(m_result.status == Recovery_status::invalid_input)
+      m_result.vertices.clear(); // as for input that is refused at once
+  }
+
+  // Judges the input only now, for in most cases flips are enough, and prove it valid.
+  bool recover_by_points(Recovery& recovery)
+  {
+    if(recovery.is_stopped())
+      return false;
+    describe_missing(recovery);
+    judge_missing_constraints();
+    return m_result.defects.empty() && ! m_context.is_stopped() && recovery.recover_by_points(m_options.mode);
+  }
+
+  static bool is_nothing_lost(Recovery& recovery)
+  {
+    recovery.search();
+    return recovery.lost_edges().empty() && recovery.lost_facets().empty();
+  }
+
+  // The facets, then the edges, those of the facets included.
+  std::vector<Simplex> all_constraints() const
+  {
+    std::vector<Simplex> constraints;
+    for(std::size_t f = 0; f < m_input.facets.size(); ++f)
+      constraints.push_back(describe_facet(m_input, f));
+    internal::for_each_edge(m_input, [&](const std::size_t index, const Edge& e)
+    {
+      constraints.push_back(describe_simplex(m_input, index, e));
+    });
+    return constraints;
+  }
+
+  void insert_constraints(Recovery& recovery)
+  {
+    const std::vector<Vertex_handle>& v = m_result.vertices;
+    recovery.reserve(m_input.edges.size(), m_input.facets.size());
+    for(std::size_t i = 0; i < m_input.edges.size(); ++i)
+    {
+      const auto& e = m_input.edges[i];
+      if(recovery.insert_constraint(v[e[0]], v[e[1]]) == m_edges.size())
+        m_edges.push_back(describe_edge(m_input, i));
+    }
+    for(const auto& f : m_input.facets)
+      recovery.insert_constraint(v[f[0]], v[f[1]], v[f[2]]);
+  }
+
+  void take_account(const Recovery& recovery)
+  {
+    m_result.number_of_edges = recovery.constrained_edges().size();
+    m_result.number_of_facets = recovery.constrained_facets().size();
+    m_result.number_of_shell_transformations = recovery.number_of_transformations();
+    m_result.phases.insert(m_result.phases.end(), recovery.phases().begin(), recovery.phases().end());
+    m_result.levels = recovery.levels();
+    m_result.steiner_vertices = recovery.steiner_vertices();
+    m_result.number_of_constraint_points = recovery.number_of_constraint_points();
+    m_result.number_of_steiner_points = recovery.number_of_steiner_points();
+    describe_missing(recovery);
+    describe_parts(recovery);
+    m_result.unrepresentable_constraints = describe_edges(recovery, recovery.unrepresentable_edges());
+    for(const std::size_t f : recovery.unrepresentable_facets())
+      m_result.unrepresentable_constraints.push_back(describe_facet(m_input, f));
+  }
+
+  // The parts of constraints with Steiner points on them.
+  void describe_parts(const Recovery& recovery)
+  {
+    const std::vector<std::size_t> edges = recovery.split_edges();
+    const std::vector<Simplex> described = describe_edges(recovery, edges);
+    for(std::size_t k = 0; k < edges.size(); ++k)
+      for(const auto& part : recovery.parts_of_edge(edges[k]))
+        m_result.parts_of_edges.push_back({ { part[0], part[1] }, described[k] });
+    for(const std::size_t f : recovery.split_facets())
+      for(const auto& part : recovery.parts_of_facet(f))
+        m_result.parts_of_facets.push_back({ { part[0], part[1], part[2] }, describe_facet(m_input, f) });
+  }
+
+  void describe_missing(const Recovery& recovery)
+  {
+    m_result.missing_edges = describe_edges(recovery, recovery.lost_edges());
+    m_result.missing_facets.clear();
+    for(const std::size_t f : recovery.lost_facets()) // facets are all distinct, so they keep their indices
+      m_result.missing_facets.push_back(describe_facet(m_input, f));
+  }
+
+  // Edges of facets have no index of their own in the input, only vertices.
+  std::vector<Simplex> describe_edges(const Recovery& recovery, const std::vector<std::size_t>& edges) const
+  {
+    std::vector<Simplex> described(edges.size());
+    if(edges.empty())
+      return described;
+    std::vector<std::size_t> position(recovery.constrained_edges().size(), std::size_t(-1));
+    for(std::size_t k = 0; k < edges.size(); ++k)
+      position[edges[k]] = k;
+    for(const auto& f : m_input.facets)
+      for(int i = 0; i < 3; ++i)
+      {
+        const std::array<std::size_t, 2> e = {{ f[i], f[(i + 1) % 3] }};
+        const std::size_t k = position[recovery.index(m_result.vertices[e[0]], m_result.vertices[e[1]])];
+        if(k != std::size_t(-1) && described[k].dimension < 0)
+          described[k] = describe_simplex(m_input, Simplex::no_index, e);
+      }
+    for(std::size_t k = 0; k < edges.size(); ++k)
+      if(edges[k] < m_edges.size())
+        described[k] = m_edges[edges[k]];
+    return described;
+  }
+
+  // Constraints that intersect cannot be in one triangulation; nor can one with a foreign vertex inside. Once stopped,
+  // this is left open.
+  void judge_missing_constraints()
+  {
+    std::vector<Simplex> missing = m_result.missing_facets;
+    missing.insert(missing.end(), m_result.missing_edges.begin(), m_result.missing_edges.end());
+    const Recovery_diagnosis<GT> diagnosis(m_input, m_gt);
+    if(m_context.go_further())
+      m_result.defects = diagnosis.intersecting_pairs(missing, m_context);
+    if(m_result.defects.empty() && m_context.go_further())
+      m_result.defects = diagnosis.vertices_on_constraints(missing, m_tr, m_result.vertices, m_context);
+  }
+
+  Tr& m_tr;
+  const Input& m_input;
+  const GT& m_gt;
+  const Recovery_options& m_options;
+  Recovery_context<Visitor> m_context;
+  Result m_result;
+  std::vector<Simplex> m_edges; // the constraints that were given as edges, by their indices in the recovery
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_INPUT_INDEXED_BOUNDARY_RECOVERY_H

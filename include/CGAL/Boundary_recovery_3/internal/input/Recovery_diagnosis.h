@@ -1,0 +1,141 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_INPUT_RECOVERY_DIAGNOSIS_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_INPUT_RECOVERY_DIAGNOSIS_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
+#include <CGAL/Boundary_recovery_3/internal/input/Constraint_intersections_3.h>
+#include <CGAL/Boundary_recovery_3/internal/input/Indexed_input_3.h>
+#include <CGAL/Boundary_recovery_3/internal/input/box_search.h>
+
+#include <CGAL/Bbox_3.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * Tells invalid input from difficult input, when constraints are missing after the recovery.
+ *
+ * Of two constraints that intersect at most one can be in a triangulation. So if any two do, then one that is missing
+ * does, and it is enough to compare the missing ones with all. Only if this finds something, all pairs are computed.
+ */
+template <typename GT>
+class Recovery_diagnosis
+{
+public:
+  typedef typename GT::Point_3         Point_3;
+  typedef Indexed_input_3<Point_3>     Input;
+  typedef Input_defect_3<Point_3>      Defect;
+  typedef Input_simplex_3<Point_3>     Simplex;
+
+  Recovery_diagnosis(const Input& input, const GT& gt) : m_input(input), m_gt(gt) { }
+
+  // All pairs of constraints that intersect; `missing` are constraints one of which takes part if there are any.
+  // None if `context` stopped the search.
+  template <typename Context>
+  std::vector<Defect> intersecting_pairs(const std::vector<Simplex>& missing, Context& context) const
+  {
+    const Constraint_intersections_3<GT> intersections(m_input, m_gt);
+    return intersections.have_defects(missing, context) ? intersections.defects(context) : std::vector<Defect>();
+  }
+
+  // The given constraints with a vertex of the triangulation on them that is not theirs; none if `context` stopped the
+  // search.
+  template <typename Tr, typename Context>
+  std::vector<Defect> vertices_on_constraints(const std::vector<Simplex>& constraints, const Tr& tr,
+                                              const std::vector<typename Tr::Vertex_handle>& vertices,
+                                              Context& context) const
+  {
+    typedef typename Tr::Vertex_handle Vertex_handle;
+    std::vector<Vertex_handle> all;
+    std::vector<Box> vertex_boxes, constraint_boxes;
+    const std::size_t n = constraints.size();
+    for(std::size_t i = 0; i < n; ++i)
+      constraint_boxes.push_back(Box(bbox(constraints[i].points), i));
+    for(const Vertex_handle v : tr.finite_vertex_handles())
+    {
+      vertex_boxes.push_back(Box(v->point().bbox(), n + all.size()));
+      all.push_back(v);
+    }
+    std::vector<std::pair<std::size_t, std::size_t> > found; // constraint and vertex
+    const auto collect = [&](const std::size_t i, const std::size_t n_plus_k)
+    {
+      if(is_inside(all[n_plus_k - n]->point(), constraints[i]))
+        found.push_back(std::make_pair(i, n_plus_k - n));
+      return true;
+    };
+    internal::visit_intersecting_boxes(constraint_boxes, vertex_boxes, collect, context);
+    if(context.is_stopped())
+      return std::vector<Defect>();
+    std::sort(found.begin(), found.end());
+    std::vector<Defect> defects;
+    for(const auto& pair : found)
+      defects.push_back(Defect{ Input_defect_kind::intersecting_constraints,
+                                { describe(all[pair.second], vertices), constraints[pair.first] } });
+    return defects;
+  }
+
+private:
+  typedef Numbered_box_3 Box;
+
+  // A vertex that is not of the input has no index.
+  template <typename Vertex_handle>
+  static Simplex describe(const Vertex_handle v, const std::vector<Vertex_handle>& vertices)
+  {
+    Simplex vertex;
+    vertex.dimension = 0;
+    vertex.points.assign(1, v->point());
+    const auto it = std::find(vertices.begin(), vertices.end(), v);
+    if(it != vertices.end())
+    {
+      vertex.index = static_cast<std::size_t>(it - vertices.begin());
+      vertex.vertices.assign(1, vertex.index);
+    }
+    return vertex;
+  }
+
+  static Bbox_3 bbox(const std::vector<Point_3>& points)
+  {
+    Bbox_3 b;
+    for(const Point_3& p : points)
+      b += p.bbox();
+    return b;
+  }
+
+  // Whether p is in the simplex, but not one of its vertices.
+  bool is_inside(const Point_3& p, const Simplex& simplex) const
+  {
+    for(const Point_3& q : simplex.points)
+      if(m_gt.equal_3_object()(p, q))
+        return false;
+    if(simplex.dimension == 1)
+      return m_gt.collinear_3_object()(simplex.points[0], p, simplex.points[1])
+          && m_gt.collinear_are_ordered_along_line_3_object()(simplex.points[0], p, simplex.points[1]);
+    const auto triangle = m_gt.construct_triangle_3_object()(simplex.points[0], simplex.points[1], simplex.points[2]);
+    return m_gt.has_on_3_object()(triangle, p);
+  }
+
+  const Input& m_input;
+  const GT& m_gt;
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_INPUT_RECOVERY_DIAGNOSIS_H

@@ -1,0 +1,139 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_MESH_CELL_REPLACEMENT_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_MESH_CELL_REPLACEMENT_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/contains.h>
+
+#include <CGAL/assertions.h>
+
+#include <boost/container/small_vector.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * Exchanges a set of cells for another one that fills the same polyhedron.
+ *
+ * Combinatorial only: the caller knows that the new cells, given by four vertices each, are positively oriented
+ * (infinite cells: consistently so), and that their outer facets are those of the old cells.
+ */
+template <typename Tr>
+class Cell_replacement
+{
+public:
+  typedef typename Tr::Vertex_handle    Vertex_handle;
+  typedef typename Tr::Cell_handle      Cell_handle;
+  typedef std::array<Vertex_handle, 4>  Tetrahedron;
+  typedef boost::container::small_vector<Cell_handle, 32> Cells;
+
+  // The new cells of the last replacement, in the order in which they were given.
+  const Cells& new_cells() const { return m_new_cells; }
+
+  // As below, and tells a visitor which cells go and come. The vertices in `dropped` go with the old cells.
+  template <typename CellRange, typename TetrahedronRange, typename Visitor,
+            typename VertexRange = std::array<Vertex_handle, 0> >
+  void operator()(Tr& tr, const CellRange& old_cells, const TetrahedronRange& tetrahedra, Visitor& visitor,
+                  const VertexRange& dropped = VertexRange())
+  {
+    visitor.before_cells_removal(old_cells);
+    (*this)(tr, old_cells, tetrahedra);
+    for(const Vertex_handle v : dropped)
+      tr.tds().delete_vertex(v);
+    visitor.after_cells_creation(m_new_cells);
+  }
+
+  template <typename CellRange, typename TetrahedronRange>
+  const Cells& operator()(Tr& tr, const CellRange& old_cells, const TetrahedronRange& tetrahedra)
+  {
+    m_open_facets.clear();
+    m_new_cells.clear();
+    open_outer_facets(old_cells);
+    for(const Tetrahedron& t : tetrahedra)
+    {
+      const Cell_handle c = tr.tds().create_cell(t[0], t[1], t[2], t[3]);
+      m_new_cells.push_back(c);
+      for(int i = 0; i < 4; ++i)
+      {
+        t[i]->set_cell(c);
+        glue(tr, c, i);
+      }
+    }
+    CGAL_postcondition(m_open_facets.empty());
+    for(const Cell_handle c : old_cells)
+      tr.tds().delete_cell(c);
+    return m_new_cells;
+  }
+
+private:
+  struct Open_facet
+  {
+    Open_facet(const std::array<Vertex_handle, 3>& vertices, const Cell_handle cell, const int index)
+      : hash(Simplex_hash()(vertices)), vertices(vertices), cell(cell), index(index)
+    { }
+
+    bool has_vertices_of(const Open_facet& other) const
+    {
+      return hash == other.hash && internal::is_permutation(vertices, other.vertices);
+    }
+
+    std::uint64_t hash; // tells most facets apart
+    std::array<Vertex_handle, 3> vertices;
+    Cell_handle cell;
+    int index;
+  };
+
+  // The facets of the cells around the polyhedron, seen from outside.
+  template <typename CellRange>
+  void open_outer_facets(const CellRange& old_cells)
+  {
+    for(const Cell_handle c : old_cells)
+      for(int i = 0; i < 4; ++i)
+      {
+        const Cell_handle n = c->neighbor(i);
+        if(! internal::contains(old_cells, n))
+          m_open_facets.emplace_back(internal::facet_vertices(c, i), n, n->index(c));
+      }
+  }
+
+  // Makes the facet i of c adjacent to the open facet with the same vertices, or opens it.
+  // The list is short (a shell has 2m outer facets), so a search from its end beats any table.
+  void glue(Tr& tr, const Cell_handle c, const int i)
+  {
+    const Open_facet facet(internal::facet_vertices(c, i), c, i);
+    for(std::size_t k = m_open_facets.size(); k-- > 0; )
+      if(m_open_facets[k].has_vertices_of(facet))
+      {
+        tr.tds().set_adjacency(c, i, m_open_facets[k].cell, m_open_facets[k].index);
+        m_open_facets[k] = m_open_facets.back();
+        m_open_facets.pop_back();
+        return;
+      }
+    m_open_facets.push_back(facet);
+  }
+
+  boost::container::small_vector<Open_facet, 64> m_open_facets;
+  Cells m_new_cells;
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_MESH_CELL_REPLACEMENT_H

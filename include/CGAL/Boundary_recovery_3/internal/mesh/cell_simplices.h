@@ -1,0 +1,113 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_MESH_CELL_SIMPLICES_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_MESH_CELL_SIMPLICES_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
+
+#include <CGAL/Triangulation_utils_3.h>
+
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+// The vertices of the facet opposite to the vertex i of a cell, which is on the positive side of it.
+template <typename Cell_handle>
+auto facet_vertices(const Cell_handle c, const int i)
+{
+  typedef Triangulation_utils_3 Utils;
+  return std::array<decltype(c->vertex(0)), 3>{{ c->vertex(Utils::vertex_triple_index(i, 0)),
+                                                 c->vertex(Utils::vertex_triple_index(i, 1)),
+                                                 c->vertex(Utils::vertex_triple_index(i, 2)) }};
+}
+
+// Whether all vertices of the simplex are vertices of the cell.
+template <typename Cell_handle, typename Vertex_handle, std::size_t N>
+bool has_vertices(const Cell_handle c, const std::array<Vertex_handle, N>& simplex)
+{
+  std::size_t i = 0;
+  while(i < N && c->has_vertex(simplex[i]))
+    ++i;
+  return i == N;
+}
+
+// The vertices of some cells, in the order in which they are met, without v.
+template <typename CellRange, typename Vertex_handle>
+std::vector<Vertex_handle> vertices_without(const CellRange& cells, const Vertex_handle v)
+{
+  Simplex_index_3<Vertex_handle, 1> known;
+  std::vector<Vertex_handle> result;
+  for(const auto c : cells)
+    for(int i = 0; i < 4; ++i)
+      if(c->vertex(i) != v && known.insert({{ c->vertex(i) }}).second)
+        result.push_back(c->vertex(i));
+  return result;
+}
+
+// For each facet of some cells that has none of them behind it, calls `work` with the cell and the index of the facet.
+template <typename CellRange, typename Work>
+void for_each_outer_facet(const CellRange& cells, const Work& work)
+{
+  typedef std::decay_t<decltype(*std::begin(cells))> Cell_handle;
+  Simplex_index_3<Cell_handle, 1> inner;
+  for(const Cell_handle c : cells)
+    inner.insert({{ c }});
+  for(const Cell_handle c : cells)
+    for(int i = 0; i < 4; ++i)
+      if(inner[{{ c->neighbor(i) }}] == inner.none)
+        work(c, i);
+}
+
+// The faces of the ball of v, seen from inside; `star` are the cells around v.
+template <typename Cell_handle, typename Vertex_handle>
+std::vector<std::array<Vertex_handle, 3> > faces_of_ball(const std::vector<Cell_handle>& star, const Vertex_handle v)
+{
+  std::vector<std::array<Vertex_handle, 3> > faces;
+  for(const Cell_handle c : star)
+    faces.push_back(internal::facet_vertices(c, c->index(v)));
+  return faces;
+}
+
+// The vertices of a cell, with x in the place of v.
+template <typename Cell_handle, typename Vertex_handle>
+std::array<Vertex_handle, 4> with_exchanged_vertex(const Cell_handle c, const Vertex_handle v, const Vertex_handle x)
+{
+  std::array<Vertex_handle, 4> result;
+  for(int i = 0; i < 4; ++i)
+    result[i] = c->vertex(i) == v ? x : c->vertex(i);
+  return result;
+}
+
+// The tetrahedra that come in the place of two cells when their common facet is split by v.
+template <typename CellRange, typename Vertex_handle>
+std::vector<std::array<Vertex_handle, 4> > split_facet(const CellRange& cells,
+                                                       const std::array<Vertex_handle, 3>& facet,
+                                                       const Vertex_handle v)
+{
+  std::vector<std::array<Vertex_handle, 4> > tetrahedra;
+  for(const auto c : cells)
+    for(const Vertex_handle replaced : facet)
+      tetrahedra.push_back(internal::with_exchanged_vertex(c, replaced, v));
+  return tetrahedra;
+}
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_MESH_CELL_SIMPLICES_H

@@ -1,0 +1,354 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_CONFORMING_RECOVERY_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_CONFORMING_RECOVERY_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/Shell_3.h>
+#include <CGAL/Boundary_recovery_3/Shell_quality_3.h>
+#include <CGAL/Boundary_recovery_3/Shell_validity_3.h>
+#include <CGAL/Boundary_recovery_3/internal/geometry/Segment_walk_3.h>
+#include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
+#include <CGAL/Boundary_recovery_3/internal/lost/Constraint_recovery_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Cell_replacement.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/mesh_validity.h>
+#include <CGAL/Boundary_recovery_3/internal/numbers/nearest_integer.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_points_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/contains.h>
+#include <CGAL/Shell_transformation_3.h>
+
+#include <CGAL/Kernel/global_functions_3.h>
+#include <CGAL/assertions.h>
+#include <CGAL/enum.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * The main procedure of [CZZ+17, Section 4], first half: conforming recovery. Where a lost edge meets a mesh edge or
+ * facet, and where a mesh edge meets a lost facet, that mesh entity is split by a Steiner point.
+ *
+ * It ends. An edge: parts of a chain that are in the mesh are kept by flips, and are never split, since no other
+ * constraint crosses them. A split at a crossing leaves both parts with the other crossings between them, for splits at
+ * a point of a line add nothing that crosses the line; flips for one part may add crossings to another, but the number
+ * of splits that are followed by flips is bounded. A facet whose edges are chains: each split takes away one mesh
+ * edge that pierces it and adds none, since all new edges end in its plane; flips add none either, by BRC2. Once no
+ * edge pierces it, and no foreign vertex is in it, mesh facets tile it.
+ *
+ * Exact positions would grow from point to point if points on lines through points were crossed by lines again. So
+ * each point is moved on its constraint, right after it was inserted, to where few bits describe it. As it stays on
+ * the constraint, the new edges pierce nothing of that wherever it is.
+ */
+template <typename Tr, typename Visitor>
+class Conforming_recovery_3
+{
+public:
+  typedef typename Tr::Vertex_handle           Vertex_handle;
+  typedef typename Tr::Cell_handle             Cell_handle;
+  typedef Vertex_predicates_3<Tr>              Predicates;
+  typedef Constraints_3<Tr>                    Constraints;
+  typedef Steiner_points_3<Tr>                 Steiner_points;
+
+  // `predicates` know of the positions in `steiner_points`.
+  Conforming_recovery_3(Tr& tr, const Predicates& predicates, const Constraints& constraints,
+                        Steiner_points& steiner_points, Visitor& visitor)
+    : m_tr(tr), m_predicates(predicates), m_constraints(constraints), m_steiner_points(steiner_points),
+      m_visitor(visitor), m_walk(tr, predicates), m_edge_recovery(tr, predicates),
+      m_edge_transformation(tr, Quality(tr),
+                            Edge_validity(Kept(steiner_points), BRC1<Tr>(tr, Vertex_handle(), Vertex_handle())),
+                            visitor, predicates),
+      m_facet_transformation(tr, Quality(tr),
+                             Facet_validity(Kept(steiner_points),
+                                            BRC2<Tr>(tr, Vertex_handle(), Vertex_handle(), Vertex_handle())),
+                             visitor, predicates)
+  { }
+
+  // Makes the edge e a chain of mesh edges: what flips cannot recover is split at a crossing, and both parts are tried
+  // again. Returns false if a foreign vertex is on it, or if the context wants to stop.
+  template <typename Context>
+  bool recover_edge(const std::size_t e, const int l_max, Context& context)
+  {
+    const std::array<Vertex_handle, 2>& edge = m_constraints.edges()[e];
+    std::vector<std::array<Vertex_handle, 2> > parts(1, edge);
+    std::size_t number_of_splits = 0;
+    while(! parts.empty())
+    {
+      const std::array<Vertex_handle, 2> part = parts.back();
+      if(! context.go_further())
+        return false;
+      m_edge_transformation.validity() = Edge_validity(Kept(m_steiner_points),
+                                                       BRC1<Tr>(m_predicates, part[0], part[1]));
+      parts.pop_back();
+      if(number_of_splits < max_number_of_splits_with_flips
+         && m_edge_recovery(m_edge_transformation, part, l_max, context))
+        continue;
+      const typename Walk::Outcome outcome = m_walk(part[0], part[1]);
+      if(outcome == Walk::IS_EDGE)
+        continue;
+      if(outcome == Walk::BLOCKED)
+        return false;
+      ++number_of_splits;
+      const Crossing crossing = m_walk.crossings()[m_walk.crossings().size() / 2];
+      const FT t = parameter_on_edge(edge, crossing);
+      const Vertex_handle v = create_vertex(point_on_edge(edge, t));
+      if(crossing.dimension == 1)
+        split_edge(crossing.cell, crossing.vertices[0], crossing.vertices[1], v);
+      else
+        split_facet(crossing.cell, crossing.vertices, v);
+      simplify_position(v, [&](const int bits) { return point_on_edge(edge, rounded(t, bits)); });
+      m_steiner_points.insert_on_edge(e, part[0], v);
+      CGAL_expensive_assertion(internal::is_mesh_valid(m_tr, m_predicates));
+      parts.push_back({{ v, part[1] }});
+      parts.push_back({{ part[0], v }});
+    }
+    return true;
+  }
+
+  // Makes the facet f, whose edges are chains of mesh edges, a union of mesh facets.
+  // Returns false if the context wants to stop.
+  template <typename Context>
+  bool recover_facet(const std::size_t f, const int l_max, Context& context)
+  {
+    const std::array<Vertex_handle, 3>& facet = m_constraints.facets()[f];
+    m_facet_transformation.validity() = Facet_validity(Kept(m_steiner_points),
+                                                       BRC2<Tr>(m_predicates, facet[0], facet[1], facet[2]));
+    for(find_piercing_edges(f); ! m_piercing_edges.empty(); find_piercing_edges(f))
+      for(const Piercing_edge& e : m_piercing_edges)
+      {
+        if(! context.go_further())
+          return false;
+        Cell_handle c;
+        int i, j;
+        if(! m_tr.is_edge(e[0], e[1], c, i, j) || m_facet_transformation.remove_edge(Edge(c, i, j), l_max))
+          continue;
+        if(! m_tr.is_edge(e[0], e[1], c, i, j))
+          continue;
+        const std::array<FT, 2> weights = weights_in_facet(facet, e);
+        const Vertex_handle v = create_vertex(point_in_facet(facet, weights));
+        split_edge(c, e[0], e[1], v);
+        simplify_position(v, [&](const int bits)
+        {
+          return point_in_facet(facet, {{ rounded(weights[0], bits), rounded(weights[1], bits) }});
+        });
+        m_steiner_points.insert_in_facet(f, v);
+        CGAL_expensive_assertion(internal::is_mesh_valid(m_tr, m_predicates));
+      }
+    return true;
+  }
+
+  std::size_t number_of_transformations() const
+  {
+    return m_edge_transformation.number_of_transformations() + m_facet_transformation.number_of_transformations();
+  }
+
+private:
+  typedef typename Tr::Edge                             Edge;
+  typedef std::array<Vertex_handle, 2>                  Piercing_edge;
+  typedef Kept_constraints_3<Steiner_points>            Kept;
+  typedef Worst_element_quality_3<Tr>                   Quality;
+  typedef Shell_validity_conjunction_3<Kept, BRC1<Tr> > Edge_validity;
+  typedef Shell_validity_conjunction_3<Kept, BRC2<Tr> > Facet_validity;
+  typedef Segment_walk_3<Tr>                            Walk;
+  typedef typename Walk::Crossing                       Crossing;
+  typedef typename Steiner_points::Positions            Positions;
+  typedef typename Positions::Exact_point_3             Exact_point;
+  typedef typename Positions::Exact_FT                  FT;
+  typedef typename Cell_replacement<Tr>::Tetrahedron    Tetrahedron;
+
+  Exact_point position(const Vertex_handle v) const { return m_steiner_points.positions()(v); }
+
+  Exact_point point_on_edge(const std::array<Vertex_handle, 2>& edge, const FT& t) const
+  {
+    const Exact_point u = position(edge[0]);
+    return u + t * (position(edge[1]) - u);
+  }
+
+  Exact_point point_in_facet(const std::array<Vertex_handle, 3>& facet, const std::array<FT, 2>& weights) const
+  {
+    const Exact_point u = position(facet[0]);
+    return u + weights[0] * (position(facet[1]) - u) + weights[1] * (position(facet[2]) - u);
+  }
+
+  // --- where constraints and mesh entities meet ---------------------------------------------------------------------
+
+  // The t for which u + t (v - u) is in the plane through p, q, r.
+  static FT parameter_in_plane(const Exact_point& u, const Exact_point& v,
+                               const Exact_point& p, const Exact_point& q, const Exact_point& r)
+  {
+    const FT at_u = CGAL::volume(p, q, r, u), at_v = CGAL::volume(p, q, r, v);
+    return at_u / (at_u - at_v);
+  }
+
+  FT parameter_on_edge(const std::array<Vertex_handle, 2>& edge, const Crossing& crossing) const
+  {
+    const Vertex_handle p = crossing.vertices[0], q = crossing.vertices[1];
+    Vertex_handle r = crossing.vertices[2];
+    if(crossing.dimension == 1) // any plane through pq, but not the one that contains the edge
+    {
+      const Shell_3<Tr> shell(m_tr, crossing.cell, crossing.cell->index(p), crossing.cell->index(q));
+      for(int i = 0; i < shell.degree(); ++i)
+        if(i != shell.infinite_index() && m_predicates.orientation(p, q, edge[0], shell.vertex(i)) != COPLANAR)
+          r = shell.vertex(i);
+    }
+    return parameter_in_plane(position(edge[0]), position(edge[1]), position(p), position(q), position(r));
+  }
+
+  // The (s, t) for which u + s (v - u) + t (w - u) is on the line of the edge.
+  std::array<FT, 2> weights_in_facet(const std::array<Vertex_handle, 3>& facet,
+                                     const std::array<Vertex_handle, 2>& edge) const
+  {
+    const Exact_point u = position(facet[0]), v = position(facet[1]), w = position(facet[2]);
+    const Exact_point a = position(edge[0]), b = position(edge[1]);
+    const FT t = parameter_in_plane(a, b, u, v, w);
+    const Exact_point p = a + t * (b - a);
+    // seen from a point off the plane, volumes are areas
+    const FT all = CGAL::volume(u, v, w, a);
+    return {{ CGAL::volume(u, p, w, a) / all, CGAL::volume(u, v, p, a) / all }};
+  }
+
+  // Mesh edges that pierce the facet: those of the cells around vertices on it. If there is none there, there is none
+  // at all, for then mesh facets tile it around these vertices, and therefore everywhere.
+  void find_piercing_edges(const std::size_t f)
+  {
+    const std::array<Vertex_handle, 3>& facet = m_constraints.facets()[f];
+    m_piercing_edges.clear();
+    for(const Vertex_handle v : m_steiner_points.vertices_on_facet(f))
+    {
+      m_star.clear();
+      m_tr.incident_cells(v, std::back_inserter(m_star));
+      for(const Cell_handle c : m_star)
+        if(! m_tr.is_infinite(c))
+          add_piercing_edges(c, facet);
+    }
+  }
+
+  void add_piercing_edges(const Cell_handle c, const std::array<Vertex_handle, 3>& facet)
+  {
+    std::array<Orientation, 4> side;
+    for(int i = 0; i < 4; ++i)
+      side[i] = m_predicates.orientation(facet[0], facet[1], facet[2], c->vertex(i));
+    for(int i = 0; i < 4; ++i)
+      for(int j = i + 1; j < 4; ++j)
+      {
+        const Vertex_handle p = c->vertex(i), q = c->vertex(j);
+        if(side[i] * side[j] != NEGATIVE || is_listed(p, q))
+          continue;
+        if(m_predicates.segment_pierces_triangle(p, q, facet[0], facet[1], facet[2]))
+          m_piercing_edges.push_back({{ p, q }});
+      }
+  }
+
+  bool is_listed(const Vertex_handle p, const Vertex_handle q) const
+  {
+    return std::any_of(m_piercing_edges.begin(), m_piercing_edges.end(), [&](const Piercing_edge& e)
+    {
+      return (e[0] == p && e[1] == q) || (e[0] == q && e[1] == p);
+    });
+  }
+
+  // --- splits -------------------------------------------------------------------------------------------------------
+
+  Vertex_handle create_vertex(const Exact_point& p)
+  {
+    const Vertex_handle v = m_tr.tds().create_vertex();
+    m_steiner_points.positions().set(v, p);
+    return v;
+  }
+
+  void split_edge(const Cell_handle c, const Vertex_handle a, const Vertex_handle b, const Vertex_handle v)
+  {
+    const Shell_3<Tr> shell(m_tr, c, c->index(a), c->index(b));
+    m_tetrahedra.clear();
+    for(const Cell_handle cell : shell.cells())
+    {
+      m_tetrahedra.push_back(internal::with_exchanged_vertex(cell, a, v));
+      m_tetrahedra.push_back(internal::with_exchanged_vertex(cell, b, v));
+    }
+    m_replacement(m_tr, shell.cells(), m_tetrahedra, m_visitor);
+  }
+
+  void split_facet(const Cell_handle c, const std::array<Vertex_handle, 3>& facet, const Vertex_handle v)
+  {
+    int i = 0;
+    while(internal::contains(facet, c->vertex(i)))
+      ++i;
+    const std::array<Cell_handle, 2> cells = {{ c, c->neighbor(i) }};
+    m_replacement(m_tr, cells, internal::split_facet(cells, facet, v), m_visitor);
+  }
+
+  // Flips for one part of an edge may do harm to the next part. So that this ends, a long chain is finished without.
+  static constexpr std::size_t max_number_of_splits_with_flips = 100;
+
+  // --- simple positions ---------------------------------------------------------------------------------------------
+
+  // Numbers of bits behind the binary point that are tried for the weights of a position, the fewest first.
+  static constexpr std::array<int, 10> numbers_of_bits = {{ 3, 6, 10, 16, 24, 36, 52, 100, 200, 400 }};
+
+  static FT rounded(const FT& t, const int bits)
+  {
+    return nearest_multiple(t, FT(std::ldexp(1., -bits)));
+  }
+
+  // `candidate` gives the position with weights of so many bits.
+  template <typename Candidate>
+  void simplify_position(const Vertex_handle s, const Candidate& candidate)
+  {
+    const Exact_point exact = position(s);
+    for(const int bits : numbers_of_bits)
+      if(move(s, candidate(bits)))
+        return;
+    m_steiner_points.positions().set(s, exact);
+  }
+
+  // Gives s a position, and returns whether all the cells around it are positively oriented so.
+  // They fill the same polyhedron whatever the position is, so it is inside then.
+  bool move(const Vertex_handle s, const Exact_point& p)
+  {
+    m_steiner_points.positions().set(s, p);
+    m_star.clear();
+    m_tr.incident_cells(s, std::back_inserter(m_star));
+    return std::all_of(m_star.begin(), m_star.end(), [this](const Cell_handle c)
+    {
+      return m_tr.is_infinite(c) || internal::is_positive(m_predicates, c);
+    });
+  }
+
+  Tr& m_tr;
+  const Predicates& m_predicates;
+  const Constraints& m_constraints;
+  Steiner_points& m_steiner_points;
+  Visitor& m_visitor;
+  Walk m_walk;
+  Constraint_recovery_3<Tr, 2> m_edge_recovery;
+  Shell_transformation_3<Tr, Quality, Edge_validity, Visitor> m_edge_transformation;
+  Shell_transformation_3<Tr, Quality, Facet_validity, Visitor> m_facet_transformation;
+  Cell_replacement<Tr> m_replacement;
+  std::vector<Tetrahedron> m_tetrahedra;
+  std::vector<Cell_handle> m_star;
+  std::vector<Piercing_edge> m_piercing_edges;
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_CONFORMING_RECOVERY_3_H

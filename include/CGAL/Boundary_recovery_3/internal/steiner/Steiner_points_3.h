@@ -1,0 +1,267 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_STEINER_POINTS_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_STEINER_POINTS_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/internal/geometry/Exact_positions_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/contains.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <unordered_map>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * The Steiner points on constraints: which constraint each is on, in what order, and where exactly.
+ *
+ * A constrained edge with Steiner points is a chain of vertices from its first to its second. What is on a constraint
+ * is known from here, never computed: a mesh facet is a part of a constrained facet iff its three vertices are on it.
+ *
+ * For the flips, this class stands for the constraints: the parts of constraints are constrained.
+ */
+template <typename Tr>
+class Steiner_points_3
+{
+public:
+  typedef typename Tr::Vertex_handle     Vertex_handle;
+  typedef Constraints_3<Tr>              Constraints;
+  typedef Exact_positions_3<Tr>          Positions;
+  typedef std::vector<Vertex_handle>     Vertices;
+
+  // The constraint that a Steiner point is on: an edge (dimension 1) or a facet (dimension 2), in its interior.
+  struct Carrier
+  {
+    int dimension;
+    std::size_t index;
+  };
+
+  explicit Steiner_points_3(const Constraints& constraints) : m_constraints(constraints) { }
+
+  Positions& positions() { return m_positions; }
+  const Positions& positions() const { return m_positions; }
+
+  // Adds v, on the edge e, behind `previous` in its chain.
+  void insert_on_edge(const std::size_t e, const Vertex_handle previous, const Vertex_handle v)
+  {
+    Vertices& chain = m_chains[e];
+    if(chain.empty())
+    {
+      chain.assign(m_constraints.edges()[e].begin(), m_constraints.edges()[e].end());
+      find_facets_at_edge(e);
+    }
+    const auto it = std::find(chain.begin(), chain.end(), previous);
+    CGAL_assertion(it != chain.end());
+    chain.insert(it + 1, v);
+    add(v, Carrier{ 1, e });
+  }
+
+  // Adds v, in the interior of the facet f.
+  void insert_in_facet(const std::size_t f, const Vertex_handle v)
+  {
+    m_interiors[f].push_back(v);
+    add(v, Carrier{ 2, f });
+  }
+
+  // Forgets v, which is on its constraint no longer.
+  void erase(const Vertex_handle v)
+  {
+    const Carrier c = carrier(v);
+    erase_from(c.dimension == 1 ? m_chains[c.index] : m_interiors[c.index], v);
+    if(c.dimension == 1 && m_chains[c.index].size() == 2)
+    {
+      m_chains.erase(c.index);
+      m_facets_at_edge.erase(c.index);
+    }
+    erase_from(m_vertices, v);
+    m_carriers.erase(&*v);
+    m_positions.erase(v);
+  }
+
+  // All of them, in the order in which they were inserted.
+  const Vertices& vertices() const { return m_vertices; }
+
+  // Whether uv is a constrained edge or a part of one.
+  bool is_constrained(const Vertex_handle u, const Vertex_handle v) const
+  {
+    if(m_vertices.empty() || (! is_on_edge(u) && ! is_on_edge(v)))
+      return m_constraints.is_constrained(u, v);
+    const Vertices& chain = m_chains.find(carrier(is_on_edge(u) ? u : v).index)->second;
+    const auto it = std::find(chain.begin(), chain.end(), u);
+    return it != chain.end() && ((it != chain.begin() && *(it - 1) == v) || (it + 1 != chain.end() && *(it + 1) == v));
+  }
+
+  // Whether uvw is a constrained facet or a part of one.
+  bool is_constrained(const Vertex_handle u, const Vertex_handle v, const Vertex_handle w) const
+  {
+    if(m_vertices.empty())
+      return m_constraints.is_constrained(u, v, w);
+    for(const Vertex_handle x : { u, v, w })
+      if(is_steiner(x))
+      {
+        const Carrier c = carrier(x);
+        if(c.dimension == 2)
+          return is_on_facet(u, c.index) && is_on_facet(v, c.index) && is_on_facet(w, c.index);
+        for(const std::size_t f : facets_at_edge(c.index))
+          if(is_on_facet(u, f) && is_on_facet(v, f) && is_on_facet(w, f))
+            return true;
+        return false;
+      }
+    return m_constraints.is_constrained(u, v, w);
+  }
+
+  // Whether v is on the closed facet f.
+  bool is_on_facet(const Vertex_handle v, const std::size_t f) const
+  {
+    const auto it = m_carriers.find(&*v);
+    if(it == m_carriers.end())
+    {
+      const auto& facet = m_constraints.facets()[f];
+      return internal::contains(facet, v);
+    }
+    const auto& edges = m_constraints.edges_of_facet(f);
+    return it->second.dimension == 2 ? it->second.index == f
+                                     : internal::contains(edges, it->second.index);
+  }
+
+  // The constrained facets that have the edge e, on which there are Steiner points.
+  const std::vector<std::size_t>& facets_at_edge(const std::size_t e) const { return m_facets_at_edge.find(e)->second; }
+
+  bool is_steiner(const Vertex_handle v) const { return m_carriers.count(&*v) != 0; }
+
+  const Carrier& carrier(const Vertex_handle v) const
+  {
+    CGAL_precondition(is_steiner(v));
+    return m_carriers.find(&*v)->second;
+  }
+
+  // The edges with Steiner points on them, in increasing order.
+  std::vector<std::size_t> split_edges() const
+  {
+    std::vector<std::size_t> result;
+    for(const Vertex_handle v : m_vertices)
+      if(carrier(v).dimension == 1)
+        result.push_back(carrier(v).index);
+    return sorted(result);
+  }
+
+  // The facets with Steiner points on them or on their edges, in increasing order.
+  std::vector<std::size_t> split_facets() const
+  {
+    std::vector<std::size_t> result;
+    for(const Vertex_handle v : m_vertices)
+      if(carrier(v).dimension == 2)
+        result.push_back(carrier(v).index);
+      else
+        result.insert(result.end(), facets_at_edge(carrier(v).index).begin(), facets_at_edge(carrier(v).index).end());
+    return sorted(result);
+  }
+
+  const Constraints& constraints() const { return m_constraints; }
+
+  // The vertices on the edge e, both ends included.
+  Vertices vertices_on_edge(const std::size_t e) const
+  {
+    const auto it = m_chains.find(e);
+    if(it != m_chains.end() && ! it->second.empty())
+      return it->second;
+    return Vertices(m_constraints.edges()[e].begin(), m_constraints.edges()[e].end());
+  }
+
+  // The vertices on the closed facet f.
+  Vertices vertices_on_facet(const std::size_t f) const
+  {
+    Vertices result(m_constraints.facets()[f].begin(), m_constraints.facets()[f].end());
+    for(const std::size_t e : m_constraints.edges_of_facet(f))
+      append_steiner_points(m_chains, e, result);
+    append_steiner_points(m_interiors, f, result);
+    return result;
+  }
+
+  // The vertices before and behind v on its edge.
+  std::array<Vertex_handle, 2> neighbors_on_edge(const Vertex_handle v) const
+  {
+    const Vertices& chain = m_chains.find(carrier(v).index)->second;
+    const auto it = std::find(chain.begin(), chain.end(), v);
+    return {{ *(it - 1), *(it + 1) }};
+  }
+
+private:
+  typedef std::unordered_map<std::size_t, Vertices> Vertices_of_constraint; // look-up only
+
+  void add(const Vertex_handle v, const Carrier& carrier)
+  {
+    m_vertices.push_back(v);
+    m_carriers.emplace(&*v, carrier);
+  }
+
+  bool is_on_edge(const Vertex_handle v) const
+  {
+    const auto it = m_carriers.find(&*v);
+    return it != m_carriers.end() && it->second.dimension == 1;
+  }
+
+  void find_facets_at_edge(const std::size_t e)
+  {
+    std::vector<std::size_t>& facets = m_facets_at_edge[e];
+    facets.clear();
+    for(std::size_t f = 0; f < m_constraints.facets().size(); ++f)
+    {
+      const auto& edges = m_constraints.edges_of_facet(f);
+      if(internal::contains(edges, e))
+        facets.push_back(f);
+    }
+  }
+
+  static std::vector<std::size_t> sorted(std::vector<std::size_t> indices)
+  {
+    std::sort(indices.begin(), indices.end());
+    indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+    return indices;
+  }
+
+  static void erase_from(Vertices& vertices, const Vertex_handle v)
+  {
+    vertices.erase(std::find(vertices.begin(), vertices.end(), v));
+  }
+
+  void append_steiner_points(const Vertices_of_constraint& of, const std::size_t index, Vertices& result) const
+  {
+    const auto it = of.find(index);
+    if(it == of.end())
+      return;
+    for(const Vertex_handle v : it->second)
+      if(is_steiner(v))
+        result.push_back(v);
+  }
+
+  const Constraints& m_constraints;
+  Positions m_positions;
+  Vertices m_vertices;
+  std::unordered_map<const void*, Carrier> m_carriers; // look-up only
+  Vertices_of_constraint m_chains;    // of edges, ends included
+  Vertices_of_constraint m_interiors; // of facets
+  std::unordered_map<std::size_t, std::vector<std::size_t> > m_facets_at_edge; // look-up only
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_STEINER_POINTS_3_H
