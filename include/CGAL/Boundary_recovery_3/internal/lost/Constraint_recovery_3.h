@@ -52,9 +52,10 @@ public:
 
   Constraint_recovery_3(const Tr& tr, const Predicates& predicates) : m_walk(tr, predicates) { }
 
-  // Returns whether the constraint is in the mesh in the end.
+  // Returns whether the constraint is in the mesh in the end. The shell transformations obey `validity`.
   template <typename Shell_transformation, typename Context>
-  bool operator()(Shell_transformation& st, const Constraint& constraint, const int l_max, Context& context)
+  bool operator()(Shell_transformation& st, const Constraint& constraint,
+                  const typename Shell_transformation::Validity& validity, const int l_max, Context& context)
   {
     const std::size_t start = st.number_of_shells();
     std::size_t fewest = std::size_t(-1);
@@ -77,7 +78,7 @@ public:
         fewest = m_walk.crossings().size();
         m_tried.clear();
       }
-      if(! try_crossings(st, l_max))
+      if(! try_crossings(st, validity, l_max))
         return false;
     }
     return false;
@@ -97,8 +98,8 @@ private:
   typedef std::array<Vertex_handle, 3> Entity; // as Crossing_3::vertices
 
   // Returns whether the mesh changed, so that the crossings have to be collected again.
-  template <typename Shell_transformation>
-  bool try_crossings(Shell_transformation& st, const int l_max)
+  template <typename Shell_transformation, typename Validity>
+  bool try_crossings(Shell_transformation& st, const Validity& validity, const int l_max)
   {
     const std::vector<Crossing>& crossings = m_walk.crossings();
     const std::size_t step = N == 2 && crossings.size() > 2 ? crossings.size() - 1 : 1; // from the first to the last
@@ -107,7 +108,7 @@ private:
       if(! is_new(crossings[i]))
         continue;
       const std::size_t before = st.number_of_transformations();
-      remove(st, crossings[i], l_max);
+      remove(st, crossings[i], validity, l_max);
       m_was_cut_off |= st.was_cut_off();
       if(st.number_of_transformations() != before)
         return true;
@@ -115,14 +116,15 @@ private:
     return false;
   }
 
-  template <typename Shell_transformation>
-  static bool remove(Shell_transformation& st, const Crossing& crossing, const int l_max)
+  template <typename Shell_transformation, typename Validity>
+  static bool remove(Shell_transformation& st, const Crossing& crossing, const Validity& validity, const int l_max)
   {
     const Cell_handle c = crossing.cell;
     if(crossing.dimension == 1)
-      return st.remove_edge(Edge(c, c->index(crossing.vertices[0]), c->index(crossing.vertices[1])), l_max);
+      return st.remove_edge(Edge(c, c->index(crossing.vertices[0]), c->index(crossing.vertices[1])), l_max,
+                            validity);
     const int i = 6 - c->index(crossing.vertices[0]) - c->index(crossing.vertices[1]) - c->index(crossing.vertices[2]);
-    return st.remove_facet(Facet(c, i), l_max);
+    return st.remove_facet(Facet(c, i), l_max, validity);
   }
 
   // An entity is tried once between two decreases of the number of crossings.
