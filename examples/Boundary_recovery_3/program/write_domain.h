@@ -1,5 +1,5 @@
-#ifndef BOUNDARY_RECOVERY_3_EXAMPLES_WRITE_DOMAIN_H
-#define BOUNDARY_RECOVERY_3_EXAMPLES_WRITE_DOMAIN_H
+#ifndef BOUNDARY_RECOVERY_3_PROGRAM_WRITE_DOMAIN_H
+#define BOUNDARY_RECOVERY_3_PROGRAM_WRITE_DOMAIN_H
 
 #include "surface_facets.h"
 
@@ -267,4 +267,4 @@ bool write_domain(const std::string& file, const std::string& extension, const D
   return ! os.fail();
 }
 
-#endif // BOUNDARY_RECOVERY_3_EXAMPLES_WRITE_DOMAIN_H
+#endif // BOUNDARY_RECOVERY_3_PROGRAM_WRITE_DOMAIN_H
