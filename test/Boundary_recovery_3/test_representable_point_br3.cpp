@@ -8,15 +8,18 @@
 // Author(s)     : The Boundary_recovery_3 authors
 
 // Points with coordinates of type `double` in polyhedra that may be thinner than their distance. From 2^52 to 2^53,
-// these numbers are the integers, so that small polyhedra there can be searched by brute force.
+// these numbers are the integers, so that small polyhedra there can be searched by brute force. And the small tools for
+// numbers: powers of two, nearest integers and nearest numbers.
 
 #undef NDEBUG
 
 #include <CGAL/Boundary_recovery_3/internal/numbers/Representable_point_3.h>
+#include <CGAL/Boundary_recovery_3/internal/numbers/binary_scale.h>
 
 #include <CGAL/Exact_rational.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
@@ -200,8 +203,33 @@ void test_nearest_double()
   assert(nearest_double(Rational(Rational(- largest) + tiny)) == - largest);
 }
 
+// Numbers of any size become about one; zero, infinity and the smallest numbers have a scale, too.
+void test_binary_scale()
+{
+  namespace internal = CGAL::Boundary_recovery_3::internal;
+  for(const double x : { 1., 1.5, std::nextafter(2., 0.), .1, 3e200, 7e-200, 1e301, 1e-301 })
+  {
+    const double scale = internal::binary_scale(x);
+    int exponent = 0;
+    assert(std::frexp(scale, &exponent) == .5); // a power of two
+    assert(scale <= x && x < 2 * scale);
+    assert(x / scale == x * (1 / scale));
+  }
+  const double infinity = std::numeric_limits<double>::infinity();
+  assert(internal::binary_scale(0) == 1);
+  assert(internal::binary_scale(infinity) == std::ldexp(1., 1000));
+  assert(internal::binary_scale(std::numeric_limits<double>::denorm_min()) == std::ldexp(1., -1000));
+  assert(internal::binary_unit(3) == 8 && internal::binary_unit(-1074) == std::numeric_limits<double>::denorm_min());
+  assert(internal::binary_unit(-5000) == std::numeric_limits<double>::denorm_min());
+  typedef std::array<double, 3> Triple;
+  assert(internal::largest_coordinate(Triple{{ 0, 0, 0 }}) == 0);
+  assert(internal::largest_coordinate(Triple{{ -3, 2, 1 }}) == 3);
+  assert(internal::largest_coordinate(Triple{{ 1, -infinity, 2 }}) == infinity);
+}
+
 int main()
 {
+  test_binary_scale();
   test_nearest_integer();
   test_nearest_double();
   test_below_a_power_of_two();

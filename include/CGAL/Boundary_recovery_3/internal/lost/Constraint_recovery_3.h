@@ -16,6 +16,7 @@
 #include <CGAL/Boundary_recovery_3/internal/geometry/Segment_walk_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/walk_elements.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
 
 #include <algorithm>
@@ -123,8 +124,7 @@ private:
     if(crossing.dimension == 1)
       return st.remove_edge(Edge(c, c->index(crossing.vertices[0]), c->index(crossing.vertices[1])), l_max,
                             validity);
-    const int i = 6 - c->index(crossing.vertices[0]) - c->index(crossing.vertices[1]) - c->index(crossing.vertices[2]);
-    return st.remove_facet(Facet(c, i), l_max, validity);
+    return st.remove_facet(Facet(c, internal::index_of_opposite_vertex(c, crossing.vertices)), l_max, validity);
   }
 
   // An entity is tried once between two decreases of the number of crossings.
