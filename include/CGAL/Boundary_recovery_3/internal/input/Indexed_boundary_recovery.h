@@ -168,8 +168,7 @@ private:
 
   void recover()
   {
-    Recovery recovery(m_tr, m_context.visitor());
-    recovery.set_maximum_running_time(m_options.maximum_running_time - m_context.seconds());
+    Recovery recovery(m_tr, m_context);
     if(m_options.max_recursion_level >= 0)
       recovery.set_max_recursion_level(m_options.max_recursion_level);
     insert_constraints(recovery);
@@ -178,7 +177,7 @@ private:
     take_account(recovery);
     m_result.status = is_recovered               ? Recovery_status::recovered
                     : ! m_result.defects.empty() ? Recovery_status::invalid_input
-                    : recovery.is_stopped() || m_context.is_stopped() ? Recovery_status::stopped
+                    : m_context.is_stopped()   ? Recovery_status::stopped
                     : Recovery_status::incomplete;
     if(m_result.status == Recovery_status::invalid_input)
       m_result.vertices.clear(); // as for input that is refused at once
@@ -189,7 +188,7 @@ private:
   // Judges the input only now, for in most cases flips are enough, and prove it valid.
   bool recover_by_points(Recovery& recovery)
   {
-    if(recovery.is_stopped())
+    if(m_context.is_stopped())
       return false;
     describe_missing(recovery);
     judge_missing_constraints();

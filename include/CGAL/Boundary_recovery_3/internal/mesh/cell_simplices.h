@@ -17,6 +17,7 @@
 
 #include <CGAL/Triangulation_utils_3.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <iterator>
@@ -82,6 +83,15 @@ void for_each_outer_facet(const CellRange& cells, const Work& work)
     for(int i = 0; i < 4; ++i)
       if(inner[{{ c->neighbor(i) }}] == inner.none)
         work(c, i);
+}
+
+// Collects the cells around v. Returns whether all of them are finite.
+template <typename Tr>
+bool collect_ball(const Tr& tr, const typename Tr::Vertex_handle v, std::vector<typename Tr::Cell_handle>& ball)
+{
+  ball.clear();
+  tr.incident_cells(v, std::back_inserter(ball));
+  return std::none_of(ball.begin(), ball.end(), [&](const typename Tr::Cell_handle c) { return tr.is_infinite(c); });
 }
 
 // The faces of the ball of v, seen from inside; `star` are the cells around v.

@@ -18,13 +18,13 @@
 #include <CGAL/Boundary_recovery_3/internal/geometry/Segment_walk_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/lost/Constraint_recovery_3.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/Cell_replacement.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_editor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_validity.h>
+#include <CGAL/Boundary_recovery_3/internal/operations/split_edge.h>
+#include <CGAL/Boundary_recovery_3/internal/operations/split_facet.h>
 #include <CGAL/Boundary_recovery_3/internal/numbers/nearest_integer.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_points_3.h>
-#include <CGAL/Boundary_recovery_3/internal/util/contains.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_ledger_3.h>
 #include <CGAL/Shell_transformation_3.h>
 
 #include <CGAL/Kernel/global_functions_3.h>
@@ -66,15 +66,15 @@ public:
   typedef typename Tr::Cell_handle             Cell_handle;
   typedef Vertex_predicates_3<Tr>              Predicates;
   typedef Constraints_3<Tr>                    Constraints;
-  typedef Steiner_points_3<Tr>                 Steiner_points;
+  typedef Steiner_ledger_3<Tr>                 Ledger;
+  typedef Mesh_editor_3<Tr, Visitor>           Editor;
 
-  // `predicates` know of the positions in `steiner_points`.
-  Conforming_recovery_3(Tr& tr, const Predicates& predicates, const Constraints& constraints,
-                        Steiner_points& steiner_points, Visitor& visitor)
-    : m_tr(tr), m_predicates(predicates), m_constraints(constraints), m_steiner_points(steiner_points),
-      m_visitor(visitor), m_walk(tr, predicates), m_edge_recovery(tr, predicates),
-      m_edge_transformation(tr, Quality(tr), visitor, predicates),
-      m_facet_transformation(tr, Quality(tr), visitor, predicates)
+  // `predicates` know of the positions in `ledger`.
+  Conforming_recovery_3(Editor& editor, const Predicates& predicates, const Constraints& constraints, Ledger& ledger)
+    : m_editor(editor), m_tr(editor.triangulation()), m_predicates(predicates), m_constraints(constraints),
+      m_ledger(ledger), m_walk(m_tr, predicates), m_edge_recovery(m_tr, predicates),
+      m_edge_transformation(editor.triangulation(), Quality(m_tr), editor, predicates),
+      m_facet_transformation(editor.triangulation(), Quality(m_tr), editor, predicates)
   { }
 
   // Makes the edge e a chain of mesh edges: what flips cannot recover is split at a crossing, and both parts are tried
@@ -91,7 +91,7 @@ public:
       if(! context.go_further())
         return false;
       parts.pop_back();
-      const Edge_validity validity(Kept(m_steiner_points), BRC1<Tr>(m_predicates, part[0], part[1]));
+      const Edge_validity validity(Kept(m_ledger), BRC1<Tr>(m_predicates, part[0], part[1]));
       if(number_of_splits < max_number_of_splits_with_flips
          && m_edge_recovery(m_edge_transformation, part, validity, l_max, context))
         continue;
@@ -105,11 +105,11 @@ public:
       const FT t = parameter_on_edge(edge, crossing);
       const Vertex_handle v = create_vertex(point_on_edge(edge, t));
       if(crossing.dimension == 1)
-        split_edge(crossing.cell, crossing.vertices[0], crossing.vertices[1], v);
+        internal::split_edge(m_editor, crossing.cell, crossing.vertices[0], crossing.vertices[1], v);
       else
-        split_facet(crossing.cell, crossing.vertices, v);
+        internal::split_facet(m_editor, crossing.cell, crossing.vertices, v);
       simplify_position(v, [&](const int bits) { return point_on_edge(edge, rounded(t, bits)); });
-      m_steiner_points.insert_on_edge(e, part[0], v);
+      m_ledger.insert_on_edge(e, part[0], v);
       CGAL_expensive_assertion(internal::is_mesh_valid(m_tr, m_predicates));
       parts.push_back({{ v, part[1] }});
       parts.push_back({{ part[0], v }});
@@ -123,7 +123,7 @@ public:
   bool recover_facet(const std::size_t f, const int l_max, Context& context)
   {
     const std::array<Vertex_handle, 3>& facet = m_constraints.facets()[f];
-    const Facet_validity validity(Kept(m_steiner_points), BRC2<Tr>(m_predicates, facet[0], facet[1], facet[2]));
+    const Facet_validity validity(Kept(m_ledger), BRC2<Tr>(m_predicates, facet[0], facet[1], facet[2]));
     for(find_piercing_edges(f); ! m_piercing_edges.empty(); find_piercing_edges(f))
       for(const Piercing_edge& e : m_piercing_edges)
       {
@@ -138,12 +138,12 @@ public:
           continue;
         const std::array<FT, 2> weights = weights_in_facet(facet, e);
         const Vertex_handle v = create_vertex(point_in_facet(facet, weights));
-        split_edge(c, e[0], e[1], v);
+        internal::split_edge(m_editor, c, e[0], e[1], v);
         simplify_position(v, [&](const int bits)
         {
           return point_in_facet(facet, {{ rounded(weights[0], bits), rounded(weights[1], bits) }});
         });
-        m_steiner_points.insert_in_facet(f, v);
+        m_ledger.insert_in_facet(f, v);
         CGAL_expensive_assertion(internal::is_mesh_valid(m_tr, m_predicates));
       }
     return true;
@@ -157,18 +157,17 @@ public:
 private:
   typedef typename Tr::Edge                             Edge;
   typedef std::array<Vertex_handle, 2>                  Piercing_edge;
-  typedef Kept_constraints_3<Steiner_points>            Kept;
+  typedef Kept_constraints_3<Ledger>                    Kept;
   typedef Worst_element_quality_3<Tr>                   Quality;
   typedef Shell_validity_conjunction_3<Kept, BRC1<Tr> > Edge_validity;
   typedef Shell_validity_conjunction_3<Kept, BRC2<Tr> > Facet_validity;
   typedef Segment_walk_3<Tr>                            Walk;
   typedef typename Walk::Crossing                       Crossing;
-  typedef typename Steiner_points::Positions            Positions;
+  typedef typename Ledger::Positions                    Positions;
   typedef typename Positions::Exact_point_3             Exact_point;
   typedef typename Positions::Exact_FT                  FT;
-  typedef typename Cell_replacement<Tr>::Tetrahedron    Tetrahedron;
 
-  Exact_point position(const Vertex_handle v) const { return m_steiner_points.positions()(v); }
+  Exact_point position(const Vertex_handle v) const { return m_ledger.positions()(v); }
 
   Exact_point point_on_edge(const std::array<Vertex_handle, 2>& edge, const FT& t) const
   {
@@ -225,7 +224,7 @@ private:
   {
     const std::array<Vertex_handle, 3>& facet = m_constraints.facets()[f];
     m_piercing_edges.clear();
-    for(const Vertex_handle v : m_steiner_points.vertices_on_facet(f))
+    for(const Vertex_handle v : m_ledger.vertices_on_facet(f))
     {
       m_star.clear();
       m_tr.incident_cells(v, std::back_inserter(m_star));
@@ -263,30 +262,9 @@ private:
 
   Vertex_handle create_vertex(const Exact_point& p)
   {
-    const Vertex_handle v = m_tr.tds().create_vertex();
-    m_steiner_points.positions().set(v, p);
+    const Vertex_handle v = m_editor.create_vertex();
+    m_ledger.positions().set(v, p);
     return v;
-  }
-
-  void split_edge(const Cell_handle c, const Vertex_handle a, const Vertex_handle b, const Vertex_handle v)
-  {
-    const Shell_3<Tr> shell(m_tr, c, c->index(a), c->index(b));
-    m_tetrahedra.clear();
-    for(const Cell_handle cell : shell.cells())
-    {
-      m_tetrahedra.push_back(internal::with_exchanged_vertex(cell, a, v));
-      m_tetrahedra.push_back(internal::with_exchanged_vertex(cell, b, v));
-    }
-    m_replacement(m_tr, shell.cells(), m_tetrahedra, m_visitor);
-  }
-
-  void split_facet(const Cell_handle c, const std::array<Vertex_handle, 3>& facet, const Vertex_handle v)
-  {
-    int i = 0;
-    while(internal::contains(facet, c->vertex(i)))
-      ++i;
-    const std::array<Cell_handle, 2> cells = {{ c, c->neighbor(i) }};
-    m_replacement(m_tr, cells, internal::split_facet(cells, facet, v), m_visitor);
   }
 
   // Flips for one part of an edge may do harm to the next part. So that this ends, a long chain is finished without.
@@ -310,14 +288,14 @@ private:
     for(const int bits : numbers_of_bits)
       if(move(s, candidate(bits)))
         return;
-    m_steiner_points.positions().set(s, exact);
+    m_ledger.positions().set(s, exact);
   }
 
   // Gives s a position, and returns whether all the cells around it are positively oriented so.
   // They fill the same polyhedron whatever the position is, so it is inside then.
   bool move(const Vertex_handle s, const Exact_point& p)
   {
-    m_steiner_points.positions().set(s, p);
+    m_ledger.positions().set(s, p);
     m_star.clear();
     m_tr.incident_cells(s, std::back_inserter(m_star));
     return std::all_of(m_star.begin(), m_star.end(), [this](const Cell_handle c)
@@ -326,17 +304,15 @@ private:
     });
   }
 
-  Tr& m_tr;
+  Editor& m_editor;
+  const Tr& m_tr;
   const Predicates& m_predicates;
   const Constraints& m_constraints;
-  Steiner_points& m_steiner_points;
-  Visitor& m_visitor;
+  Ledger& m_ledger;
   Walk m_walk;
   Constraint_recovery_3<Tr, 2> m_edge_recovery;
-  Shell_transformation_3<Tr, Quality, Edge_validity, Visitor> m_edge_transformation;
-  Shell_transformation_3<Tr, Quality, Facet_validity, Visitor> m_facet_transformation;
-  Cell_replacement<Tr> m_replacement;
-  std::vector<Tetrahedron> m_tetrahedra;
+  Shell_transformation_3<Tr, Quality, Edge_validity, Editor> m_edge_transformation;
+  Shell_transformation_3<Tr, Quality, Facet_validity, Editor> m_facet_transformation;
   std::vector<Cell_handle> m_star;
   std::vector<Piercing_edge> m_piercing_edges;
 };

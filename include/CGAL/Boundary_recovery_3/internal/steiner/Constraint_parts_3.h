@@ -13,7 +13,8 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_points_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_ledger_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
 
 #include <algorithm>
@@ -36,12 +37,12 @@ class Constraint_parts_3
 public:
   typedef typename Tr::Vertex_handle     Vertex_handle;
   typedef typename Tr::Cell_handle       Cell_handle;
-  typedef Steiner_points_3<Tr>           Steiner_points;
+  typedef Steiner_ledger_3<Tr>           Ledger;
   typedef std::array<Vertex_handle, 2>   Edge;
   typedef std::array<Vertex_handle, 3>   Facet;
 
-  Constraint_parts_3(const Tr& tr, const Steiner_points& steiner_points)
-    : m_tr(tr), m_steiner_points(steiner_points)
+  Constraint_parts_3(const Tr& tr, const Ledger& ledger)
+    : m_tr(tr), m_ledger(ledger)
   { }
 
   // From one end to the other; none if some part is not a mesh edge.
@@ -67,13 +68,24 @@ public:
     for(const Facet& part : parts)
       for(int i = 0; i < 3; ++i)
         open.toggle({{ part[i], part[(i + 1) % 3] }});
-    for(const std::size_t e : m_steiner_points.constraints().edges_of_facet(f))
+    for(const std::size_t e : m_ledger.constraints().edges_of_facet(f))
       for(const Edge& part : chain(e))
         open.toggle(part);
     if(! open.empty())
       return std::vector<Facet>();
     orient(parts, f);
     return parts;
+  }
+
+  // Takes those out of a list that are unions of mesh simplices.
+  void take_out_unions(Lost_constraints& lost) const
+  {
+    if(m_ledger.points_on_constraints().empty())
+      return;
+    const auto is_edge_union = [this](const std::size_t e) { return ! of_edge(e).empty(); };
+    const auto is_facet_union = [this](const std::size_t f) { return ! of_facet(f).empty(); };
+    lost.edges.erase(std::remove_if(lost.edges.begin(), lost.edges.end(), is_edge_union), lost.edges.end());
+    lost.facets.erase(std::remove_if(lost.facets.begin(), lost.facets.end(), is_facet_union), lost.facets.end());
   }
 
 private:
@@ -102,7 +114,7 @@ private:
 
   std::vector<Edge> chain(const std::size_t e) const
   {
-    const std::vector<Vertex_handle> vertices = m_steiner_points.vertices_on_edge(e);
+    const std::vector<Vertex_handle> vertices = m_ledger.vertices_on_edge(e);
     std::vector<Edge> parts;
     for(std::size_t i = 1; i < vertices.size(); ++i)
       parts.push_back({{ vertices[i - 1], vertices[i] }});
@@ -139,11 +151,11 @@ private:
   // The mesh edges around the facet f, in its direction.
   std::vector<Edge> boundary(const std::size_t f) const
   {
-    const Facet& facet = m_steiner_points.constraints().facets()[f];
+    const Facet& facet = m_ledger.constraints().facets()[f];
     std::vector<Edge> edges;
     for(int i = 0; i < 3; ++i)
     {
-      std::vector<Edge> parts = chain(m_steiner_points.constraints().edges_of_facet(f)[i]);
+      std::vector<Edge> parts = chain(m_ledger.constraints().edges_of_facet(f)[i]);
       if(parts.front()[0] != facet[i])
         for(Edge& part : parts)
           std::swap(part[0], part[1]);
@@ -157,7 +169,7 @@ private:
   {
     Simplex_index_3<Vertex_handle, 3> facets;
     std::vector<Cell_handle> star;
-    for(const Vertex_handle v : m_steiner_points.vertices_on_facet(f))
+    for(const Vertex_handle v : m_ledger.vertices_on_facet(f))
     {
       star.clear();
       m_tr.incident_cells(v, std::back_inserter(star));
@@ -174,12 +186,12 @@ private:
 
   bool is_on(const Facet& facet, const std::size_t f) const
   {
-    return m_steiner_points.is_on_facet(facet[0], f) && m_steiner_points.is_on_facet(facet[1], f)
-        && m_steiner_points.is_on_facet(facet[2], f);
+    return m_ledger.is_on_facet(facet[0], f) && m_ledger.is_on_facet(facet[1], f)
+        && m_ledger.is_on_facet(facet[2], f);
   }
 
   const Tr& m_tr;
-  const Steiner_points& m_steiner_points;
+  const Ledger& m_ledger;
 };
 
 } // namespace internal

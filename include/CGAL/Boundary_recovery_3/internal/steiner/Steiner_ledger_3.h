@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Boundary_recovery_3 authors
 
-#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_STEINER_POINTS_3_H
-#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_STEINER_POINTS_3_H
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_STEINER_LEDGER_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_STEINER_LEDGER_3_H
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
@@ -29,7 +29,9 @@ namespace Boundary_recovery_3 {
 namespace internal {
 
 /*
- * The Steiner points on constraints: which constraint each is on, in what order, and where exactly.
+ * The ledger of Steiner points: of each point on a constraint, which constraint that is, in what order, and where
+ * exactly; of each free point, which constraint it came off, and, as long as the triangulation cannot store it, where it
+ * is. It counts how many of both there were.
  *
  * A constrained edge with Steiner points is a chain of vertices from its first to its second. What is on a constraint
  * is known from here, never computed: a mesh facet is a part of a constrained facet iff its three vertices are on it.
@@ -37,7 +39,7 @@ namespace internal {
  * For the flips, this class stands for the constraints: the parts of constraints are constrained.
  */
 template <typename Tr>
-class Steiner_points_3
+class Steiner_ledger_3
 {
 public:
   typedef typename Tr::Vertex_handle     Vertex_handle;
@@ -45,14 +47,14 @@ public:
   typedef Exact_positions_3<Tr>          Positions;
   typedef std::vector<Vertex_handle>     Vertices;
 
-  // The constraint that a Steiner point is on: an edge (dimension 1) or a facet (dimension 2), in its interior.
+  // The constraint that a Steiner point is or was on: an edge (dimension 1) or a facet (dimension 2), in its interior.
   struct Carrier
   {
     int dimension;
     std::size_t index;
   };
 
-  explicit Steiner_points_3(const Constraints& constraints) : m_constraints(constraints) { }
+  explicit Steiner_ledger_3(const Constraints& constraints) : m_constraints(constraints) { }
 
   Positions& positions() { return m_positions; }
   const Positions& positions() const { return m_positions; }
@@ -79,9 +81,24 @@ public:
     add(v, Carrier{ 2, f });
   }
 
-  // Forgets v, which is on its constraint no longer.
+  // Adds v, which came off a constraint.
+  void insert_free(const Vertex_handle v, const Carrier& origin)
+  {
+    m_free_points.push_back(v);
+    m_origins[&*v] = origin;
+    ++m_number_of_free_points;
+  }
+
+  // Forgets v, which is a Steiner point no longer.
   void erase(const Vertex_handle v)
   {
+    m_positions.erase(v);
+    if(! is_on_constraint(v))
+    {
+      erase_from(m_free_points, v);
+      m_origins.erase(&*v);
+      return;
+    }
     const Carrier c = carrier(v);
     erase_from(c.dimension == 1 ? m_chains[c.index] : m_interiors[c.index], v);
     if(c.dimension == 1 && m_chains[c.index].size() == 2)
@@ -89,18 +106,86 @@ public:
       m_chains.erase(c.index);
       m_facets_at_edge.erase(c.index);
     }
-    erase_from(m_vertices, v);
+    erase_from(m_points_on_constraints, v);
     m_carriers.erase(&*v);
-    m_positions.erase(v);
   }
 
-  // All of them, in the order in which they were inserted.
-  const Vertices& vertices() const { return m_vertices; }
+  // --- the points ---------------------------------------------------------------------------------------------------
+
+  // In the order in which they were inserted.
+  const Vertices& points_on_constraints() const { return m_points_on_constraints; }
+
+  // In the order in which they came off constraints, those excepted that are settled.
+  const Vertices& free_points() const { return m_free_points; }
+
+  // All of them: those on constraints, then the free ones.
+  Vertices points() const
+  {
+    Vertices result = m_points_on_constraints;
+    result.insert(result.end(), m_settled_points.begin(), m_settled_points.end());
+    result.insert(result.end(), m_free_points.begin(), m_free_points.end());
+    return result;
+  }
+
+  bool is_on_constraint(const Vertex_handle v) const { return m_carriers.count(&*v) != 0; }
+
+  bool is_free(const Vertex_handle v) const { return m_origins.count(&*v) != 0; }
+
+  // The constraint that v is on.
+  const Carrier& carrier(const Vertex_handle v) const
+  {
+    CGAL_precondition(is_on_constraint(v));
+    return m_carriers.find(&*v)->second;
+  }
+
+  // The constraint that v, a free point, came off.
+  const Carrier& origin(const Vertex_handle v) const
+  {
+    CGAL_precondition(is_free(v));
+    return m_origins.find(&*v)->second;
+  }
+
+  // The number of points that were put on constraints, and of those that came off them, whether they are still there
+  // or not.
+  std::size_t number_of_constraint_points() const { return m_number_of_constraint_points; }
+  std::size_t number_of_free_points() const { return m_number_of_free_points; }
+
+  // --- transactions -------------------------------------------------------------------------------------------------
+
+  // The free points are left alone from now on, until unsettle(); all points that come after that can be taken back.
+  // No point is on a constraint.
+  void settle()
+  {
+    CGAL_precondition(m_points_on_constraints.empty());
+    m_settled_points.swap(m_free_points);
+    m_settled_numbers = {{ m_number_of_constraint_points, m_number_of_free_points }};
+  }
+
+  void unsettle()
+  {
+    m_settled_points.insert(m_settled_points.end(), m_free_points.begin(), m_free_points.end());
+    m_free_points.swap(m_settled_points);
+    m_settled_points.clear();
+  }
+
+  // Forgets all the points since settle(), of which the `new_vertices` are all that may have exact positions.
+  void take_back(const Vertices& new_vertices)
+  {
+    for(const Vertices& points : { Vertices(m_points_on_constraints), Vertices(m_free_points) })
+      for(const Vertex_handle v : points)
+        erase(v);
+    for(const Vertex_handle v : new_vertices)
+      m_positions.erase(v);
+    m_number_of_constraint_points = m_settled_numbers[0];
+    m_number_of_free_points = m_settled_numbers[1];
+  }
+
+  // --- constraints and their parts ----------------------------------------------------------------------------------
 
   // Whether uv is a constrained edge or a part of one.
   bool is_constrained(const Vertex_handle u, const Vertex_handle v) const
   {
-    if(m_vertices.empty() || (! is_on_edge(u) && ! is_on_edge(v)))
+    if(m_points_on_constraints.empty() || (! is_on_edge(u) && ! is_on_edge(v)))
       return m_constraints.is_constrained(u, v);
     const Vertices& chain = m_chains.find(carrier(is_on_edge(u) ? u : v).index)->second;
     const auto it = std::find(chain.begin(), chain.end(), u);
@@ -110,10 +195,10 @@ public:
   // Whether uvw is a constrained facet or a part of one.
   bool is_constrained(const Vertex_handle u, const Vertex_handle v, const Vertex_handle w) const
   {
-    if(m_vertices.empty())
+    if(m_points_on_constraints.empty())
       return m_constraints.is_constrained(u, v, w);
     for(const Vertex_handle x : { u, v, w })
-      if(is_steiner(x))
+      if(is_on_constraint(x))
       {
         const Carrier c = carrier(x);
         if(c.dimension == 2)
@@ -143,19 +228,11 @@ public:
   // The constrained facets that have the edge e, on which there are Steiner points.
   const std::vector<std::size_t>& facets_at_edge(const std::size_t e) const { return m_facets_at_edge.find(e)->second; }
 
-  bool is_steiner(const Vertex_handle v) const { return m_carriers.count(&*v) != 0; }
-
-  const Carrier& carrier(const Vertex_handle v) const
-  {
-    CGAL_precondition(is_steiner(v));
-    return m_carriers.find(&*v)->second;
-  }
-
   // The edges with Steiner points on them, in increasing order.
   std::vector<std::size_t> split_edges() const
   {
     std::vector<std::size_t> result;
-    for(const Vertex_handle v : m_vertices)
+    for(const Vertex_handle v : m_points_on_constraints)
       if(carrier(v).dimension == 1)
         result.push_back(carrier(v).index);
     return sorted(result);
@@ -165,7 +242,7 @@ public:
   std::vector<std::size_t> split_facets() const
   {
     std::vector<std::size_t> result;
-    for(const Vertex_handle v : m_vertices)
+    for(const Vertex_handle v : m_points_on_constraints)
       if(carrier(v).dimension == 2)
         result.push_back(carrier(v).index);
       else
@@ -207,8 +284,9 @@ private:
 
   void add(const Vertex_handle v, const Carrier& carrier)
   {
-    m_vertices.push_back(v);
+    m_points_on_constraints.push_back(v);
     m_carriers.emplace(&*v, carrier);
+    ++m_number_of_constraint_points;
   }
 
   bool is_on_edge(const Vertex_handle v) const
@@ -247,13 +325,19 @@ private:
     if(it == of.end())
       return;
     for(const Vertex_handle v : it->second)
-      if(is_steiner(v))
+      if(is_on_constraint(v))
         result.push_back(v);
   }
 
   const Constraints& m_constraints;
   Positions m_positions;
-  Vertices m_vertices;
+  Vertices m_points_on_constraints;
+  Vertices m_settled_points;
+  Vertices m_free_points;
+  std::unordered_map<const void*, Carrier> m_origins; // of free points; look-up only
+  std::size_t m_number_of_constraint_points = 0;
+  std::size_t m_number_of_free_points = 0;
+  std::array<std::size_t, 2> m_settled_numbers = {{ 0, 0 }}; // what these were at settle()
   std::unordered_map<const void*, Carrier> m_carriers; // look-up only
   Vertices_of_constraint m_chains;    // of edges, ends included
   Vertices_of_constraint m_interiors; // of facets
@@ -264,4 +348,4 @@ private:
 } // namespace Boundary_recovery_3
 } // namespace CGAL
 
-#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_STEINER_POINTS_3_H
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_STEINER_LEDGER_3_H

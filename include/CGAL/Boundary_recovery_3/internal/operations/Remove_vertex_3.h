@@ -1,0 +1,121 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_OPERATIONS_REMOVE_VERTEX_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_OPERATIONS_REMOVE_VERTEX_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/internal/cavity/Cavity_3.h>
+#include <CGAL/Boundary_recovery_3/internal/cavity/Small_polyhedron_reconnection_3.h>
+#include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_editor_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/constraint_queries.h>
+#include <CGAL/Boundary_recovery_3/internal/operations/collapse_edge.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * Removes a vertex at which there is no constraint, see `has_constraint_at()`, by covering its ball with other cells: by
+ * collapsing an edge of it, or by small polyhedron reconnection.
+ *
+ * The search changes nothing; what it found is done then, or left.
+ */
+template <typename Tr, typename Visitor, typename Constraints>
+class Remove_vertex_3
+{
+public:
+  typedef typename Tr::Vertex_handle           Vertex_handle;
+  typedef typename Tr::Cell_handle             Cell_handle;
+  typedef Vertex_predicates_3<Tr>              Predicates;
+  typedef Mesh_editor_3<Tr, Visitor>           Editor;
+  typedef std::array<Vertex_handle, 4>         Tetrahedron;
+
+  Remove_vertex_3(Editor& editor, const Predicates& predicates, const Constraints& constraints)
+    : m_editor(editor), m_predicates(predicates), m_constraints(constraints), m_reconnection(predicates)
+  { }
+
+  // To be called if vertices moved.
+  void forget() { m_reconnection.forget(); }
+
+  // Whether v can go by one of the two ways. `ball` are the cells around it, which are finite.
+  bool find(const std::vector<Cell_handle>& ball, const Vertex_handle v)
+  {
+    return find_neighbor(ball, v) || find_reconnection(ball, v);
+  }
+
+  // Whether v can go by reconnection of its ball and the cells next to that.
+  bool find_with_layer(const std::vector<Cell_handle>& ball, const Vertex_handle v)
+  {
+    Cavity_3<Tr, Constraints> cavity(m_editor.triangulation(), m_constraints, ball);
+    for(const Cell_handle c : ball)
+      cavity.add(c->neighbor(c->index(v)));
+    return find_reconnection(cavity.cells(), v);
+  }
+
+  // What was found last: the cells that go, and the tetrahedra that come.
+  const std::vector<Cell_handle>& cells() const { return m_cells; }
+  const std::vector<Tetrahedron>& tetrahedra() const { return m_tetrahedra; }
+
+  // Does what was found last for v.
+  void operator()(const Vertex_handle v)
+  {
+    m_editor.replace(m_cells, m_tetrahedra, std::array<Vertex_handle, 1>{{ v }});
+  }
+
+private:
+  typedef Small_polyhedron_reconnection_3<Tr>  Reconnection;
+
+  // The first neighbor of v onto which it can be collapsed.
+  bool find_neighbor(const std::vector<Cell_handle>& ball, const Vertex_handle v)
+  {
+    const std::vector<Vertex_handle> neighbors = internal::vertices_without(ball, v);
+    const auto x = std::find_if(neighbors.begin(), neighbors.end(), [&](const Vertex_handle w)
+    {
+      return internal::is_ball_seen(m_predicates, ball, v, w);
+    });
+    if(x == neighbors.end())
+      return false;
+    m_cells = ball;
+    m_tetrahedra = internal::collapsed_ball(ball, v, *x);
+    return true;
+  }
+
+  bool find_reconnection(const std::vector<Cell_handle>& cells, const Vertex_handle v)
+  {
+    std::vector<std::array<Vertex_handle, 2> > edges;
+    std::vector<std::array<Vertex_handle, 3> > facets;
+    internal::collect_constraints(m_constraints, cells, edges, facets);
+    if(m_reconnection(cells, edges, facets, v) != Reconnection::FOUND)
+      return false;
+    m_cells = cells;
+    m_tetrahedra = m_reconnection.tetrahedra();
+    return true;
+  }
+
+  Editor& m_editor;
+  const Predicates& m_predicates;
+  const Constraints& m_constraints;
+  Reconnection m_reconnection;
+  std::vector<Cell_handle> m_cells;
+  std::vector<Tetrahedron> m_tetrahedra;
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_OPERATIONS_REMOVE_VERTEX_3_H

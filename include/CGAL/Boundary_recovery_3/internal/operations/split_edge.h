@@ -1,0 +1,82 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_OPERATIONS_SPLIT_EDGE_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_OPERATIONS_SPLIT_EDGE_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/Shell_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/enum.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+// Splits the edge ab of the cell c by v, a vertex that is in no cell yet: two cells come in the place of each of those
+// around the edge. If ab is on the hull, v has to be on it exactly, else it has to see the whole shell from inside.
+//
+// `editor` changes the mesh, see `Mesh_editor_3`: it tells visitors, which can carry data of the cells over, and can
+// take the split back.
+template <typename Editor>
+void split_edge(Editor& editor, const typename Editor::Tr::Cell_handle c, const typename Editor::Tr::Vertex_handle a,
+                const typename Editor::Tr::Vertex_handle b, const typename Editor::Tr::Vertex_handle v)
+{
+  typedef typename Editor::Tr Tr;
+  const Shell_3<Tr> shell(editor.triangulation(), c, c->index(a), c->index(b));
+  std::vector<std::array<typename Tr::Vertex_handle, 4> > tetrahedra;
+  tetrahedra.reserve(2 * shell.degree());
+  for(const typename Tr::Cell_handle cell : shell.cells())
+  {
+    tetrahedra.push_back(internal::with_exchanged_vertex(cell, a, v));
+    tetrahedra.push_back(internal::with_exchanged_vertex(cell, b, v));
+  }
+  editor.replace(shell.cells(), tetrahedra);
+}
+
+// As above; an edge that is constrained is split among the constraints, too.
+template <typename Editor, typename Constraints>
+void split_edge(Editor& editor, Constraints& constraints, const typename Editor::Tr::Cell_handle c,
+                const typename Editor::Tr::Vertex_handle a, const typename Editor::Tr::Vertex_handle b,
+                const typename Editor::Tr::Vertex_handle v)
+{
+  internal::split_edge(editor, c, a, b, v);
+  if(constraints.is_constrained(a, b))
+    constraints.split(a, b, v);
+}
+
+// Whether all the finite cells are positive that come if v splits the edge ab of the cell c.
+template <typename Tr, typename Predicates>
+bool is_shell_seen(const Tr& tr, const Predicates& predicates, const typename Tr::Cell_handle c,
+                   const typename Tr::Vertex_handle a, const typename Tr::Vertex_handle b,
+                   const typename Tr::Vertex_handle v)
+{
+  const Shell_3<Tr> shell(tr, c, c->index(a), c->index(b));
+  return std::all_of(shell.cells().begin(), shell.cells().end(), [&](const typename Tr::Cell_handle cell)
+  {
+    if(tr.is_infinite(cell))
+      return true;
+    const auto s = internal::with_exchanged_vertex(cell, a, v), t = internal::with_exchanged_vertex(cell, b, v);
+    return predicates.orientation(s[0], s[1], s[2], s[3]) == POSITIVE
+        && predicates.orientation(t[0], t[1], t[2], t[3]) == POSITIVE;
+  });
+}
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_OPERATIONS_SPLIT_EDGE_H

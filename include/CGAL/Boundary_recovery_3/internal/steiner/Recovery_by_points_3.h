@@ -1,0 +1,267 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_RECOVERY_BY_POINTS_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_RECOVERY_BY_POINTS_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
+#include <CGAL/Boundary_recovery_3/Boundary_recovery_visitor_3.h>
+#include <CGAL/Boundary_recovery_3/internal/lost/Recovery_state_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_editor_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Conforming_recovery_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Constraint_parts_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_ledger_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_rounding_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_splitting_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_suppression_3.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * The recovery by Steiner points: the main procedure and the postprocessing of [CZZ+17, Section 4].
+ *
+ * The phases can be run one by one. operator() runs them all as a transaction: if they do not lead to what the mode
+ * wants, the mesh is put back, and other points are tried.
+ */
+template <typename Tr, typename Visitor>
+class Recovery_by_points_3
+{
+public:
+  typedef typename Tr::Vertex_handle         Vertex_handle;
+  typedef Recovery_state_3<Tr, Visitor>      State;
+  typedef Steiner_ledger_3<Tr>               Ledger;
+  typedef Recovery_phase                     Phase;
+  typedef Recovery_mode                      Mode;
+
+  // Of the flips that are tried for each part of an edge.
+  static constexpr int default_recursion_level = 3;
+
+  // `state` has predicates that know the exact positions of the ledger. Both have to outlive this object.
+  Recovery_by_points_3(State& state, Ledger& ledger)
+    : m_state(state), m_ledger(ledger), m_parts(state.tr, ledger), m_editor(state.tr, state.context.visitor())
+  { }
+
+  const Constraint_parts_3<Tr>& parts() const { return m_parts; }
+
+  // The constraints for which a Steiner point was needed, on them or beside them, that has no position that the
+  // triangulation can store, in the last attempt.
+  const Lost_constraints& unrepresentable() const { return m_unrepresentable; }
+
+  // Looks up all constraints, which may be unions of simplices.
+  void look_up()
+  {
+    m_state.look_up_all();
+    m_parts.take_out_unions(m_state.lost);
+  }
+
+  void recount() { m_state.run(Phase::recount, [this] { look_up(); }); }
+
+  // Recovers what is lost, as far as the mode wants it. Returns whether that worked for all constraints; if not, or if
+  // the visitor or the kernel throws, the mesh is as it was before.
+  bool operator()(const Mode mode, const int max_recursion_level)
+  {
+    CGAL_precondition(m_ledger.points_on_constraints().empty());
+    if(m_state.is_nothing_lost())
+      return true;
+    if((mode == Mode::flips_only && m_state.lost.edges.size() > max_number_of_edges_for_temporary_points)
+       || ! m_state.context.go_further())
+      return false;
+    m_ledger.settle();
+    try {
+      try_points(mode, max_recursion_level);
+    } catch(...) {
+      // Cells may be inverted now. Whoever threw, maybe the visitor, is not called again.
+      Default_boundary_recovery_visitor_3 no_visitor;
+      take_back(no_visitor);
+      look_up();
+      m_ledger.unsettle();
+      throw;
+    }
+    m_ledger.unsettle();
+    if(mode == Mode::flips_only || m_state.context.is_stopped())
+      m_unrepresentable = Lost_constraints(); // points are not wanted, or the last attempt was not finished
+    return m_state.is_nothing_lost();
+  }
+
+  // The first half of the main procedure: lost edges become chains of mesh edges, then lost facets unions of mesh
+  // facets.
+  void recover_conforming(const int l_max)
+  {
+    Conforming_recovery_3<Tr, Visitor> conform(m_editor, m_state.predicates, m_state.constraints, m_ledger);
+    m_state.run(Phase::conforming_edge_recovery, [&]
+    {
+      take_out_recovered(Phase::conforming_edge_recovery, m_state.lost.edges, [&](const std::size_t e)
+      {
+        return conform.recover_edge(e, l_max, m_state.context);
+      });
+    });
+    if(m_state.lost.edges.empty())
+      m_state.run(Phase::conforming_facet_recovery, [&]
+      {
+        take_out_recovered(Phase::conforming_facet_recovery, m_state.lost.facets, [&](const std::size_t f)
+        {
+          return conform.recover_facet(f, l_max, m_state.context);
+        });
+      });
+    m_state.number_of_transformations += conform.number_of_transformations();
+  }
+
+  // In the mode `conforming`, the points stay on the constraints. Returns whether all have positions that the
+  // triangulation can store.
+  bool round_points()
+  {
+    Steiner_rounding_3<Tr> round(m_state.tr, m_state.predicates, m_ledger.positions());
+    bool is_done = true;
+    for(const Vertex_handle v : m_ledger.points_on_constraints())
+      if(! round(v, is_done && m_state.context.go_further()))
+      {
+        is_done = false;
+        add_unrepresentable(m_ledger.carrier(v));
+      }
+    return is_done && m_ledger.positions().empty();
+  }
+
+  // The second half of the main procedure [CZZ+17, Alg. A.1 to A.5]: points come off the constraints. Returns whether
+  // none is left there.
+  bool split_points()
+  {
+    Steiner_splitting_3<Tr, Visitor> split(m_editor, m_state.predicates, m_state.constraints, m_ledger);
+    m_state.run(Phase::steiner_splitting, [&]
+    {
+      for(std::size_t before = 0; before != m_ledger.points_on_constraints().size(); )
+      {
+        const std::vector<Vertex_handle> points = m_ledger.points_on_constraints();
+        before = points.size();
+        for(std::size_t i = 0; i < before && m_state.context.go_further(); ++i)
+        {
+          split(points[i]);
+          m_state.context.visitor().on_progress(Phase::steiner_splitting, i + 1, before);
+        }
+      }
+    });
+    for(const Vertex_handle v : m_ledger.points_on_constraints())
+      add_unrepresentable(m_ledger.carrier(v));
+    return m_ledger.points_on_constraints().empty();
+  }
+
+  // The postprocessing [CZZ+17, Section 4.3]: free points are removed, as far as possible. Returns whether the others
+  // have positions that the triangulation can store.
+  bool suppress_points(const int max_recursion_level)
+  {
+    CGAL_precondition(m_ledger.points_on_constraints().empty());
+    Steiner_suppression_3<Tr, Visitor>
+      suppress(m_editor, m_state.predicates, m_state.constraints, m_ledger, m_state.context);
+    m_state.run(Phase::steiner_suppression, [&] { suppress(max_recursion_level); });
+    const bool is_storable = suppress.round_points(); // also if the recovery was stopped before
+    m_state.number_of_transformations += suppress.number_of_transformations();
+    for(const Vertex_handle v : m_ledger.free_points())
+      if(m_ledger.positions().contains(v))
+        add_unrepresentable(m_ledger.origin(v));
+    return is_storable;
+  }
+
+private:
+  typedef typename Ledger::Carrier Carrier;
+
+  // With more lost edges, the chance that no point is left is too small for the time that it takes.
+  static constexpr std::size_t max_number_of_edges_for_temporary_points = 20;
+
+  // Where one level leads to Steiner points that do not do, another may lead to some that do.
+  static constexpr int recursion_levels[] = { default_recursion_level, 6, 1, 0, 2, 12 };
+
+  // Steiner points for all that is lost, with several recursion levels of the flips in between.
+  void try_points(const Mode mode, const int max_recursion_level)
+  {
+    for(const int l_max : recursion_levels)
+    {
+      if(l_max > max_recursion_level)
+        continue;
+      m_unrepresentable = Lost_constraints();
+      m_editor.begin();
+      recover_conforming(l_max);
+      const bool is_conforming = m_state.is_nothing_lost();
+      const bool is_done = is_conforming && finish_points(mode, max_recursion_level);
+      if(is_done)
+        m_editor.commit();
+      else
+        take_back(m_state.context.visitor());
+      recount();
+      if(is_done || ! is_conforming || ! m_state.context.go_further())
+        return;
+    }
+  }
+
+  // Makes of the points on constraints what the mode wants. Returns whether this was possible.
+  bool finish_points(const Mode mode, const int max_recursion_level)
+  {
+    if(mode == Mode::conforming)
+      return round_points();
+    return split_points() && suppress_points(max_recursion_level)
+        && (mode == Mode::constrained || m_ledger.free_points().empty());
+  }
+
+  // Makes the mesh what it was before this attempt, if that is not done yet.
+  template <typename Any_visitor>
+  void take_back(Any_visitor& visitor)
+  {
+    if(! m_editor.journal().is_active())
+      return;
+    m_ledger.take_back(m_editor.journal().change().new_vertices());
+    m_editor.undo(visitor);
+  }
+
+  // Does something with each of the lost constraints, and keeps those in the list for which it failed.
+  template <typename Work>
+  void take_out_recovered(const Phase phase, std::vector<std::size_t>& lost, const Work& work)
+  {
+    const std::size_t total = lost.size();
+    std::size_t kept = 0, done = 0;
+    for(const std::size_t s : lost)
+    {
+      if(! m_state.context.go_further() || ! work(s))
+        lost[kept++] = s;
+      m_state.context.visitor().on_progress(phase, ++done, total);
+    }
+    lost.resize(kept);
+  }
+
+  // The constraint that a point is or was on gets into the account, unless there was no time to look for a position.
+  void add_unrepresentable(const Carrier& carrier)
+  {
+    if(m_state.context.is_stopped())
+      return;
+    std::vector<std::size_t>& indices = carrier.dimension == 1 ? m_unrepresentable.edges : m_unrepresentable.facets;
+    const auto it = std::lower_bound(indices.begin(), indices.end(), carrier.index);
+    if(it == indices.end() || *it != carrier.index)
+      indices.insert(it, carrier.index);
+  }
+
+  State& m_state;
+  Ledger& m_ledger;
+  Constraint_parts_3<Tr> m_parts;
+  Mesh_editor_3<Tr, Visitor> m_editor;
+  Lost_constraints m_unrepresentable;
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_RECOVERY_BY_POINTS_3_H
