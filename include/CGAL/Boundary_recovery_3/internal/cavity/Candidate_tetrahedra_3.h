@@ -17,6 +17,7 @@
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Bit_matrix.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/bits.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 
 #include <CGAL/Bbox_3.h>
@@ -249,7 +250,7 @@ private:
   }
 
   // The faces of the obstacles that have a and b on opposite sides, word by word.
-  Bit_matrix::Word separating(const std::size_t a, const std::size_t b, const std::size_t w) const
+  Bits separating(const std::size_t a, const std::size_t b, const std::size_t w) const
   {
     return (m_obstacles.positive.word(a, w) & m_obstacles.negative.word(b, w))
          | (m_obstacles.negative.word(a, w) & m_obstacles.positive.word(b, w));

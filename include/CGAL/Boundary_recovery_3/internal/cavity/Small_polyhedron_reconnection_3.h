@@ -15,6 +15,7 @@
 #include <CGAL/Boundary_recovery_3/internal/geometry/Orientation_table_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
+#include <CGAL/Boundary_recovery_3/internal/util/bits.h>
 
 #include <algorithm>
 #include <array>
@@ -177,11 +178,11 @@ private:
   {
     for(int k = 0; k < 3; ++k)
       add_obstacle(edge(f, k));
-    Orientations::for_each(m_orientations.sides(f).positive, [&](const int a)
+    internal::for_each_bit(m_orientations.sides(f).positive, [&](const int a)
     {
       const Vertex_set ends = m_orientations.ends_of_piercing_edges(f, a);
       add(ends, m_hidden[a]);
-      Orientations::for_each(ends, [&](const int b) { add(Orientations::set_of(a), m_hidden[b]); });
+      internal::for_each_bit(ends, [&](const int b) { add(Orientations::set_of(a), m_hidden[b]); });
     });
   }
 
@@ -274,7 +275,7 @@ private:
     for(const Front_face& f : m_front)
     {
       const Vertex_set apexes = f.apexes & ~apexes_behind_obstacles(f.face);
-      const int number = Orientations::number_of_elements(apexes);
+      const int number = internal::number_of_bits(apexes);
       if(number >= fewest)
         continue;
       result = { f.face, apexes };
@@ -301,7 +302,7 @@ private:
   {
     Choice choice;
     choice.face = f.face;
-    choice.apex = Orientations::first(f.apexes);
+    choice.apex = internal::lowest_bit(f.apexes);
     choice.alternatives = f.apexes & ~Orientations::set_of(choice.apex);
     choice.front = m_front;
     choice.number_of_edges = m_edges.size();
@@ -341,7 +342,7 @@ private:
     for(int k = 0; k < 3; ++k)
       open(edge(f, k));
     Front_face result = { f, 0 };
-    Orientations::for_each(m_orientations.sides(f).positive & ~apexes_behind_obstacles(f), [&](const int v)
+    internal::for_each_bit(m_orientations.sides(f).positive & ~apexes_behind_obstacles(f), [&](const int v)
     {
       if(! m_orientations.contains_vertex(f, v))
         result.apexes |= Orientations::set_of(v);
