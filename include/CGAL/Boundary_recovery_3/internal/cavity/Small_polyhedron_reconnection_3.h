@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <CGAL/Boundary_recovery_3/internal/cavity/Tetrahedralization_search.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Orientation_table_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
@@ -41,6 +42,7 @@ namespace internal {
  */
 template <typename Tr>
 class Small_polyhedron_reconnection_3
+  : public Tetrahedralization_search
 {
 public:
   typedef typename Tr::Vertex_handle    Vertex_handle;
@@ -48,23 +50,10 @@ public:
   typedef Vertex_predicates_3<Tr>       Predicates;
   typedef std::array<Vertex_handle, 4>  Tetrahedron;
 
-  enum Outcome
-  {
-    FOUND,   // tetrahedra() fills the polyhedron
-    NONE,    // there is no such tetrahedralization
-    GAVE_UP  // the polyhedron has too many vertices, or the search took too many steps
-  };
-
   static constexpr std::size_t max_number_of_vertices = Orientation_table_3<Tr>::max_number_of_vertices;
 
-  // Bounds on the work of one search.
-  struct Bounds
-  {
-    std::size_t vertices; // of the polyhedron, at most max_number_of_vertices
-    std::size_t steps;    // tetrahedra tried
-  };
-
-  static constexpr Bounds default_bounds = { 28, 2000 };
+  // Each tetrahedron that is tried is a step; they are not collected.
+  static constexpr Bounds default_bounds = { 28, 0, 2000 };
 
   explicit Small_polyhedron_reconnection_3(const Predicates& predicates) : m_orientations(predicates) { }
 
@@ -73,7 +62,8 @@ public:
   void forget() { m_orientations.forget(); }
 
   // `cells` are finite cells whose union is a polyhedron; `edges` and `facets` are arrays of vertices of these cells,
-  // of simplices inside the polyhedron. `superfluous`, if given, is a vertex inside that is not to be used.
+  // of simplices inside the polyhedron. `superfluous`, if given, is a vertex inside that is not to be used. The bound
+  // on the vertices is max_number_of_vertices at most.
   template <typename CellRange, typename EdgeRange, typename FacetRange>
   Outcome operator()(const CellRange& cells, const EdgeRange& edges, const FacetRange& facets,
                      const Vertex_handle superfluous = Vertex_handle(), const Bounds& bounds = default_bounds)

@@ -18,6 +18,7 @@
 #include <CGAL/Boundary_recovery_3/internal/cavity/Cavity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/cavity/Growing_cavity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/cavity/Small_polyhedron_reconnection_3.h>
+#include <CGAL/Boundary_recovery_3/internal/cavity/grow_cavity.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Exact_positions_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Kernel_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
@@ -364,7 +365,7 @@ private:
   {
     Cavity cavity(m_tr, m_constraints, m_ball);
     Polyhedron result;
-    if(! cavity.grow_until_seen(v, m_predicates, max_number_of_cells)
+    if(! internal::grow_until_seen(cavity, v, m_predicates, max_number_of_cells)
        || ! cavity.collect_boundary(m_points, result.faces, result.inner_points))
       return std::nullopt;
     result.cells = cavity.cells();
