@@ -19,7 +19,7 @@
 #include <CGAL/Boundary_recovery_3/Shell_validity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Cell_replacement.h>
-#include <CGAL/Boundary_recovery_3/internal/shell/Covering_mesh_3.h>
+#include <CGAL/Boundary_recovery_3/internal/shell/Covering_mesh_search_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 
 #include <CGAL/assertions.h>
@@ -304,7 +304,7 @@ private:
     }
   };
 
-  typedef Boundary_recovery_3::internal::Covering_mesh_search<Tr, Quality, Recursion_validity> Covering_mesh_search;
+  typedef Boundary_recovery_3::internal::Covering_mesh_search_3<Tr, Quality, Recursion_validity> Covering_mesh_search;
   static_assert(max_degree <= Covering_mesh_search::max_degree, "Shells of this degree cannot be searched.");
 
   bool remove(const Vertex_handle a, const Vertex_handle b, const Vertex_handle p, const Cell_handle c, const int l_max)

@@ -8,7 +8,7 @@
 #include <CGAL/Boundary_recovery_3/Shell_quality_3.h>
 #include <CGAL/Boundary_recovery_3/Shell_validity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/lost/Intersection_table_3.h>
-#include <CGAL/Boundary_recovery_3/internal/shell/Covering_mesh_3.h>
+#include <CGAL/Boundary_recovery_3/internal/shell/Covering_mesh_search_3.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -166,7 +166,7 @@ private:
   {
     const Sum_of_qualities<Tr> quality(m_tr);
     const BR::No_shell_validity_3 validity;
-    BR::internal::Covering_mesh_search<Tr, Sum_of_qualities<Tr>, BR::No_shell_validity_3>
+    BR::internal::Covering_mesh_search_3<Tr, Sum_of_qualities<Tr>, BR::No_shell_validity_3>
       search(m_predicates, quality, validity);
     if(! search(m_shell, Shell::none, false, [](int) { return false; }))
       return;
@@ -341,7 +341,7 @@ private:
              const Quality& quality, const Validity& validity, const std::string& what)
   {
     const int m = problem.degree();
-    BR::internal::Covering_mesh_search<Tr, Quality, Validity> search(m_predicates, quality, validity);
+    BR::internal::Covering_mesh_search_3<Tr, Quality, Validity> search(m_predicates, quality, validity);
     const bool is_changed = search(m_shell, problem.f, problem.keeps_edge,
                                    [&](const int i) { return problem.is_kept[i]; });
     const Shell_solution solution = reference(problem);
@@ -516,7 +516,7 @@ void test_large_ring(const int m)
   const BR::internal::Vertex_predicates_3<Tr> predicates(tr);
   const Quality quality(tr);
   const BR::No_shell_validity_3 validity;
-  BR::internal::Covering_mesh_search<Tr, Quality, BR::No_shell_validity_3> search(predicates, quality, validity);
+  BR::internal::Covering_mesh_search_3<Tr, Quality, BR::No_shell_validity_3> search(predicates, quality, validity);
   const auto none_is_kept = [](int) { return false; };
   const BR::Partial_triangulation& k = search.partial_triangulation();
   for(const int f : { -1, 0, 31, 32, m - 1 })
@@ -535,7 +535,7 @@ void test_large_ring(const int m)
 int main()
 {
   typedef Triangulations<CGAL::Exact_predicates_inexact_constructions_kernel>::Delaunay Delaunay;
-  for(const int m : { 24, 33, 62, 63 })
+  for(const int m : { 24, 33, 63, 64 })
     test_large_ring<BR::Worst_element_quality_3<Delaunay> >(m);
   test_kernel<CGAL::Exact_predicates_inexact_constructions_kernel>(20, 1);
   test_kernel<CGAL::Exact_predicates_exact_constructions_kernel>(2, 2);

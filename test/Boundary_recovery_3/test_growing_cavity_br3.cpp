@@ -6,10 +6,12 @@
 #include "tetrahedralizations_br3.h"
 
 #include <CGAL/Boundary_recovery_3/internal/cavity/Candidate_tetrahedra_3.h>
+#include <CGAL/Boundary_recovery_3/internal/cavity/Cavity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/cavity/Face_matching.h>
 #include <CGAL/Boundary_recovery_3/internal/cavity/Growing_cavity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/cavity/Small_polyhedron_reconnection_3.h>
-#include <CGAL/Boundary_recovery_3/internal/cavity/Spanned_cavity_3.h>
+#include <CGAL/Boundary_recovery_3/internal/cavity/grow_cavity.h>
+#include <CGAL/Boundary_recovery_3/internal/cavity/spanned_cavity.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Exact_positions_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Cell_replacement.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
@@ -17,6 +19,7 @@
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_validity.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_suppression_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Bit_matrix.h>
+#include <CGAL/Boundary_recovery_3/internal/util/bits.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 #include <CGAL/recover_boundary.h>
 
@@ -112,60 +115,32 @@ Face_matching::Outcome check(const Tr& tr, const Cells& cells, const Edges& edge
       check_dead_end(search.candidates, s);
     return search.outcome;
   }
-  assert(total_volume(search.tetrahedra) == total_volume(tetrahedra_of(cells)));
-  for(const Edge& e : edges)
-    assert(number_around(search.tetrahedra, e) > 0);
-  for(const Facet& f : facets)
-    assert(number_around(search.tetrahedra, f) > 0);
+  check_tetrahedralization(search.tetrahedra, cells, edges, facets);
   return search.outcome;
 }
 
 void test_cavities(const bool on_grid)
 {
-  std::mt19937 rng(on_grid ? 17 : 18);
-  for(int round = 0; round < 3; ++round)
+  for_each_random_cavity(on_grid ? 17 : 18, on_grid, 3,
+                         [&](Tr& tr, const Cells& cells, const Edges& edges, const Facets& facets)
   {
-    Tr tr;
-    for(int i = 0; i < 60; ++i)
-      tr.insert(random_point(rng, on_grid));
-    for(int k = 0; k < 20; ++k)
-    {
-      Cells cells = random_cavity(tr, rng, 4 + random_int(rng, 17));
-      Edges edges;
-      Facets facets;
-      if(k % 2 == 1)
-        require_what_is_there(cells, rng, edges, facets);
-      assert(check(tr, cells, edges, facets) == Face_matching::FOUND);
-      // Filled in another way, this is where the next cavity is.
-      const Search search(tr, cells, edges, facets);
-      check_cells_are_candidates(search.candidates, cells);
-      BR::internal::Cell_replacement<Tr> replace;
-      replace(tr, cells, search.tetrahedra);
-      assert(tr.tds().is_valid());
-      ++number_of[std::string(on_grid ? "grid" : "double") + (k % 2 == 1 ? " cavity with requirements" : " cavity")];
-    }
-  }
+    assert(check(tr, cells, edges, facets) == Face_matching::FOUND);
+    const Search search(tr, cells, edges, facets);
+    check_cells_are_candidates(search.candidates, cells);
+    replace_cells(tr, cells, search.tetrahedra);
+    ++number_of[std::string(on_grid ? "grid" : "double") + (edges.empty() ? " cavity" : " cavity with requirements")];
+  });
 }
 
 void test_hulls()
 {
   std::mt19937 rng(20);
-  for(int round = 0; round < 100; ++round)
+  for_each_random_hull(rng, 100, 10, 5, 10, [](const Tr& tr, const Edges& edges)
   {
-    Tr tr;
-    std::vector<Vertex_handle> v;
-    for(int i = 0; i < 10; ++i)
-      v.push_back(tr.insert(random_point(rng, false)));
-    Edges edges;
-    for(int i = 0; i < 5 + round % 6; ++i)
-    {
-      const int a = random_int(rng, 10), b = (a + 1 + random_int(rng, 9)) % 10;
-      edges.push_back({{ v[a], v[b] }});
-    }
     ++number_of[check(tr, finite_cells(tr), edges, Facets()) == Face_matching::FOUND ? "hull found" : "hull none"];
     const Search short_search(tr, finite_cells(tr), edges, Facets(), Vertices(), Vertex_handle(), 1);
     number_of["gave up"] += short_search.outcome == Face_matching::GAVE_UP;
-  }
+  });
 }
 
 struct Patience
@@ -304,7 +279,7 @@ void test_spanned_cavity(const unsigned seed, const bool on_grid)
     if(random_int(rng, 6) == 0)
       constraints.insert(f.first->vertex((f.second + 1) % 4), f.first->vertex((f.second + 2) % 4),
                          f.first->vertex((f.second + 3) % 4));
-  BR::internal::Spanned_cavity_3<Tr> cavity(tr, constraints);
+  BR::internal::Cavity_3<Tr> cavity(tr, constraints);
   for(const Vertex_handle v : tr.finite_vertex_handles())
   {
     const Cells cells = ball(tr, v);
@@ -314,22 +289,26 @@ void test_spanned_cavity(const unsigned seed, const bool on_grid)
     for(const Cell_handle c : cells)
       for(int i = 0; i < 4; ++i)
         vertices.insert(c->vertex(i));
-    cavity.initialize(cells, v);
+    cavity.clear();
+    for(const Cell_handle c : cells)
+      cavity.add(c);
+    BR::internal::add_spanned_cells(cavity);
     for(int step = 0; step < 5; ++step)
     {
       assert(std::set<Cell_handle>(cavity.cells().begin(), cavity.cells().end()).size() == cavity.cells().size());
-      assert(cavity.number_of_vertices() == vertices.size() - 1);
+      assert(cavity.vertices().size() == vertices.size());
       const auto expected = boundary(tr, cavity.cells(), constraints);
       assert(cavity.boundary().size() == expected.size());
       std::map<Vertex_handle, int> numbers;
       for(const auto& f : cavity.boundary())
       {
         assert(expected.at({ f.face[0], f.face[1], f.face[2] }) == f.vertex_behind);
+        assert(cavity.contains(f.cell) && f.cell->has_neighbor(f.cell_behind) && ! cavity.contains(f.cell_behind));
         assert(vertices.count(f.vertex_behind) == 0); // else there was one more cell to add
         ++numbers[f.vertex_behind];
       }
       numbers.erase(Vertex_handle());
-      const Vertices behind = cavity.vertices_behind();
+      const Vertices behind = BR::internal::vertices_behind(cavity);
       assert(behind.size() == numbers.size());
       assert(std::is_sorted(behind.begin(), behind.end(),
                             [&](const Vertex_handle x, const Vertex_handle y) { return numbers[x] > numbers[y]; }));
@@ -340,9 +319,92 @@ void test_spanned_cavity(const unsigned seed, const bool on_grid)
         break;
       const Vertex_handle x = behind[random_int(rng, static_cast<int>(behind.size()))];
       vertices.insert(x);
-      cavity.add(x);
+      BR::internal::add_spanning_vertex(cavity, x);
       ++number_of["vertex added"];
     }
+  }
+}
+
+bool is_constrained(const Constraints& constraints, const std::set<Vertex_handle>& simplex)
+{
+  const Vertices v(simplex.begin(), simplex.end());
+  return v.size() == 2 ? constraints.is_constrained(v[0], v[1]) : constraints.is_constrained(v[0], v[1], v[2]);
+}
+
+// What is around and inside of a cavity, by definition.
+void check_surroundings(BR::internal::Cavity_3<Tr>& cavity, const Tr& tr, const Constraints& constraints)
+{
+  const auto expected = boundary(tr, cavity.cells(), constraints);
+  assert(cavity.boundary().size() == expected.size());
+  std::set<Vertex_handle> outer_vertices;
+  std::set<std::set<Vertex_handle> > outer_simplices;
+  for(const auto& f : cavity.boundary())
+  {
+    assert(expected.at({ f.face[0], f.face[1], f.face[2] }) == f.vertex_behind);
+    outer_vertices.insert(f.face.begin(), f.face.end());
+    outer_simplices.insert({ f.face[0], f.face[1], f.face[2] });
+    for(int k = 0; k < 3; ++k)
+      outer_simplices.insert({ f.face[k], f.face[(k + 1) % 3] });
+  }
+  std::set<Vertex_handle> vertices;
+  bool has_constraint_inside = false;
+  for(const Cell_handle c : cavity.cells())
+    for(int mask = 1; mask < 15; ++mask) // the faces of a cell
+    {
+      std::set<Vertex_handle> face;
+      for(int i = 0; i < 4; ++i)
+        if((mask >> i & 1) != 0)
+          face.insert(c->vertex(i));
+      if(face.size() == 1)
+        vertices.insert(*face.begin());
+      else
+        has_constraint_inside |= is_constrained(constraints, face) && outer_simplices.count(face) == 0;
+    }
+  assert(cavity.vertices().size() == vertices.size());
+  assert(cavity.has_constraint_inside() == has_constraint_inside);
+  const Vertices inner = cavity.inner_vertices();
+  assert(inner.size() + outer_vertices.size() == vertices.size());
+  for(const Vertex_handle v : inner)
+    assert(outer_vertices.count(v) == 0);
+  ++number_of[has_constraint_inside ? "constraint inside" : "no constraint inside"];
+  number_of["inner vertex of a cavity"] += ! inner.empty();
+}
+
+// Cells are added and taken out again.
+void test_shrinking_cavity()
+{
+  std::mt19937 rng(29);
+  Tr tr;
+  for(int i = 0; i < 60; ++i)
+    tr.insert(random_point(rng, false));
+  Constraints constraints;
+  for(const auto& f : tr.finite_facets())
+    if(random_int(rng, 50) == 0)
+      constraints.insert(f.first->vertex((f.second + 1) % 4), f.first->vertex((f.second + 2) % 4),
+                         f.first->vertex((f.second + 3) % 4));
+  for(int round = 0; round < 30; ++round)
+  {
+    BR::internal::Cavity_3<Tr> cavity(tr, constraints, random_cavity(tr, rng, 3));
+    const std::size_t max_number_of_vertices = 10 + random_int(rng, 50);
+    for(int layer = 0; layer < 3; ++layer)
+      BR::internal::add_layer(cavity, max_number_of_vertices);
+    assert(cavity.vertices().size() <= max_number_of_vertices);
+    Cells expected = cavity.cells();
+    for(int step = 0; step < 20; ++step)
+    {
+      const Cell_handle c = expected[random_int(rng, static_cast<int>(expected.size()))];
+      cavity.remove(c);
+      assert(! cavity.contains(c));
+      expected.erase(std::find(expected.begin(), expected.end(), c));
+      if(step % 3 == 0 || expected.empty())
+      {
+        assert(cavity.add(c) && cavity.add(c) && cavity.contains(c));
+        expected.push_back(c);
+      }
+      assert(cavity.cells() == expected);
+      check_surroundings(cavity, tr, constraints);
+    }
+    assert(! cavity.add(tr.infinite_cell()) && cavity.cells() == expected);
   }
 }
 
@@ -429,6 +491,30 @@ void test_points_without_number()
   }
 }
 
+void test_bits()
+{
+  std::mt19937 rng(31);
+  for(int round = 0; round < 1000; ++round)
+  {
+    std::set<int> expected;
+    BR::internal::Bits bits = 0;
+    for(int k = round % 8 * round % 64; k >= 0; --k)
+      bits |= BR::internal::bit(*expected.insert(random_int(rng, 64)).first);
+    const int i = random_int(rng, 64);
+    assert(BR::internal::has_bit(bits, i) == (expected.count(i) == 1));
+    assert(BR::internal::number_of_bits(bits) == static_cast<int>(expected.size()));
+    assert(BR::internal::is_single_bit(bits) == (expected.size() == 1));
+    assert(BR::internal::lowest_bit(bits) == *expected.begin());
+    const auto next = expected.upper_bound(i);
+    assert(BR::internal::next_bit_on_circle(bits, i) == (next == expected.end() ? *expected.begin() : *next));
+    assert((BR::internal::bits_before(i) | BR::internal::bits_after(i)) == ~BR::internal::bit(i));
+    std::vector<int> elements;
+    BR::internal::for_each_bit(bits, [&](const int k) { elements.push_back(k); });
+    assert(std::equal(elements.begin(), elements.end(), expected.begin(), expected.end()));
+    assert(BR::internal::any_of_bits(bits, [&](const int k) { return k == i; }) == (expected.count(i) == 1));
+  }
+}
+
 void test_bit_matrix()
 {
   std::mt19937 rng(5);
@@ -469,13 +555,16 @@ int main()
   test_growing_cavity();
   test_spanned_cavity(19, true);
   test_spanned_cavity(21, false);
+  test_shrinking_cavity();
   test_points_without_number();
+  test_bits();
   test_bit_matrix();
 
   for(const char* kind : { "grid cavity", "grid cavity with requirements", "double cavity",
                            "double cavity with requirements", "hull found", "hull none",
                            "dead end", "gave up", "inner vertex", "bounds", "cavity that must not grow",
                            "cavity that grows around", "cavity that grows toward dead ends", "vertex added",
+                           "constraint inside", "no constraint inside", "inner vertex of a cavity",
                            "point that got a number", "point without a number", "stop" })
   {
     std::cout << number_of[kind] << " x " << kind << std::endl;

@@ -6,7 +6,6 @@
 #include "tetrahedralizations_br3.h"
 
 #include <CGAL/Boundary_recovery_3/internal/cavity/Small_polyhedron_reconnection_3.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/Cell_replacement.h>
 
 #include <CGAL/Cartesian_converter.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -33,16 +32,8 @@ Tetrahedra reconnect(Tr& tr, Reconnection& reconnection, const Cells& cells, con
 {
   assert(reconnection(cells, edges, facets) == Reconnection::FOUND);
   const Tetrahedra result = reconnection.tetrahedra();
-  assert(total_volume(result) == total_volume(tetrahedra_of(cells)));
-  for(const Edge& e : edges)
-    assert(number_around(result, e) > 0);
-  for(const Facet& f : facets)
-    assert(number_around(result, f) > 0);
-
-  const std::size_t number_of_cells = tr.number_of_cells() + result.size() - cells.size();
-  BR::internal::Cell_replacement<Tr> replace;
-  replace(tr, cells, result);
-  assert(tr.number_of_cells() == number_of_cells && tr.tds().is_valid());
+  check_tetrahedralization(result, cells, edges, facets);
+  replace_cells(tr, cells, result);
   return result;
 }
 
@@ -174,7 +165,7 @@ void test_full_orientation_table()
   Table table(predicates);
   table.set_vertices(all);
   const int n = table.number_of_vertices();
-  assert(Table::number_of_elements(table.all()) == n && Table::first(table.all() & ~Table::before(n - 1)) == n - 1);
+  assert(BR::internal::number_of_bits(table.all()) == n);
   for(int trial = 0; trial < 2000; ++trial)
   {
     const Table::Face f = {{ n - 1 - random_int(rng, 20), random_int(rng, 20), 20 + random_int(rng, 20) }};
@@ -192,32 +183,20 @@ void test_full_orientation_table()
 
 void test_cavities(const bool on_grid)
 {
-  std::mt19937 rng(on_grid ? 7 : 8);
-  for(int round = 0; round < 6; ++round)
+  const std::string kind = on_grid ? "grid cavity" : "double cavity";
+  for_each_random_cavity(on_grid ? 7 : 8, on_grid, 6,
+                         [&](Tr& tr, const Cells& cells, const Edges& edges, const Facets& facets)
   {
-    Tr tr;
-    for(int i = 0; i < 60; ++i)
-      tr.insert(random_point(rng, on_grid));
-    // The triangulation is the Delaunay triangulation only for the first cavity.
-    for(int k = 0; k < 20; ++k)
-    {
-      const Cells cells = random_cavity(tr, rng, 4 + random_int(rng, 17));
-      assert(cells.size() >= 4 && cells.size() <= 20);
-      Edges edges;
-      Facets facets;
-      if(k % 2 == 1)
-        require_what_is_there(cells, rng, edges, facets);
-      const Tetrahedra old = tetrahedra_of(cells);
-      const Predicates predicates(tr);
-      Reconnection reconnection(predicates);
-      const Tetrahedra result = reconnect(tr, reconnection, cells, edges, facets);
-      const bool is_changed = std::any_of(old.begin(), old.end(),
-                                          [&](const Tetrahedron& t) { return number_around(result, t) == 0; });
-      ++number_of[std::string(on_grid ? "grid" : "double") + (k % 2 == 1 ? " cavity with requirements" : " cavity")];
-      if(is_changed)
-        ++number_of[std::string(on_grid ? "grid" : "double") + " cavity changed"];
-    }
-  }
+    const Tetrahedra old = tetrahedra_of(cells);
+    const Predicates predicates(tr);
+    Reconnection reconnection(predicates);
+    const Tetrahedra result = reconnect(tr, reconnection, cells, edges, facets);
+    const bool is_changed = std::any_of(old.begin(), old.end(),
+                                        [&](const Tetrahedron& t) { return number_around(result, t) == 0; });
+    ++number_of[kind + (edges.empty() ? "" : " with requirements")];
+    if(is_changed)
+      ++number_of[kind + " changed"];
+  });
 }
 
 // --- hulls of few points, with edges drawn at random: the search has to take back choices ----------------------------
@@ -225,18 +204,8 @@ void test_cavities(const bool on_grid)
 void test_hulls()
 {
   std::mt19937 rng(10);
-  for(int round = 0; round < 60; ++round)
+  for_each_random_hull(rng, 60, 12, 3, 6, [&](Tr& tr, const Edges& edges)
   {
-    Tr tr;
-    std::vector<Vertex_handle> v;
-    for(int i = 0; i < 12; ++i)
-      v.push_back(tr.insert(random_point(rng, false)));
-    Edges edges;
-    for(int i = 0; i < 3 + round % 4; ++i)
-    {
-      const int a = random_int(rng, 12), b = (a + 1 + random_int(rng, 11)) % 12;
-      edges.push_back({{ v[a], v[b] }});
-    }
     const Predicates predicates(tr);
     Reconnection reconnection(predicates);
     const Reconnection::Outcome outcome = reconnection(finite_cells(tr), edges, Facets());
@@ -259,7 +228,7 @@ void test_hulls()
       reconnect(tr, reconnection, cells, some, Facets());
       ++number_of["hull with some of its edges"];
     }
-  }
+  });
 }
 
 // --- bipyramids: two cells against three -----------------------------------------------------------------------------
@@ -371,7 +340,7 @@ void test_limits()
   Reconnection reconnection(predicates);
   const Cells one(1, finite_cells(tr).front()), many = random_cavity(tr, rng, 15);
 
-  const Reconnection::Bounds one_step = { Reconnection::max_number_of_vertices, 1 };
+  const Reconnection::Bounds one_step = { Reconnection::max_number_of_vertices, 0, 1 };
   assert(reconnection(many, Edges(), Facets(), Vertex_handle(), one_step) == Reconnection::GAVE_UP);
   assert(reconnection.tetrahedra().empty());
   ++number_of["gave up: steps"];
@@ -400,7 +369,7 @@ void test_large_polyhedron()
   const Cells cells = finite_cells(tr);
   const Predicates predicates(tr);
   Reconnection reconnection(predicates);
-  const Reconnection::Bounds large = { Reconnection::max_number_of_vertices, 2000 };
+  const Reconnection::Bounds large = { Reconnection::max_number_of_vertices, 0, 2000 };
   assert(reconnection(cells, Edges(), Facets(), v, large) == Reconnection::FOUND);
   assert(total_volume(reconnection.tetrahedra()) == volume_before);
   assert(number_around(reconnection.tetrahedra(), std::array<Vertex_handle, 1>{{ v }}) == 0);

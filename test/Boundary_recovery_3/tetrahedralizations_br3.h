@@ -6,6 +6,7 @@
 #include "random_triangulations_br3.h"
 
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Cell_replacement.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -118,6 +119,74 @@ inline void require_what_is_there(const Cells& cells, std::mt19937& rng, Edges& 
     const int i = random_int(rng, 4), j = (i + 1 + random_int(rng, 3)) % 4;
     edges.push_back({{ c->vertex(i), c->vertex(j) }});
     facets.push_back({{ c->vertex((i + 1) % 4), c->vertex((i + 2) % 4), c->vertex((i + 3) % 4) }});
+  }
+}
+
+// The tetrahedra fill the cells, and have what was required.
+inline void check_tetrahedralization(const Tetrahedra& tetrahedra, const Cells& cells, const Edges& edges,
+                                     const Facets& facets)
+{
+  assert(total_volume(tetrahedra) == total_volume(tetrahedra_of(cells)));
+  for(const Edge& e : edges)
+    assert(number_around(tetrahedra, e) > 0);
+  for(const Facet& f : facets)
+    assert(number_around(tetrahedra, f) > 0);
+}
+
+// The result must be a triangulation again.
+inline void replace_cells(Tr& tr, const Cells& cells, const Tetrahedra& tetrahedra)
+{
+  const std::size_t number_of_cells = tr.number_of_cells() + tetrahedra.size() - cells.size();
+  BR::internal::Cell_replacement<Tr> replace;
+  replace(tr, cells, tetrahedra);
+  assert(tr.number_of_cells() == number_of_cells && tr.tds().is_valid());
+}
+
+// Calls `work` with a triangulation and a cavity in it, many times; each second time with requirements, of what is
+// there. Where `work` fills the cavity in another way, the next one is in that, and no longer in a Delaunay
+// triangulation.
+template <typename Work>
+void for_each_random_cavity(const unsigned seed, const bool on_grid, const int number_of_triangulations,
+                            const Work& work)
+{
+  std::mt19937 rng(seed);
+  for(int round = 0; round < number_of_triangulations; ++round)
+  {
+    Tr tr;
+    for(int i = 0; i < 60; ++i)
+      tr.insert(random_point(rng, on_grid));
+    for(int k = 0; k < 20; ++k)
+    {
+      const Cells cells = random_cavity(tr, rng, 4 + random_int(rng, 17));
+      assert(cells.size() >= 4 && cells.size() <= 20);
+      Edges edges;
+      Facets facets;
+      if(k % 2 == 1)
+        require_what_is_there(cells, rng, edges, facets);
+      work(tr, cells, edges, facets);
+    }
+  }
+}
+
+// Calls `work` with the hulls of n points, as triangulations, and with some edges between any two of them, drawn at
+// random: a search has to take back choices.
+template <typename Work>
+void for_each_random_hull(std::mt19937& rng, const int number_of_hulls, const int n, const int min_number_of_edges,
+                          const int max_number_of_edges, const Work& work)
+{
+  for(int round = 0; round < number_of_hulls; ++round)
+  {
+    Tr tr;
+    std::vector<Vertex_handle> v;
+    for(int i = 0; i < n; ++i)
+      v.push_back(tr.insert(random_point(rng, false)));
+    Edges edges;
+    for(int i = 0; i < min_number_of_edges + round % (max_number_of_edges - min_number_of_edges + 1); ++i)
+    {
+      const int a = random_int(rng, n), b = (a + 1 + random_int(rng, n - 1)) % n;
+      edges.push_back({{ v[a], v[b] }});
+    }
+    work(tr, edges);
   }
 }
 

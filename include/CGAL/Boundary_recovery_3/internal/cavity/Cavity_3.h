@@ -17,7 +17,9 @@
 #include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -25,17 +27,32 @@ namespace Boundary_recovery_3 {
 namespace internal {
 
 /*
- * Finite cells that are to be replaced together, in the order in which they were added; and what is around them.
+ * Finite cells that are to be replaced together, in the order in which they were added; their vertices, and what is
+ * around them. How a cavity grows is told in grow_cavity.h and spanned_cavity.h.
+ *
+ * `Constraints` answers `is_constrained()` for two vertices of a cell and for three. Vertices and the boundary are only
+ * brought up to date where somebody asks for them.
  */
-template <typename Tr>
+template <typename Tr, typename Constraints_ = Constraints_3<Tr> >
 class Cavity_3
 {
 public:
+  typedef Constraints_                         Constraints;
   typedef typename Tr::Vertex_handle           Vertex_handle;
   typedef typename Tr::Cell_handle             Cell_handle;
-  typedef Constraints_3<Tr>                    Constraints;
   typedef std::array<Vertex_handle, 3>         Triangle;
   typedef std::vector<Vertex_handle>           Vertices;
+
+  // A face of the boundary, seen from inside, and the vertex of the cell behind it; none if it is closed: constrained,
+  // or on the hull.
+  struct Boundary_face
+  {
+    Triangle face;
+    Vertex_handle vertex_behind;
+    Cell_handle cell, cell_behind;
+  };
+
+  Cavity_3(const Tr& tr, const Constraints& constraints) : m_tr(tr), m_constraints(constraints) { }
 
   Cavity_3(const Tr& tr, const Constraints& constraints, const std::vector<Cell_handle>& cells)
     : m_tr(tr), m_constraints(constraints)
@@ -44,81 +61,167 @@ public:
       add(c);
   }
 
-  const std::vector<Cell_handle>& cells() const { return m_cells; }
-
-  // Adds a cell, if it is finite and not there yet.
-  void add(const Cell_handle c)
+  void clear()
   {
-    if(! m_tr.is_infinite(c) && m_index.insert({{ c }}).second)
-      m_cells.push_back(c);
+    m_cells.clear();
+    m_numbers.clear();
+    m_is_inside.clear();
+    forget_surroundings();
   }
 
-  // Adds the cells behind the faces that v does not see from inside, until it sees all. Returns false if a constraint
-  // or the hull is in the way, or if there would be more cells than allowed.
-  template <typename Predicates>
-  bool grow_until_seen(const Vertex_handle v, const Predicates& predicates, const std::size_t max_number_of_cells)
+  // Adds a cell, if it is finite and not there yet. Returns whether it is there now.
+  bool add(const Cell_handle c)
   {
-    for(std::size_t k = 0; k < m_cells.size(); ++k)
-      for(int i = 0; i < 4; ++i)
-      {
-        const Cell_handle n = m_cells[k]->neighbor(i);
-        const Triangle f = internal::facet_vertices(m_cells[k], i);
-        if(contains(n) || predicates.orientation(f[0], f[1], f[2], v) == POSITIVE)
-          continue;
-        if(m_tr.is_infinite(n) || is_constrained(f) || m_cells.size() >= max_number_of_cells)
-          return false;
-        add(n);
-      }
+    if(m_tr.is_infinite(c))
+      return false;
+    const auto inserted = m_numbers.insert({{ c }});
+    if(inserted.second)
+      m_is_inside.push_back(false);
+    if(! m_is_inside[inserted.first])
+    {
+      m_is_inside[inserted.first] = true;
+      m_cells.push_back(c);
+    }
     return true;
   }
 
+  // Takes out a cell that is there. The others keep their order. All that is known of the surroundings is forgotten, so
+  // it is best to take out many before asking for these again.
+  void remove(const Cell_handle c)
+  {
+    m_is_inside[m_numbers[{{ c }}]] = false;
+    m_cells.erase(std::find(m_cells.begin(), m_cells.end(), c));
+    forget_surroundings();
+  }
+
+  bool contains(const Cell_handle c) const
+  {
+    const std::size_t number = m_numbers[{{ c }}];
+    return number != m_numbers.none && m_is_inside[number];
+  }
+
+  const std::vector<Cell_handle>& cells() const { return m_cells; }
+
+  // Those of the cells, in the order in which they are met.
+  const Vertices& vertices()
+  {
+    update_vertices();
+    return m_vertices;
+  }
+
+  bool contains(const Vertex_handle v)
+  {
+    update_vertices();
+    return m_index_of_vertex[{{ v }}] != m_index_of_vertex.none;
+  }
+
+  // In the order of the cells.
+  const std::vector<Boundary_face>& boundary()
+  {
+    update_boundary();
+    return m_boundary;
+  }
+
+  // Whether a cavity must not grow through the facet opposite to the vertex i of a cell. What is behind a constrained
+  // face has nothing to do with what is in front of it.
+  bool is_closed(const Cell_handle c, const int i) const
+  {
+    return m_tr.is_infinite(c->neighbor(i)) || is_constrained(internal::facet_vertices(c, i));
+  }
+
+  // The vertices that are on no face of the boundary, in order.
+  Vertices inner_vertices()
+  {
+    Simplex_index_3<Vertex_handle, 1> outer;
+    for(const Boundary_face& f : boundary())
+      for(const Vertex_handle v : f.face)
+        outer.insert({{ v }});
+    Vertices result;
+    for(const Vertex_handle v : vertices())
+      if(outer[{{ v }}] == outer.none)
+        result.push_back(v);
+    return result;
+  }
+
+  // Whether an edge or a facet is constrained that is not on the boundary.
+  bool has_constraint_inside() { return has_constrained_facet_inside() || has_constrained_edge_inside(); }
+
   // The faces, seen from inside, and the vertices inside. Returns false if there is a constraint inside, or a vertex
   // that is none of the `points`.
-  bool collect_boundary(const Vertices& points, std::vector<Triangle>& faces, Vertices& inner_points) const
+  bool collect_boundary(const Vertices& points, std::vector<Triangle>& faces, Vertices& inner_points)
   {
-    for(const Cell_handle c : m_cells)
-      for(int i = 0; i < 4; ++i)
-      {
-        const Triangle f = internal::facet_vertices(c, i);
-        if(! contains(c->neighbor(i)))
-          faces.push_back(f);
-        else if(is_constrained(f))
-          return false;
-      }
-    return collect_inner_points(faces, points, inner_points) && ! has_constrained_edge_inside(faces);
+    if(has_constraint_inside())
+      return false;
+    for(const Boundary_face& f : boundary())
+      faces.push_back(f.face);
+    inner_points = inner_vertices();
+    return std::all_of(inner_points.begin(), inner_points.end(),
+                       [&](const Vertex_handle v) { return internal::contains(points, v); });
   }
 
 private:
   bool is_constrained(const Triangle& f) const { return m_constraints.is_constrained(f[0], f[1], f[2]); }
 
-  bool contains(const Cell_handle c) const { return m_index[{{ c }}] != m_index.none; }
-
-  bool collect_inner_points(const std::vector<Triangle>& faces, const Vertices& points, Vertices& inner_points) const
+  void forget_surroundings()
   {
-    inner_points.clear();
-    Simplex_index_3<Vertex_handle, 1> known;
-    for(const Triangle& f : faces)
-      for(const Vertex_handle v : f)
-        known.insert({{ v }});
-    for(const Cell_handle c : m_cells)
-      for(int i = 0; i < 4; ++i)
-      {
-        const Vertex_handle p = c->vertex(i);
-        if(! known.insert({{ p }}).second)
-          continue;
-        if(! internal::contains(points, p))
-          return false;
-        inner_points.push_back(p);
-      }
-    return true;
+    m_vertices.clear();
+    m_index_of_vertex.clear();
+    m_number_of_cells_with_vertices = 0;
+    m_boundary.clear();
+    m_number_of_cells_with_boundary = 0;
   }
 
-  bool has_constrained_edge_inside(const std::vector<Triangle>& faces) const
+  void update_vertices()
+  {
+    for(; m_number_of_cells_with_vertices < m_cells.size(); ++m_number_of_cells_with_vertices)
+      for(int i = 0; i < 4; ++i)
+      {
+        const Vertex_handle v = m_cells[m_number_of_cells_with_vertices]->vertex(i);
+        if(m_index_of_vertex.insert({{ v }}).second)
+          m_vertices.push_back(v);
+      }
+  }
+
+  // Takes out what is inside now, and adds the faces of the cells that are new.
+  void update_boundary()
+  {
+    if(m_number_of_cells_with_boundary == m_cells.size())
+      return;
+    m_boundary.erase(std::remove_if(m_boundary.begin(), m_boundary.end(),
+                                    [this](const Boundary_face& f) { return this->contains(f.cell_behind); }),
+                     m_boundary.end());
+    for(; m_number_of_cells_with_boundary < m_cells.size(); ++m_number_of_cells_with_boundary)
+      for(int i = 0; i < 4; ++i)
+      {
+        const Cell_handle c = m_cells[m_number_of_cells_with_boundary];
+        if(! contains(c->neighbor(i)))
+          m_boundary.push_back(boundary_face(c, i));
+      }
+  }
+
+  Boundary_face boundary_face(const Cell_handle c, const int i) const
+  {
+    const Cell_handle n = c->neighbor(i);
+    return { internal::facet_vertices(c, i), is_closed(c, i) ? Vertex_handle() : n->vertex(n->index(c)), c, n };
+  }
+
+  bool has_constrained_facet_inside() const
+  {
+    return std::any_of(m_cells.begin(), m_cells.end(), [this](const Cell_handle c)
+    {
+      for(int i = 0; i < 4; ++i)
+        if(this->contains(c->neighbor(i)) && this->is_constrained(internal::facet_vertices(c, i)))
+          return true;
+      return false;
+    });
+  }
+
+  bool has_constrained_edge_inside()
   {
     Simplex_index_3<Vertex_handle, 2> edges; // of the faces
-    for(const Triangle& f : faces)
+    for(const Boundary_face& f : boundary())
       for(int k = 0; k < 3; ++k)
-        edges.insert({{ f[k], f[(k + 1) % 3] }});
+        edges.insert({{ f.face[k], f.face[(k + 1) % 3] }});
     for(const Cell_handle c : m_cells)
       for(int i = 0; i < 4; ++i)
         for(int j = 0; j < i; ++j)
@@ -133,7 +236,13 @@ private:
   const Tr& m_tr;
   const Constraints& m_constraints;
   std::vector<Cell_handle> m_cells;
-  Simplex_index_3<Cell_handle, 1> m_index; // of these
+  Simplex_index_3<Cell_handle, 1> m_numbers; // of all that ever were among these
+  std::vector<char> m_is_inside;             // by number, whether it still is
+  Vertices m_vertices;
+  Simplex_index_3<Vertex_handle, 1> m_index_of_vertex;
+  std::size_t m_number_of_cells_with_vertices = 0; // of which the vertices are known; the first ones
+  std::vector<Boundary_face> m_boundary;
+  std::size_t m_number_of_cells_with_boundary = 0; // of which the faces of the boundary are
 };
 
 } // namespace internal

@@ -12,6 +12,8 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <CGAL/Boundary_recovery_3/internal/cavity/Tetrahedralization_search.h>
+
 #include <CGAL/assertions.h>
 
 #include <algorithm>
@@ -37,18 +39,12 @@ namespace internal {
  * that alone mostly finds that there is no solution. What is left is decided by depth-first search.
  */
 class Face_matching
+  : public Tetrahedralization_search
 {
 public:
   // A face has two sides, s and opposite(s).
   typedef std::uint32_t          Side;
   typedef std::array<Side, 4>    Sides;
-
-  enum Outcome
-  {
-    FOUND,
-    NONE,    // there is no solution
-    GAVE_UP  // the search took too many steps
-  };
 
   static constexpr Side opposite(const Side s) { return s ^ 1; }
 

@@ -13,8 +13,10 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/cavity/Candidate_tetrahedra_3.h>
+#include <CGAL/Boundary_recovery_3/internal/cavity/Cavity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/cavity/Face_matching.h>
-#include <CGAL/Boundary_recovery_3/internal/cavity/Spanned_cavity_3.h>
+#include <CGAL/Boundary_recovery_3/internal/cavity/Tetrahedralization_search.h>
+#include <CGAL/Boundary_recovery_3/internal/cavity/spanned_cavity.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
@@ -42,13 +44,14 @@ namespace internal {
  */
 template <typename Tr>
 class Growing_cavity_3
+  : public Tetrahedralization_search
 {
 public:
   typedef typename Tr::Vertex_handle           Vertex_handle;
   typedef typename Tr::Cell_handle             Cell_handle;
   typedef Vertex_predicates_3<Tr>              Predicates;
   typedef Constraints_3<Tr>                    Constraints;
-  typedef Spanned_cavity_3<Tr>                 Cavity;
+  typedef Cavity_3<Tr, Constraints>            Cavity;
   typedef Candidate_tetrahedra_3<Tr>           Candidates;
   typedef typename Candidates::Tetrahedron     Tetrahedron;
   typedef std::vector<Vertex_handle>           Vertices;
@@ -60,45 +63,25 @@ public:
     TOWARD_DEAD_ENDS  // by a third, to where it has to; one vertex at a time takes longer, and is of no more use
   };
 
-  // Bounds on the work.
-  struct Bounds
-  {
-    std::size_t vertices;   // of the largest cavity
-    std::size_t tetrahedra; // between them
-    std::size_t steps;      // of one search
-  };
-
-  enum Outcome
-  {
-    FOUND,
-    NONE,    // constraints and the hull enclose the cavity, and it cannot be filled without the point
-    GAVE_UP
-  };
-
   Growing_cavity_3(const Tr& tr, const Predicates& predicates, const Constraints& constraints)
     : m_predicates(predicates), m_constraints(constraints), m_cavity(tr, constraints),
       m_candidates(predicates)
   { }
 
   // Looks for tetrahedra that fill a cavity that contains the ball of v, without v. They need not use any of the
-  // `points`.
+  // `points`. There are none if constraints and the hull enclose a cavity that cannot be filled.
   template <typename Context>
   Outcome operator()(const std::vector<Cell_handle>& ball, const Vertex_handle v, const Vertices& points,
                      const Growth growth, const Bounds& bounds, Context& context)
   {
-    m_cavity.initialize(ball, v);
-    while(m_cavity.number_of_vertices() <= bounds.vertices && context.go_further())
+    start(ball);
+    while(number_of_vertices() <= bounds.vertices && context.go_further())
     {
-      const Face_matching::Outcome outcome = reconnect(v, points, bounds);
-      if(outcome == Face_matching::GAVE_UP)
-        return GAVE_UP;
-      if(outcome == Face_matching::FOUND)
-      {
+      const Outcome outcome = reconnect(v, points, bounds);
+      if(outcome == FOUND)
         collect_result(v);
-        return FOUND;
-      }
-      if(m_cavity.vertices_behind().empty())
-        return NONE;
+      if(outcome != NONE || internal::vertices_behind(m_cavity).empty())
+        return outcome;
       if(! grow(growth, bounds, context))
         return GAVE_UP;
     }
@@ -166,13 +149,24 @@ private:
     std::vector<Bbox_3> m_boxes;
   };
 
-  Face_matching::Outcome reconnect(const Vertex_handle v, const Vertices& points, const Bounds& bounds)
+  void start(const std::vector<Cell_handle>& ball)
+  {
+    m_cavity.clear();
+    for(const Cell_handle c : ball)
+      m_cavity.add(c);
+    internal::add_spanned_cells(m_cavity);
+  }
+
+  // Without the point.
+  std::size_t number_of_vertices() { return m_cavity.vertices().size() - 1; }
+
+  Outcome reconnect(const Vertex_handle v, const Vertices& points, const Bounds& bounds)
   {
     std::vector<std::array<Vertex_handle, 2> > edges;
     std::vector<Triangle> facets;
     m_constraints.collect(m_cavity.cells(), edges, facets);
     if(! m_candidates.collect(m_cavity.cells(), edges, facets, points, v, bounds.tetrahedra))
-      return Face_matching::GAVE_UP;
+      return GAVE_UP;
     return m_matching(m_candidates.number_of_sides(), m_candidates.tetrahedra(), m_candidates.boundary(),
                       bounds.steps);
   }
@@ -197,21 +191,21 @@ private:
   template <typename Context>
   bool grow(const Growth growth, const Bounds& bounds, Context& context)
   {
-    const std::size_t before = m_cavity.number_of_vertices();
+    const std::size_t before = number_of_vertices();
     const std::size_t wanted = (std::min)(growth == AROUND ? 2 * before : before + before / 3 + 1, bounds.vertices);
     if(m_candidates.tetrahedra().size() * wanted / before * wanted / before > bounds.tetrahedra)
       return false;
     std::vector<Triangle> faces;
     if(growth == TOWARD_DEAD_ENDS)
       faces = dead_ends();
-    while(m_cavity.number_of_vertices() < wanted && context.go_further())
+    while(number_of_vertices() < wanted && context.go_further())
     {
       const Vertex_handle x = next_vertex(faces);
       if(x == Vertex_handle())
         break;
-      m_cavity.add(x);
+      internal::add_spanning_vertex(m_cavity, x);
     }
-    return m_cavity.number_of_vertices() > before;
+    return number_of_vertices() > before;
   }
 
   std::vector<Triangle> dead_ends() const
@@ -225,9 +219,9 @@ private:
   // A vertex behind the boundary that makes tetrahedra with some of the faces, which are then taken out. First choice
   // is one that will, most likely, with the cells that it brings; then one that may when the cavity is larger; then the
   // one that touches the cavity most.
-  Vertex_handle next_vertex(std::vector<Triangle>& faces) const
+  Vertex_handle next_vertex(std::vector<Triangle>& faces)
   {
-    const Vertices vertices = m_cavity.vertices_behind();
+    const Vertices vertices = internal::vertices_behind(m_cavity);
     if(vertices.empty() || faces.empty())
       return vertices.empty() ? Vertex_handle() : vertices.front();
     const Obstacles obstacles(m_cavity.boundary(), m_predicates);

@@ -12,9 +12,11 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <CGAL/Boundary_recovery_3/internal/cavity/Tetrahedralization_search.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Orientation_table_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
+#include <CGAL/Boundary_recovery_3/internal/util/bits.h>
 
 #include <algorithm>
 #include <array>
@@ -40,6 +42,7 @@ namespace internal {
  */
 template <typename Tr>
 class Small_polyhedron_reconnection_3
+  : public Tetrahedralization_search
 {
 public:
   typedef typename Tr::Vertex_handle    Vertex_handle;
@@ -47,23 +50,10 @@ public:
   typedef Vertex_predicates_3<Tr>       Predicates;
   typedef std::array<Vertex_handle, 4>  Tetrahedron;
 
-  enum Outcome
-  {
-    FOUND,   // tetrahedra() fills the polyhedron
-    NONE,    // there is no such tetrahedralization
-    GAVE_UP  // the polyhedron has too many vertices, or the search took too many steps
-  };
-
   static constexpr std::size_t max_number_of_vertices = Orientation_table_3<Tr>::max_number_of_vertices;
 
-  // Bounds on the work of one search.
-  struct Bounds
-  {
-    std::size_t vertices; // of the polyhedron, at most max_number_of_vertices
-    std::size_t steps;    // tetrahedra tried
-  };
-
-  static constexpr Bounds default_bounds = { 28, 2000 };
+  // Each tetrahedron that is tried is a step; they are not collected.
+  static constexpr Bounds default_bounds = { 28, 0, 2000 };
 
   explicit Small_polyhedron_reconnection_3(const Predicates& predicates) : m_orientations(predicates) { }
 
@@ -72,7 +62,8 @@ public:
   void forget() { m_orientations.forget(); }
 
   // `cells` are finite cells whose union is a polyhedron; `edges` and `facets` are arrays of vertices of these cells,
-  // of simplices inside the polyhedron. `superfluous`, if given, is a vertex inside that is not to be used.
+  // of simplices inside the polyhedron. `superfluous`, if given, is a vertex inside that is not to be used. The bound
+  // on the vertices is max_number_of_vertices at most.
   template <typename CellRange, typename EdgeRange, typename FacetRange>
   Outcome operator()(const CellRange& cells, const EdgeRange& edges, const FacetRange& facets,
                      const Vertex_handle superfluous = Vertex_handle(), const Bounds& bounds = default_bounds)
@@ -177,11 +168,11 @@ private:
   {
     for(int k = 0; k < 3; ++k)
       add_obstacle(edge(f, k));
-    Orientations::for_each(m_orientations.sides(f).positive, [&](const int a)
+    internal::for_each_bit(m_orientations.sides(f).positive, [&](const int a)
     {
       const Vertex_set ends = m_orientations.ends_of_piercing_edges(f, a);
       add(ends, m_hidden[a]);
-      Orientations::for_each(ends, [&](const int b) { add(Orientations::set_of(a), m_hidden[b]); });
+      internal::for_each_bit(ends, [&](const int b) { add(Orientations::set_of(a), m_hidden[b]); });
     });
   }
 
@@ -274,7 +265,7 @@ private:
     for(const Front_face& f : m_front)
     {
       const Vertex_set apexes = f.apexes & ~apexes_behind_obstacles(f.face);
-      const int number = Orientations::number_of_elements(apexes);
+      const int number = internal::number_of_bits(apexes);
       if(number >= fewest)
         continue;
       result = { f.face, apexes };
@@ -301,7 +292,7 @@ private:
   {
     Choice choice;
     choice.face = f.face;
-    choice.apex = Orientations::first(f.apexes);
+    choice.apex = internal::lowest_bit(f.apexes);
     choice.alternatives = f.apexes & ~Orientations::set_of(choice.apex);
     choice.front = m_front;
     choice.number_of_edges = m_edges.size();
@@ -341,7 +332,7 @@ private:
     for(int k = 0; k < 3; ++k)
       open(edge(f, k));
     Front_face result = { f, 0 };
-    Orientations::for_each(m_orientations.sides(f).positive & ~apexes_behind_obstacles(f), [&](const int v)
+    internal::for_each_bit(m_orientations.sides(f).positive & ~apexes_behind_obstacles(f), [&](const int v)
     {
       if(! m_orientations.contains_vertex(f, v))
         result.apexes |= Orientations::set_of(v);

@@ -13,16 +13,14 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/bits.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/enum.h>
 
 #include <algorithm>
 #include <array>
-#include <bitset>
 #include <cstddef>
-#include <cstdint>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -45,9 +43,9 @@ public:
   typedef Vertex_predicates_3<Tr>       Predicates;
   typedef std::array<int, 2>            Edge;
   typedef std::array<int, 3>            Face;
-  typedef std::uint64_t                 Vertex_set; // as bits
+  typedef Bits                          Vertex_set;
 
-  static constexpr std::size_t max_number_of_vertices = 63; // one less than bits, for before()
+  static constexpr std::size_t max_number_of_vertices = 63; // one less than bits, for all()
 
   // The vertices on the positive and on the negative side of a face.
   struct Sides
@@ -80,38 +78,11 @@ public:
     return static_cast<int>(std::find(m_vertices.begin(), m_vertices.end(), v) - m_vertices.begin());
   }
 
-  static Vertex_set set_of(const int i) { return Vertex_set(1) << i; }
+  static Vertex_set set_of(const int i) { return internal::bit(i); }
 
   static Vertex_set set_of(const Edge& e) { return set_of(e[0]) | set_of(e[1]); }
 
-  // All the vertices before i.
-  static Vertex_set before(const int i) { return set_of(i) - 1; }
-
-  Vertex_set all() const { return before(number_of_vertices()); }
-
-  static int number_of_elements(const Vertex_set set)
-  {
-    return static_cast<int>(std::bitset<std::numeric_limits<Vertex_set>::digits>(set).count());
-  }
-
-  // Of a set that is not empty.
-  static int first(const Vertex_set set)
-  {
-    int i = 0;
-    while((set & set_of(i)) == 0)
-      ++i;
-    return i;
-  }
-
-  // Calls `visit` with each vertex of the set, in order.
-  template <typename Visit>
-  static void for_each(const Vertex_set set, const Visit& visit)
-  {
-    int i = 0;
-    for(Vertex_set rest = set; rest != 0; rest >>= 1, ++i)
-      if((rest & 1) != 0)
-        visit(i);
-  }
+  Vertex_set all() const { return internal::bits_before(number_of_vertices()); }
 
   // For distinct vertices of the face; they are on none of its sides.
   Sides sides(Face f) const
@@ -154,7 +125,7 @@ public:
       return 0;
     const Sides s = sides({{ e[0], e[1], a }});
     Vertex_set result = 0;
-    for_each(all() & ~(s.positive | s.negative | set_of(e) | set_of(a)), [&](const int b)
+    internal::for_each_bit(all() & ~(s.positive | s.negative | set_of(e) | set_of(a)), [&](const int b)
     {
       if(is_crossed(e, {{ a, b }}))
         result |= set_of(b);
@@ -210,8 +181,8 @@ private:
     m_sides.resize(number_of_faces(known));
     for(Sides& s : m_sides)
     {
-      s.positive &= before(known);
-      s.negative &= before(known);
+      s.positive &= internal::bits_before(known);
+      s.negative &= internal::bits_before(known);
     }
     m_sides.resize(number_of_faces(number_of_vertices()));
     for(int l = known; l < number_of_vertices(); ++l)

@@ -13,7 +13,9 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/Shell_3.h>
+#include <CGAL/Boundary_recovery_3/internal/cavity/Cavity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/cavity/Small_polyhedron_reconnection_3.h>
+#include <CGAL/Boundary_recovery_3/internal/cavity/grow_cavity.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Facet_walk_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Segment_walk_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
@@ -22,6 +24,7 @@
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -53,7 +56,8 @@ public:
 
   Cavity_recovery_3(Tr& tr, const Predicates& predicates, const Constraints& constraints, Visitor& visitor)
     : m_tr(tr), m_constraints(constraints), m_visitor(visitor),
-      m_segment_walk(tr, predicates), m_facet_walk(tr, predicates), m_reconnection(predicates)
+      m_segment_walk(tr, predicates), m_facet_walk(tr, predicates), m_reconnection(predicates),
+      m_cavity(tr, constraints)
   { }
 
   // Returns whether uv is a mesh edge in the end.
@@ -63,12 +67,11 @@ public:
     const typename Walk::Outcome outcome = m_segment_walk(e[0], e[1]);
     if(outcome != Walk::CROSSED)
       return outcome == Walk::IS_EDGE;
-    clear();
+    m_cavity.clear();
     for(const typename Walk::Crossing& crossing : m_segment_walk.crossings())
-      if(crossing.dimension == 1)
-        add_shell(crossing.cell, crossing.vertices[0], crossing.vertices[1]);
-      else
-        add_both_cells(crossing.cell, crossing.vertices);
+      if(! (crossing.dimension == 1 ? add_shell(crossing.cell, crossing.vertices[0], crossing.vertices[1])
+                                    : add_both_cells(crossing.cell, crossing.vertices)))
+        return false;
     return reconnect(std::vector<Edge>(1, e), std::vector<Facet>());
   }
 
@@ -83,40 +86,27 @@ public:
     const typename Walk::Outcome outcome = m_facet_walk(f[0], f[1], f[2], c);
     if(outcome != Walk::CROSSED)
       return outcome == Walk::IS_FACET;
-    clear();
+    m_cavity.clear();
     for(const typename Walk::Crossing& crossing : m_facet_walk.crossings())
-      add_shell(crossing.cell, crossing.vertices[0], crossing.vertices[1]);
+      if(! add_shell(crossing.cell, crossing.vertices[0], crossing.vertices[1]))
+        return false;
     return reconnect(std::vector<Edge>(), std::vector<Facet>(1, f));
   }
 
   std::size_t number_of_replacements() const { return m_number_of_replacements; }
 
 private:
-  void clear()
-  {
-    m_cells.clear();
-    m_vertices.clear();
-  }
-
-  void add(const Cell_handle c)
-  {
-    if(internal::contains(m_cells, c))
-      return;
-    m_cells.push_back(c);
-    for(int i = 0; i < 4; ++i)
-      if(! internal::contains(m_vertices, c->vertex(i)))
-        m_vertices.push_back(c->vertex(i));
-  }
-
-  void add_shell(const Cell_handle c, const Vertex_handle a, const Vertex_handle b)
+  // Returns false if one of the cells is infinite: then the hull would have to change.
+  bool add_shell(const Cell_handle c, const Vertex_handle a, const Vertex_handle b)
   {
     const Shell_3<Tr> shell(m_tr, c, c->index(a), c->index(b));
-    for(const Cell_handle cell : shell.cells())
-      add(cell);
+    return std::all_of(shell.cells().begin(), shell.cells().end(),
+                       [this](const Cell_handle cell) { return m_cavity.add(cell); });
   }
 
-  void add_both_cells(const Cell_handle c, const Facet& f)
+  bool add_both_cells(const Cell_handle c, const Facet& f)
   {
+<<<<<<< HEAD
     add(c);
     add(c->neighbor(internal::index_of_opposite_vertex(c, f)));
   }
@@ -138,30 +128,33 @@ private:
       if(! internal::contains(m_vertices, extra->vertex(i)))
         ++n;
     return n;
+=======
+    int i = 0;
+    while(internal::contains(f, c->vertex(i)))
+      ++i;
+    return m_cavity.add(c) && m_cavity.add(c->neighbor(i));
+>>>>>>> wt-c
   }
 
   bool reconnect(const std::vector<Edge>& edges, const std::vector<Facet>& facets)
   {
-    for(const Cell_handle c : m_cells)
-      if(m_tr.is_infinite(c))
-        return false; // the hull would have to change
-    if(m_vertices.size() > max_number_of_vertices)
+    if(m_cavity.vertices().size() > max_number_of_vertices)
       return false;
     m_reconnection.forget();
     if(reconnect_cells(edges, facets))
       return true;
-    const std::size_t before = m_cells.size();
+    const std::size_t before = m_cavity.cells().size();
     for(int layer = 0; layer < number_of_layers; ++layer)
-      add_layer();
-    return m_cells.size() != before && reconnect_cells(edges, facets);
+      internal::add_layer(m_cavity, max_number_of_vertices);
+    return m_cavity.cells().size() != before && reconnect_cells(edges, facets);
   }
 
   bool reconnect_cells(std::vector<Edge> edges, std::vector<Facet> facets)
   {
-    m_constraints.collect(m_cells, edges, facets);
-    if(m_reconnection(m_cells, edges, facets) != Reconnection::FOUND)
+    m_constraints.collect(m_cavity.cells(), edges, facets);
+    if(m_reconnection(m_cavity.cells(), edges, facets) != Reconnection::FOUND)
       return false;
-    m_replacement(m_tr, m_cells, m_reconnection.tetrahedra(), m_visitor);
+    m_replacement(m_tr, m_cavity.cells(), m_reconnection.tetrahedra(), m_visitor);
     ++m_number_of_replacements;
     return true;
   }
@@ -175,8 +168,7 @@ private:
   Facet_walk_3<Tr> m_facet_walk;
   Reconnection m_reconnection;
   Cell_replacement<Tr> m_replacement;
-  std::vector<Cell_handle> m_cells;
-  std::vector<Vertex_handle> m_vertices;
+  Cavity_3<Tr, Constraints> m_cavity;
   std::size_t m_number_of_replacements = 0;
 };
 

@@ -12,10 +12,9 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <bitset>
+#include <CGAL/Boundary_recovery_3/internal/util/bits.h>
+
 #include <cstddef>
-#include <cstdint>
-#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -29,8 +28,6 @@ namespace internal {
 class Bit_matrix
 {
 public:
-  typedef std::uint64_t Word;
-
   // All empty.
   void assign(const std::size_t number_of_rows, const std::size_t number_of_columns)
   {
@@ -40,16 +37,16 @@ public:
 
   void set(const std::size_t row, const std::size_t column)
   {
-    m_words[row * m_number_of_words + column / bits_of_word] |= Word(1) << column % bits_of_word;
+    m_words[row * m_number_of_words + column / bits_of_word] |= internal::bit(column % bits_of_word);
   }
 
   bool operator()(const std::size_t row, const std::size_t column) const
   {
-    return (word(row, column / bits_of_word) >> column % bits_of_word & 1) != 0;
+    return internal::has_bit(word(row, column / bits_of_word), column % bits_of_word);
   }
 
   // The bits of the columns from 64 w on.
-  Word word(const std::size_t row, const std::size_t w) const { return m_words[row * m_number_of_words + w]; }
+  Bits word(const std::size_t row, const std::size_t w) const { return m_words[row * m_number_of_words + w]; }
 
   // Whether `is_wanted` holds for one of the columns of which the bit is set in `combination(w)`, the words of a row or
   // of several, combined. In increasing order.
@@ -57,9 +54,8 @@ public:
   bool any_of(const Combination& combination, const Is_wanted& is_wanted) const
   {
     for(std::size_t w = 0; w < m_number_of_words; ++w)
-      for(Word rest = combination(w); rest != 0; rest &= rest - 1)
-        if(is_wanted(w * bits_of_word + lowest_bit(rest)))
-          return true;
+      if(internal::any_of_bits(combination(w), [&](const int i) { return is_wanted(w * bits_of_word + i); }))
+        return true;
     return false;
   }
 
@@ -71,12 +67,9 @@ public:
   }
 
 private:
-  static constexpr std::size_t bits_of_word = std::numeric_limits<Word>::digits;
+  static constexpr std::size_t bits_of_word = max_number_of_bits;
 
-  // The number of zeros behind the last one.
-  static std::size_t lowest_bit(const Word word) { return std::bitset<bits_of_word>((word & (~word + 1)) - 1).count(); }
-
-  std::vector<Word> m_words;
+  std::vector<Bits> m_words;
   std::size_t m_number_of_words = 0;
 };
 

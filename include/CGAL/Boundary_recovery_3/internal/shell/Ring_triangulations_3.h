@@ -1,0 +1,196 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SHELL_RING_TRIANGULATIONS_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SHELL_RING_TRIANGULATIONS_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/Shell_3.h>
+#include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
+#include <CGAL/Boundary_recovery_3/internal/shell/Shell_elements_3.h>
+#include <CGAL/Boundary_recovery_3/internal/shell/position_tables.h>
+#include <CGAL/Boundary_recovery_3/internal/util/bits.h>
+
+#include <boost/container/small_vector.hpp>
+
+#include <algorithm>
+#include <array>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * The best triangulations of the rings of a shell: the dynamic program of [CZZ+17, Alg. 2]. The ring R_ij is the
+ * polygon of the positions from i to j on the skirt polygon, closed by the chord p_j p_i.
+ *
+ * M_q holds the best value of each ring, M_k the apex of the triangle at its chord in the best triangulation. At first
+ * it is only found out which rings can be triangulated at all; values are computed where somebody asks. The time is
+ * O(m^3), m being the degree of the shell.
+ *
+ * Ties are broken so that the outcome is unique: in each ring the first apex is taken, counted from its start.
+ */
+template <typename Tr, typename Quality, typename Validity>
+class Ring_triangulations_3
+{
+public:
+  typedef Shell_3<Tr>              Shell;
+  typedef Vertex_predicates_3<Tr>  Predicates;
+  typedef typename Quality::Value  Value;
+
+  Ring_triangulations_3(const Predicates& predicates, const Quality& quality, const Validity& validity)
+    : m_quality(quality), m_elements(predicates, quality, validity)
+  { }
+
+  // The edges of the skirt polygon are the only rings yet. The positions in `kept` are to stay in the core, so they are
+  // no apices.
+  void assign(const Shell& shell, const Positions kept)
+  {
+    m_shell = &shell;
+    m_kept = kept;
+    m_elements.assign(shell);
+    const int m = shell.degree();
+    for(Position_pairs* const pairs : { &m_rings_from, &m_rings_to, &m_known_values })
+      pairs->clear(m);
+    m_apices.assign(m, m);
+    m_best_apex.assign(m, m);
+    m_value.assign(m, m);
+    for(int i = 0; i < m; ++i)
+    {
+      const int j = shell.next(i);
+      set_ring(i, j, ring_edge);
+      m_known_values.insert(i, j);
+      m_value(i, j) = m_quality.best();
+    }
+  }
+
+  // Those that do not contain the arc from the last position to the first.
+  void fill_in_straight_rings()
+  {
+    const int m = m_shell->degree();
+    for(int d = 2; d < m; ++d)
+      for(int i = 0; i + d < m; ++i)
+        fill_in_ring(i, i + d);
+  }
+
+  // The others, after those, but for the longest: a core has three arcs or more.
+  void fill_in_wrapped_rings()
+  {
+    const int m = m_shell->degree();
+    for(int d = 2; d + 1 < m; ++d)
+      for(int i = m - d; i < m; ++i)
+        fill_in_ring(i, i + d - m);
+  }
+
+  // Whether R_ij can be triangulated.
+  bool has_ring(const int i, const int j) const { return m_rings_from.contains(i, j); }
+
+  // The best value of what covers the ring R_ij, its chord included. In most shells nobody asks: there is nothing to
+  // choose from. The depth of the recursion is less than the degree.
+  const Value& value(const int i, const int j)
+  {
+    Value& best = m_value(i, j);
+    if(m_known_values.contains(i, j))
+      return best;
+    m_known_values.insert(i, j);
+    int& apex = m_best_apex(i, j);
+    apex = Shell::none;
+    for(int k = m_shell->next(i); k != j; k = m_shell->next(k))
+    {
+      if(! internal::has_bit(m_apices(i, j), k) || ! m_elements.is_valid_triangle(i, k, j))
+        continue;
+      const Value q = m_quality.combine(m_quality.combine(value(i, k), value(k, j)),
+                                        m_elements.triangle_value(i, k, j));
+      if(apex == Shell::none || best < q)
+      {
+        apex = k;
+        best = q;
+      }
+    }
+    if(j != m_shell->previous(i))
+      best = m_quality.combine(best, m_quality.of_chord(*m_shell, i, j));
+    return best;
+  }
+
+  // Appends the triangles (i, k, j) of the best triangulation of R_ij. Iterative, since the depth of the triangulation
+  // is not bounded by anything small.
+  template <typename Triangles>
+  void triangulate(const int from, const int to, Triangles& triangles)
+  {
+    boost::container::small_vector<std::array<int, 2>, 16> rings;
+    rings.push_back({{ from, to }});
+    while(! rings.empty())
+    {
+      const std::array<int, 2> r = rings.back();
+      rings.pop_back();
+      if(m_apices(r[0], r[1]) == ring_edge)
+        continue;
+      const int k = best_apex(r[0], r[1]);
+      triangles.push_back({{ r[0], k, r[1] }});
+      rings.push_back({{ k, r[1] }});
+      rings.push_back({{ r[0], k }});
+    }
+  }
+
+private:
+  static constexpr Positions ring_edge = 0; // no apex: the ring is one edge of the skirt polygon
+
+  void set_ring(const int i, const int j, const Positions apices)
+  {
+    m_rings_from.insert(i, j);
+    m_rings_to.insert(j, i);
+    m_apices(i, j) = apices;
+  }
+
+  // One apex is enough for a ring; the others are looked at if it matters which of them is the best.
+  void fill_in_ring(const int i, const int j)
+  {
+    Positions apices = m_rings_from[i] & m_rings_to[j] & ~m_kept;
+    while(apices != 0)
+    {
+      const int k = internal::next_bit_on_circle(apices, i);
+      if(m_elements.is_valid_triangle(i, k, j))
+        break;
+      apices &= ~internal::bit(k);
+    }
+    // p_j p_i may be an edge of the skirt polygon: then it is no chord; both rings at a chord ask whether it is valid
+    if(apices != 0
+       && (j == m_shell->previous(i) || m_elements.is_valid_chord((std::min)(i, j), (std::max)(i, j))))
+      set_ring(i, j, apices);
+  }
+
+  // For a ring that is more than an edge.
+  int best_apex(const int i, const int j)
+  {
+    const Positions apices = m_apices(i, j);
+    if(internal::is_single_bit(apices))
+      return internal::lowest_bit(apices);
+    value(i, j);
+    return m_best_apex(i, j);
+  }
+
+  const Quality& m_quality;
+  Shell_elements_3<Tr, Quality, Validity> m_elements;
+
+  const Shell* m_shell = nullptr;
+  Positions m_kept = 0;
+  Position_pairs m_rings_from;          // for each i the j for which R_ij can be triangulated
+  Position_pairs m_rings_to;            // for each j the i
+  Position_matrix<Positions> m_apices;  // of each ring; some may turn out not to be valid, but not the first
+  Position_pairs m_known_values;        // for each i the j for which M_k and M_q are known
+  Position_matrix<int> m_best_apex;     // the matrix M_k
+  Position_matrix<Value> m_value;       // the matrix M_q
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SHELL_RING_TRIANGULATIONS_3_H

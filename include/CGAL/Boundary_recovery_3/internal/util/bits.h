@@ -1,0 +1,96 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_UTIL_BITS_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_UTIL_BITS_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <array>
+#include <bitset>
+#include <cstdint>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * A set of numbers below 64, as the bits of a word.
+ */
+typedef std::uint64_t Bits;
+
+constexpr int max_number_of_bits = 64;
+
+// The set of i alone.
+constexpr Bits bit(const int i) { return Bits(1) << i; }
+
+// All the numbers below i, for i < 64.
+constexpr Bits bits_before(const int i) { return internal::bit(i) - 1; }
+
+// All the numbers above i.
+constexpr Bits bits_after(const int i) { return ~Bits(0) << i << 1; }
+
+constexpr bool has_bit(const Bits bits, const int i) { return (bits >> i & 1) != 0; }
+
+// Whether there is one at most.
+constexpr bool is_single_bit(const Bits bits) { return (bits & (bits - 1)) == 0; }
+
+inline int number_of_bits(const Bits bits)
+{
+  return static_cast<int>(std::bitset<max_number_of_bits>(bits).count());
+}
+
+// A de Bruijn sequence: any six bits of it that follow each other are different from all others.
+constexpr Bits de_bruijn_sequence = UINT64_C(0x03F79D71B4CB0A89);
+
+constexpr std::array<unsigned char, max_number_of_bits> shifts_of_de_bruijn_sequence()
+{
+  std::array<unsigned char, max_number_of_bits> result = {{ }};
+  for(int i = 0; i < max_number_of_bits; ++i)
+    result[de_bruijn_sequence << i >> 58] = static_cast<unsigned char>(i);
+  return result;
+}
+
+// The smallest number in a set that is not empty. (C++20 has std::countr_zero for this.)
+inline int lowest_bit(const Bits bits)
+{
+  static constexpr std::array<unsigned char, max_number_of_bits> shifts = shifts_of_de_bruijn_sequence();
+  return shifts[(bits & (~bits + 1)) * de_bruijn_sequence >> 58];
+}
+
+// The smallest number above i in a set that is not empty; if there is none, the smallest one.
+inline int next_bit_on_circle(const Bits bits, const int i)
+{
+  const Bits after = bits & internal::bits_after(i);
+  return internal::lowest_bit(after != 0 ? after : bits);
+}
+
+// Whether `is_wanted` holds for one of the set, in increasing order.
+template <typename Is_wanted>
+bool any_of_bits(const Bits bits, const Is_wanted& is_wanted)
+{
+  for(Bits rest = bits; rest != 0; rest &= rest - 1)
+    if(is_wanted(internal::lowest_bit(rest)))
+      return true;
+  return false;
+}
+
+// Calls `work` with each of the set, in increasing order.
+template <typename Work>
+void for_each_bit(const Bits bits, const Work& work)
+{
+  for(Bits rest = bits; rest != 0; rest &= rest - 1)
+    work(internal::lowest_bit(rest));
+}
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_UTIL_BITS_H
