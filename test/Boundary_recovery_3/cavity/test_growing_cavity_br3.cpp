@@ -16,7 +16,6 @@
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_validity.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_suppression_3.h>
-#include <CGAL/Boundary_recovery_3/internal/util/Bit_matrix.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 #include <CGAL/recover_boundary.h>
 
@@ -429,37 +428,6 @@ void test_points_without_number()
   }
 }
 
-void test_bit_matrix()
-{
-  std::mt19937 rng(5);
-  for(const std::size_t n : { 1, 63, 64, 65, 200 })
-  {
-    BR::internal::Bit_matrix matrix;
-    matrix.assign(3, n);
-    std::array<std::set<std::size_t>, 3> expected;
-    for(std::size_t k = 0; k < n; ++k)
-    {
-      const std::size_t row = static_cast<std::size_t>(random_int(rng, 3));
-      const std::size_t column = static_cast<std::size_t>(random_int(rng, static_cast<int>(n)));
-      matrix.set(row, column);
-      expected[row].insert(column);
-    }
-    for(std::size_t row = 0; row < 3; ++row)
-    {
-      std::vector<std::size_t> columns;
-      matrix.for_each([&](const std::size_t w) { return matrix.word(row, w); },
-                      [&](const std::size_t column) { columns.push_back(column); });
-      assert(std::equal(columns.begin(), columns.end(), expected[row].begin(), expected[row].end()));
-      for(std::size_t k = 0; k < n; ++k)
-      {
-        assert(matrix(row, k) == (expected[row].count(k) == 1));
-        assert(matrix.any_of([&](const std::size_t w) { return matrix.word(row, w); },
-                             [&](const std::size_t column) { return column == k; }) == matrix(row, k));
-      }
-    }
-  }
-}
-
 int main()
 {
   test_cavities(true);
@@ -470,7 +438,6 @@ int main()
   test_spanned_cavity(19, true);
   test_spanned_cavity(21, false);
   test_points_without_number();
-  test_bit_matrix();
 
   for(const char* kind : { "grid cavity", "grid cavity with requirements", "double cavity",
                            "double cavity with requirements", "hull found", "hull none",
