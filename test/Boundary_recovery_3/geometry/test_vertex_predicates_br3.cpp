@@ -7,13 +7,16 @@
 //
 // Author(s)     : The Boundary_recovery_3 authors
 
-// Predicates for vertices with exact positions, against the kernel with exact constructions.
+// Predicates for vertices with exact positions, against the kernel with exact constructions; tables of orientations,
+// against integer arithmetic.
 
 #undef NDEBUG
 
-#include "random_numbers_br3.h"
+#include "random_triangulations_br3.h"
+#include "reference_geometry_br3.h"
 
 #include <CGAL/Boundary_recovery_3/internal/geometry/Exact_positions_3.h>
+#include <CGAL/Boundary_recovery_3/internal/geometry/Orientation_table_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/numbers/Homogeneous_point_3.h>
 #include <CGAL/Delaunay_triangulation_3.h>
@@ -27,6 +30,7 @@
 #include <iostream>
 #include <map>
 #include <random>
+#include <vector>
 
 namespace internal = CGAL::Boundary_recovery_3::internal;
 typedef CGAL::Exact_predicates_inexact_constructions_kernel K;
@@ -205,6 +209,147 @@ void test_points_on_rays(const unsigned seed)
   assert(found.size() == 3);
 }
 
+// All faces and edges of some points, against what is asked for by its definition.
+class Table_check
+{
+public:
+  typedef internal::Orientation_table_3<Tr>   Table;
+  typedef Table::Vertex_set                   Vertex_set;
+
+  explicit Table_check(const br3_test::Lattice_points& points)
+    : m_predicates(m_tr, nullptr), m_table(m_predicates), m_points(points)
+  {
+    for(const auto& p : points)
+    {
+      m_vertices.push_back(m_tr.tds().create_vertex());
+      m_vertices.back()->set_point(to_point(p));
+    }
+  }
+
+  // With some of the vertices at first, and again after two of them were exchanged.
+  void operator()()
+  {
+    m_table.set_vertices(std::vector<Vertex_handle>(m_vertices.begin(), m_vertices.begin() + m_vertices.size() / 2));
+    m_table.set_vertices(m_vertices);
+    check();
+    std::swap(m_vertices[1], m_vertices[3]);
+    std::swap(m_points[1], m_points[3]);
+    m_table.set_vertices(m_vertices);
+    check();
+    std::swap(m_points[2], m_points[4]); // the points only
+    m_vertices[2]->set_point(to_point(m_points[2]));
+    m_vertices[4]->set_point(to_point(m_points[4]));
+    m_table.forget();
+    m_table.set_vertices(m_vertices);
+    check();
+  }
+
+  std::size_t number_of_crossings = 0;
+
+private:
+  static Point_3 to_point(const br3_test::Lattice_point& p)
+  {
+    return Point_3(static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z));
+  }
+
+  const br3_test::Lattice_point& point(const int i) const { return m_points[static_cast<std::size_t>(i)]; }
+
+  // Six times the volume of a tetrahedron.
+  br3_test::Wide volume(const int i, const int j, const int k, const int l) const
+  {
+    return br3_test::volume(point(i), point(j), point(k), point(l));
+  }
+
+  // The numbers for which `is_wanted` holds.
+  template <typename Is_wanted>
+  Vertex_set set_of(const Is_wanted& is_wanted) const
+  {
+    Vertex_set result = 0;
+    for(int i = 0; i < m_table.number_of_vertices(); ++i)
+      if(is_wanted(i))
+        result |= Vertex_set(1) << i;
+    return result;
+  }
+
+  void check()
+  {
+    const int n = m_table.number_of_vertices();
+    assert(n == static_cast<int>(m_vertices.size()) && m_table.vertices() == m_vertices);
+    assert(m_table.all() == set_of([](int) { return true; }) && m_table.position(Vertex_handle()) == n);
+    for(int i = 0; i < n; ++i)
+    {
+      assert(m_table.position(m_vertices[static_cast<std::size_t>(i)]) == i);
+      assert(Table::before(i) == set_of([&](const int j) { return j < i; }));
+      for(int j = 0; j < n; ++j)
+        for(int k = 0; k < n; ++k)
+          if(i != j && j != k && k != i)
+          {
+            check_face({{ i, j, k }});
+            check_edges({{ i, j }}, k);
+          }
+    }
+  }
+
+  void check_face(const Table::Face& f)
+  {
+    const auto positive = set_of([&](const int x) { return volume(f[0], f[1], f[2], x) > 0; });
+    const auto negative = set_of([&](const int x) { return volume(f[0], f[1], f[2], x) < 0; });
+    assert(m_table.sides(f).positive == positive && m_table.sides(f).negative == negative);
+    int number_of_positive = 0;
+    Table::for_each(positive, [&](const int a)
+    {
+      assert(number_of_positive++ > 0 || Table::first(positive) == a);
+      assert(m_table.ends_of_piercing_edges(f, a) == set_of([&](const int b)
+      {
+        return br3_test::does_pierce(point(a), point(b), point(f[0]), point(f[1]), point(f[2]));
+      }));
+      const auto inside = set_of([&](const int x)
+      {
+        return x != f[0] && x != f[1] && x != f[2] && x != a && volume(f[0], f[1], f[2], x) >= 0
+            && volume(f[1], f[0], a, x) >= 0 && volume(f[2], f[1], a, x) >= 0 && volume(f[0], f[2], a, x) >= 0;
+      });
+      assert(m_table.contains_vertex(f, a) == (inside != 0));
+    });
+    assert(number_of_positive == Table::number_of_elements(positive));
+  }
+
+  // Edges that start at k, and faces that have it.
+  void check_edges(const Table::Edge& e, const int k)
+  {
+    const Vertex_set crossing = set_of([&](const int b)
+    {
+      return br3_test::do_cross(point(e[0]), point(e[1]), point(k), point(b));
+    });
+    assert(m_table.ends_of_crossing_edges(e, k) == crossing);
+    number_of_crossings += crossing != 0;
+    const int l = (k + 1) % m_table.number_of_vertices();
+    assert(m_table.apexes_of_pierced_faces(e, {{ k, l }}) == set_of([&](const int x)
+    {
+      return br3_test::does_pierce(point(e[0]), point(e[1]), point(k), point(l), point(x));
+    }));
+  }
+
+  Tr m_tr;
+  const internal::Vertex_predicates_3<Tr> m_predicates;
+  Table m_table;
+  br3_test::Lattice_points m_points;
+  std::vector<Vertex_handle> m_vertices;
+};
+
+void test_orientation_tables()
+{
+  std::mt19937 rng(5);
+  std::size_t number_of_crossings = 0;
+  for(const int range : { 3, 5, 2000 })
+    for(int round = 0; round < 4; ++round)
+    {
+      Table_check check(br3_test::random_points(13, range, rng));
+      check();
+      number_of_crossings += check.number_of_crossings;
+    }
+  assert(number_of_crossings > 1000);
+}
+
 int main()
 {
   for(const unsigned seed : { 1u, 2u })
@@ -215,5 +360,6 @@ int main()
     test_mixed_scales(seed);
     test_points_on_rays(seed);
   }
+  test_orientation_tables();
   std::cout << "done" << std::endl;
 }

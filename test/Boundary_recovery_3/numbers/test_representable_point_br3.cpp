@@ -8,20 +8,26 @@
 // Author(s)     : The Boundary_recovery_3 authors
 
 // Points with coordinates of type `double` in polyhedra that may be thinner than their distance. From 2^52 to 2^53,
-// these numbers are the integers, so that small polyhedra there can be searched by brute force.
+// these numbers are the integers, so that small polyhedra there can be searched by brute force. And the numbers that
+// this is computed with.
 
 #undef NDEBUG
 
 #include <CGAL/Boundary_recovery_3/internal/numbers/Representable_point_3.h>
+#include <CGAL/Boundary_recovery_3/internal/numbers/exact_numbers.h>
+#include <CGAL/Boundary_recovery_3/internal/numbers/nearest_integer.h>
 
 #include <CGAL/Exact_rational.h>
+#include <CGAL/Fraction_traits.h>
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <iostream>
 #include <limits>
+#include <numeric>
 #include <random>
 #include <vector>
 
@@ -200,8 +206,40 @@ void test_nearest_double()
   assert(nearest_double(Rational(Rational(- largest) + tiny)) == - largest);
 }
 
+// Fractions are in lowest terms, their denominators are positive, and the nearest floating point numbers on both sides
+// are all that they are converted to.
+void test_rational_numbers()
+{
+  typedef CGAL::Boundary_recovery_3::internal::Rational Exact;
+  typedef CGAL::Fraction_traits<Exact> Fractions;
+  std::minstd_rand random(3);
+  for(int k = 0; k < 1000; ++k)
+  {
+    const int n = static_cast<int>(random() % 2001) - 1000, sign = k % 2 == 0 ? 1 : -1;
+    const int d = sign * (1 + static_cast<int>(random() % 1000));
+    const Exact x = Exact(n) / Exact(d);
+    Fractions::Numerator_type numerator;
+    Fractions::Denominator_type denominator;
+    Fractions::Decompose()(x, numerator, denominator);
+    assert(denominator == std::abs(d) / std::gcd(n, d) && numerator == sign * n / std::gcd(n, d));
+    const double near = CGAL::to_double(x), infinity = std::numeric_limits<double>::infinity();
+    assert(Exact(std::nextafter(near, - infinity)) < x && x < Exact(std::nextafter(near, infinity)));
+  }
+}
+
+// No digit is lost.
+void test_exact_floats()
+{
+  typedef CGAL::Boundary_recovery_3::internal::Exact_float Exact;
+  const Exact large(std::ldexp(1., 1000)), small(std::ldexp(1., -1000)), sum = large + small;
+  assert(sum - large == small && sum * sum - large * large == small * small + Exact(2));
+  assert(CGAL::sign(Exact(sum - large - small)) == CGAL::ZERO && large < sum);
+}
+
 int main()
 {
+  test_rational_numbers();
+  test_exact_floats();
   test_nearest_integer();
   test_nearest_double();
   test_below_a_power_of_two();

@@ -12,6 +12,7 @@
 #undef NDEBUG
 
 #include "random_numbers_br3.h"
+#include "stopping_visitor_br3.h"
 
 #include <CGAL/Boundary_recovery_3/internal/util/Bit_matrix.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Hash_index.h>
@@ -34,6 +35,7 @@
 #include <vector>
 
 namespace internal = CGAL::Boundary_recovery_3::internal;
+using br3_test::Stopping_visitor;
 
 void test_contains()
 {
@@ -178,19 +180,12 @@ void test_bit_matrix()
   }
 }
 
-struct Counting_visitor
-{
-  bool go_further() { return ++number_of_questions != last_question; }
-
-  std::size_t number_of_questions = 0, last_question = 0;
-};
-
 // The visitor's no is final: it is not asked again.
 void test_cancelling()
 {
-  Counting_visitor visitor;
-  visitor.last_question = 3;
-  internal::Recovery_context<Counting_visitor> context(visitor);
+  Stopping_visitor visitor;
+  visitor.last_question = 2;
+  internal::Recovery_context<Stopping_visitor> context(visitor);
   assert(&context.visitor() == &visitor && ! context.is_stopped());
   assert(context.go_further() && context.go_further() && ! context.is_stopped());
   for(int i = 0; i < 3000; ++i)
@@ -201,9 +196,9 @@ void test_cancelling()
 // Of short steps, each 1024th one leads to a question.
 void test_short_steps()
 {
-  Counting_visitor visitor;
-  visitor.last_question = 4;
-  internal::Recovery_context<Counting_visitor> context(visitor);
+  Stopping_visitor visitor;
+  visitor.last_question = 3;
+  internal::Recovery_context<Stopping_visitor> context(visitor);
   for(std::size_t i = 1; i < 4 * 1024; ++i)
   {
     assert(context.go_further_after_short_step() && ! context.is_stopped());
@@ -218,14 +213,14 @@ void test_running_time()
   const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
   for(const double seconds : { infinity, 1e6, 0., -1., nan })
   {
-    Counting_visitor visitor;
-    internal::Recovery_context<Counting_visitor> context(visitor);
+    Stopping_visitor visitor;
+    internal::Recovery_context<Stopping_visitor> context(visitor);
     context.set_maximum_running_time(seconds);
     assert(context.go_further() == (seconds > 0) && context.is_stopped() == ! (seconds > 0));
     assert(visitor.number_of_questions == (seconds > 0 ? 1 : 0));
   }
-  Counting_visitor visitor;
-  internal::Recovery_context<Counting_visitor> context(visitor);
+  Stopping_visitor visitor;
+  internal::Recovery_context<Stopping_visitor> context(visitor);
   const double start = context.seconds();
   context.set_maximum_running_time(start + .01);
   while(context.go_further())
