@@ -1,21 +1,17 @@
 // Tetrahedralizations by matching faces: the same answers as from small polyhedron reconnection, and checked exactly.
-// Cavities that grow until a point inside can be dropped, or until it sees all from where a number is.
+// Cavities that grow until a point inside can be dropped.
 
 #undef NDEBUG // the checks are assertions, also in a Release build
 
+#include "stopping_visitor_br3.h"
 #include "tetrahedralizations_br3.h"
 
 #include <CGAL/Boundary_recovery_3/internal/cavity/Candidate_tetrahedra_3.h>
 #include <CGAL/Boundary_recovery_3/internal/cavity/Face_matching.h>
 #include <CGAL/Boundary_recovery_3/internal/cavity/Growing_cavity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/cavity/Small_polyhedron_reconnection_3.h>
-#include <CGAL/Boundary_recovery_3/internal/cavity/Spanned_cavity_3.h>
-#include <CGAL/Boundary_recovery_3/internal/geometry/Exact_positions_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Cell_replacement.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/mesh_validity.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_suppression_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 #include <CGAL/recover_boundary.h>
 
@@ -39,6 +35,7 @@ typedef BR::internal::Growing_cavity_3<Tr>                    Growing_cavity;
 typedef BR::internal::Constraints_3<Tr>                       Constraints;
 typedef BR::internal::Small_polyhedron_reconnection_3<Tr>     Reconnection;
 typedef std::vector<Vertex_handle>                            Vertices;
+using br3_test::Patience;
 
 const std::size_t many = 1000000;
 
@@ -167,12 +164,6 @@ void test_hulls()
   }
 }
 
-struct Patience
-{
-  int number_of_steps;
-  bool go_further() { return number_of_steps-- > 0; }
-};
-
 Cells ball(const Tr& tr, const Vertex_handle v)
 {
   Cells result;
@@ -273,161 +264,6 @@ void test_growing_cavity()
   assert(tr.number_of_vertices() == points.size() && tr.tds().is_valid());
 }
 
-// The facets of the cells that have none of them behind them, and the vertices behind those that are open.
-std::map<std::set<Vertex_handle>, Vertex_handle> boundary(const Tr& tr, const Cells& cells,
-                                                          const Constraints& constraints)
-{
-  std::map<std::set<Vertex_handle>, Vertex_handle> result;
-  for(const Cell_handle c : cells)
-    for(int i = 0; i < 4; ++i)
-    {
-      const Cell_handle n = c->neighbor(i);
-      if(BR::internal::contains(cells, n))
-        continue;
-      const Facet f = {{ c->vertex((i + 1) % 4), c->vertex((i + 2) % 4), c->vertex((i + 3) % 4) }};
-      const bool is_closed = tr.is_infinite(n) || constraints.is_constrained(f[0], f[1], f[2]);
-      result[{ f[0], f[1], f[2] }] = is_closed ? Vertex_handle() : tr.mirror_vertex(c, i);
-    }
-  return result;
-}
-
-// Grows by random vertices, and compares with what that is by definition.
-void test_spanned_cavity(const unsigned seed, const bool on_grid)
-{
-  std::mt19937 rng(seed);
-  Tr tr;
-  for(int i = 0; i < 80; ++i)
-    tr.insert(random_point(rng, on_grid));
-  Constraints constraints;
-  for(const auto& f : tr.finite_facets())
-    if(random_int(rng, 6) == 0)
-      constraints.insert(f.first->vertex((f.second + 1) % 4), f.first->vertex((f.second + 2) % 4),
-                         f.first->vertex((f.second + 3) % 4));
-  BR::internal::Spanned_cavity_3<Tr> cavity(tr, constraints);
-  for(const Vertex_handle v : tr.finite_vertex_handles())
-  {
-    const Cells cells = ball(tr, v);
-    if(std::any_of(cells.begin(), cells.end(), [&](const Cell_handle c) { return tr.is_infinite(c); }))
-      continue;
-    std::set<Vertex_handle> vertices;
-    for(const Cell_handle c : cells)
-      for(int i = 0; i < 4; ++i)
-        vertices.insert(c->vertex(i));
-    cavity.initialize(cells, v);
-    for(int step = 0; step < 5; ++step)
-    {
-      assert(std::set<Cell_handle>(cavity.cells().begin(), cavity.cells().end()).size() == cavity.cells().size());
-      assert(cavity.number_of_vertices() == vertices.size() - 1);
-      const auto expected = boundary(tr, cavity.cells(), constraints);
-      assert(cavity.boundary().size() == expected.size());
-      std::map<Vertex_handle, int> numbers;
-      for(const auto& f : cavity.boundary())
-      {
-        assert(expected.at({ f.face[0], f.face[1], f.face[2] }) == f.vertex_behind);
-        assert(vertices.count(f.vertex_behind) == 0); // else there was one more cell to add
-        ++numbers[f.vertex_behind];
-      }
-      numbers.erase(Vertex_handle());
-      const Vertices behind = cavity.vertices_behind();
-      assert(behind.size() == numbers.size());
-      assert(std::is_sorted(behind.begin(), behind.end(),
-                            [&](const Vertex_handle x, const Vertex_handle y) { return numbers[x] > numbers[y]; }));
-      for(const Cell_handle c : cavity.cells())
-        for(int i = 0; i < 4; ++i)
-          assert(vertices.count(c->vertex(i)) == 1);
-      if(behind.empty())
-        break;
-      const Vertex_handle x = behind[random_int(rng, static_cast<int>(behind.size()))];
-      vertices.insert(x);
-      cavity.add(x);
-      ++number_of["vertex added"];
-    }
-  }
-}
-
-// Points of which most are in a layer that is thinner than numbers are from each other, and some above and below it.
-Tr thin_layer(std::mt19937& rng)
-{
-  const double heights[] = { 1, std::nextafter(1., 2.) };
-  Tr tr;
-  for(int x = 0; x < 4; ++x)
-    for(int y = 0; y < 4; ++y)
-    {
-      const int dx = random_int(rng, 4), dy = random_int(rng, 4);
-      tr.insert(Point(8 * x + dx, 8 * y + dy, heights[random_int(rng, 2)]));
-    }
-  for(int i = 0; i < 8; ++i)
-  {
-    const int x = random_int(rng, 28), y = random_int(rng, 28);
-    tr.insert(Point(x, y, i % 2 == 0 ? -9 : 11));
-  }
-  return tr;
-}
-
-// A vertex at the exact center of a cell, which may be too thin for a number.
-Vertex_handle insert_in_center(Tr& tr, const Cell_handle c, BR::internal::Exact_positions_3<Tr>& positions)
-{
-  const Vertex_handle v = tr.tds().create_vertex();
-  positions.set(v, CGAL::centroid(positions(c->vertex(0)), positions(c->vertex(1)), positions(c->vertex(2)),
-                                  positions(c->vertex(3))));
-  Tetrahedra tetrahedra;
-  for(int i = 0; i < 4; ++i)
-    tetrahedra.push_back(BR::internal::with_exchanged_vertex(c, c->vertex(i), v));
-  BR::internal::Cell_replacement<Tr> replace;
-  replace(tr, Cells(1, c), tetrahedra);
-  return v;
-}
-
-bool is_thin(const Cell_handle c)
-{
-  return volume({{ c->vertex(0), c->vertex(1), c->vertex(2), c->vertex(3) }}) < 1e-10;
-}
-
-// A point in a layer of slivers has to leave it, through what is no constraint.
-void test_points_without_number()
-{
-  typedef CGAL::Default_boundary_recovery_visitor_3 Visitor;
-  std::mt19937 rng(23);
-  for(int round = 0; round < 300; ++round)
-  {
-    Tr tr = thin_layer(rng);
-    const Cells cells = finite_cells(tr);
-    const Number old_volume = total_volume(tetrahedra_of(cells));
-    const auto thin = std::find_if(cells.begin(), cells.end(), is_thin);
-    if(thin == cells.end())
-      continue;
-    Constraints constraints;
-    for(const Cell_handle c : cells)
-      if(random_int(rng, 5) < round % 5)
-      {
-        constraints.insert(c->vertex(0), c->vertex(1));
-        if(round % 2 == 0)
-          constraints.insert(c->vertex(0), c->vertex(1), c->vertex(2));
-      }
-    BR::internal::Exact_positions_3<Tr> positions;
-    const Vertex_handle v = insert_in_center(tr, *thin, positions);
-    const std::size_t number_of_vertices = tr.number_of_vertices();
-
-    const Predicates predicates(tr, &positions);
-    Vertices points(1, v);
-    Visitor visitor;
-    BR::internal::Steiner_suppression_3<Tr, Visitor>
-      suppress(tr, predicates, constraints, positions, points, visitor);
-    Patience patience = { round % 3 == 0 ? random_int(rng, 60) : 1000000 };
-    const bool is_done = suppress.round_points(patience);
-    assert(BR::internal::is_mesh_valid(tr, predicates) && tr.number_of_vertices() == number_of_vertices);
-    assert(is_done != positions.contains(v) && points == Vertices(1, v));
-    const Tetrahedra tetrahedra = tetrahedra_of(finite_cells(tr));
-    assert(! is_done || total_volume(tetrahedra) == old_volume);
-    for(const Edge& e : constraints.edges())
-      assert(number_around(tetrahedra, e) > 0);
-    for(const Facet& f : constraints.facets())
-      assert(number_around(tetrahedra, f) > 0);
-    assert(is_done || tr.degree(v) == 4);
-    ++number_of[is_done ? "point that got a number" : patience.number_of_steps < 0 ? "stop" : "point without a number"];
-  }
-}
-
 int main()
 {
   test_cavities(true);
@@ -435,15 +271,11 @@ int main()
   test_hulls();
   test_inner_vertex();
   test_growing_cavity();
-  test_spanned_cavity(19, true);
-  test_spanned_cavity(21, false);
-  test_points_without_number();
 
   for(const char* kind : { "grid cavity", "grid cavity with requirements", "double cavity",
                            "double cavity with requirements", "hull found", "hull none",
                            "dead end", "gave up", "inner vertex", "bounds", "cavity that must not grow",
-                           "cavity that grows around", "cavity that grows toward dead ends", "vertex added",
-                           "point that got a number", "point without a number", "stop" })
+                           "cavity that grows around", "cavity that grows toward dead ends" })
   {
     std::cout << number_of[kind] << " x " << kind << std::endl;
     assert(number_of[kind] > 0);

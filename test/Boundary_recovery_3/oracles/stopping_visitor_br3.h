@@ -1,4 +1,4 @@
-// A visitor that counts the questions whether to go further, and says no to one of them.
+// Those who say no when they are asked whether to go further.
 
 #ifndef BR3_TEST_STOPPING_VISITOR_H
 #define BR3_TEST_STOPPING_VISITOR_H
@@ -9,6 +9,7 @@
 
 namespace br3_test {
 
+// Counts the questions, and says no to one of them.
 struct Stopping_visitor
   : public CGAL::Default_boundary_recovery_visitor_3
 {
@@ -16,6 +17,13 @@ struct Stopping_visitor
 
   std::size_t number_of_questions = 0;
   std::size_t last_question = std::size_t(-1);
+};
+
+// A context that says no after so many steps.
+struct Patience
+{
+  int number_of_steps;
+  bool go_further() { return number_of_steps-- > 0; }
 };
 
 } // namespace br3_test
