@@ -248,20 +248,13 @@ std::uint64_t checksum(const std::vector<Cell>& cells)
 // The cells of the domain: those whose region is not 0; all of them if the surface bounds nothing.
 template <typename Triangulation>
 std::vector<typename Triangulation::Cell_handle>
-cells_of_domain(const Triangulation& tr, const CGAL::Boundary_recovery_result_3<Triangulation>& result,
-                const Surface& surface)
+cells_of_domain(const Triangulation& tr, const CGAL::Boundary_recovery_result_3<Triangulation>& result)
 {
-  typedef typename Triangulation::Vertex_handle Vertex_handle;
   typedef typename Triangulation::Cell_handle Cell_handle;
 
-  std::vector<std::array<Vertex_handle, 3> > walls; // facets that are split are none, so they are ignored here
-  for(const auto& face : surface.faces)
-    walls.push_back({{ result.vertices[face[0]], result.vertices[face[1]], result.vertices[face[2]] }});
-  for(const auto& part : result.parts_of_facets)
-    walls.push_back({{ part.vertices[0], part.vertices[1], part.vertices[2] }});
   CGAL::Unique_hash_map<Cell_handle, int> region(0);
   const int number_of_regions = CGAL::Boundary_recovery_3::label_regions(
-    tr, walls, boost::associative_property_map<CGAL::Unique_hash_map<Cell_handle, int> >(region));
+    tr, result.surface_facets(), boost::associative_property_map<CGAL::Unique_hash_map<Cell_handle, int> >(region));
   std::vector<Cell_handle> cells;
   for(const Cell_handle c : tr.finite_cell_handles())
     if(number_of_regions == 0 || region[c] != 0)
@@ -556,7 +549,7 @@ void print_checks(std::ostream& os, const Triangulation& tr, const Result& resul
   const std::vector<Cell> cells = indexed_cells(tr, number);
   char text[24];
   std::snprintf(text, sizeof(text), "%016llx", static_cast<unsigned long long>(checksum(cells)));
-  const auto domain = cells_of_domain(tr, result, surface);
+  const auto domain = cells_of_domain(tr, result);
   os << ", \"steiner_points_in_domain\": " << number_of_steiner_points(result, domain);
   os << ", \"domain_is_hull\": " << (domain.size() == tr.number_of_finite_cells());
   print_kinds_of_steiner_points(os, result, domain);
@@ -605,7 +598,7 @@ bool measure(const Options& options, const Surface& surface)
     print_levels(os, result);
   os << '}' << std::endl;
   return options.mesh.empty() || result.vertices.size() != surface.points.size()
-      || write_mesh(options.mesh, result, cells_of_domain(tr, result, surface));
+      || write_mesh(options.mesh, result, cells_of_domain(tr, result));
 }
 
 // All phases, a name per line; there is none beyond the last one that has a name.

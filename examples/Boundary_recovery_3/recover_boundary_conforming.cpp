@@ -27,15 +27,16 @@ int main(int argc, char* argv[])
     std::cout << part.vertices[0]->point() << " to " << part.vertices[1]->point()
               << " is a part of the " << part.constraint << '\n';
 
-  // Constraints that have no parts are single edges and facets of the triangulation.
+  // The triangles without points on them are single facets of the triangulation, the others are several of them.
+  const auto facets = result.surface_facets();
   bool is_exact = true;
-  for(const auto& part : result.parts_of_facets)
+  for(const auto& facet : facets)
   {
-    const auto& corners = part.constraint.points;
-    for(const auto v : part.vertices)
-      is_exact = is_exact && CGAL::coplanar(corners[0], corners[1], corners[2], v->point());
+    const auto& corners = result.facets[facet.index];
+    for(const auto v : facet)
+      is_exact = is_exact && CGAL::coplanar(corners[0]->point(), corners[1]->point(), corners[2]->point(), v->point());
   }
-  std::cout << result.parts_of_facets.size() << " facets are parts of triangles, and "
-            << (is_exact ? "all" : "not all") << " of them are exactly in their planes" << std::endl;
+  std::cout << num_faces(surface) << " triangles are " << facets.size() << " facets, and "
+            << (is_exact ? "all" : "not all") << " of them are exactly in the planes of their triangles" << std::endl;
   return result && is_exact ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -14,7 +14,6 @@
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef CGAL::Delaunay_triangulation_3<Kernel>              Triangulation;
-typedef Triangulation::Vertex_handle                        Vertex_handle;
 typedef Triangulation::Cell_handle                          Cell_handle;
 
 int main()
@@ -33,14 +32,10 @@ int main()
 
   //! [labels]
   // The triangles as facets of the triangulation separate the regions.
-  std::vector<std::array<Vertex_handle, 3> > facets;
-  for(const auto& t : triangles)
-    facets.push_back({{ result.vertices[t[0]], result.vertices[t[1]], result.vertices[t[2]] }});
-
   typedef CGAL::Unique_hash_map<Cell_handle, int> Region_map;
   Region_map region(0); // 0 is outside
   const int number_of_regions =
-    CGAL::Boundary_recovery_3::label_regions(tr, facets, boost::associative_property_map<Region_map>(region));
+    CGAL::Boundary_recovery_3::label_regions(tr, result.facets, boost::associative_property_map<Region_map>(region));
   //! [labels]
 
   std::vector<double> volume(number_of_regions + 1, 0);

@@ -90,10 +90,7 @@ int main()
   if(! result)
     return EXIT_FAILURE;
 
-  std::vector<std::array<Vertex_handle, 3> > facets;
-  for(const Triangle& t : triangles)
-    facets.push_back({{ result.vertices[t[0]], result.vertices[t[1]], result.vertices[t[2]] }});
-  set_indices(tr, facets);
+  set_indices(tr, result.facets);
 
   // The surface stays as it is, the inside gets edges of length 0.4 or so.
   const std::size_t vertices_before = tr.number_of_vertices();

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/Boundary_recovery_visitor_3.h>
+#include <CGAL/Boundary_recovery_3/Cell_replacement_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/Partial_triangulation.h>
 #include <CGAL/Boundary_recovery_3/Shell_3.h>
 #include <CGAL/Boundary_recovery_3/Shell_quality_3.h>
@@ -30,6 +30,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 
 namespace CGAL {
 
@@ -50,13 +51,12 @@ namespace CGAL {
  * \tparam Tr an instance of `CGAL::Triangulation_3`, or of a class derived from it. It has to be 3-dimensional.
  * \tparam Quality a model of `ShellQuality_3`
  * \tparam Validity a model of `ShellValidity_3`
- * \tparam Visitor has the members `before_cells_removal()` and `after_cells_creation()` of
- * `Default_boundary_recovery_visitor_3`
+ * \tparam Visitor a model of `CellReplacementVisitor_3`
  */
 template <typename Tr,
           typename Quality_ = Boundary_recovery_3::Worst_element_quality_3<Tr>,
           typename Validity_ = Boundary_recovery_3::No_shell_validity_3,
-          typename Visitor_ = Default_boundary_recovery_visitor_3>
+          typename Visitor_ = Default_cell_replacement_visitor_3>
 class Shell_transformation_3
 {
 public:
@@ -100,10 +100,11 @@ public:
   { }
 
 #ifndef DOXYGEN_RUNNING
-  // As above, with predicates that know the exact positions of some vertices.
-  Shell_transformation_3(Tr& tr, const Quality& quality, const Validity& validity, Visitor& visitor,
+  // As above, without a validity, for only removals that are given one, and with predicates that may know the exact
+  // positions of some vertices.
+  Shell_transformation_3(Tr& tr, const Quality& quality, Visitor& visitor,
                          const Boundary_recovery_3::internal::Vertex_predicates_3<Tr>& predicates)
-    : m_tr(tr), m_predicates(predicates), m_quality(quality), m_validity(validity), m_visitor(&visitor)
+    : m_tr(tr), m_predicates(predicates), m_quality(quality), m_visitor(&visitor)
   { }
 #endif
 
@@ -127,7 +128,8 @@ public:
     const Vertex_handle a = e.first->vertex(e.second), b = e.first->vertex(e.third);
     if(m_tr.is_infinite(a) || m_tr.is_infinite(b))
       return UNCHANGED;
-    const Supporting_edge root(a, b, e.first, nullptr, m_validity);
+    m_validity_of_call = &validity();
+    const Supporting_edge root(a, b, e.first, nullptr, *m_validity_of_call);
     const Shell shell(m_tr, e.first, e.second, e.third);
     const int f = p == Vertex_handle() ? Shell::none : shell.index(p);
     return p != Vertex_handle() && f == Shell::none ? UNCHANGED : transform(shell, root, Ancestors(shell, nullptr), f);
@@ -143,8 +145,12 @@ public:
    *
    * \pre `tr.dimension() == 3`
    */
-  bool remove_edge(const Edge& e, const int l_max)
+  bool remove_edge(const Edge& e, const int l_max) { return remove_edge(e, l_max, validity()); }
+
+  /// as above, under the condition `validity` in the place of that of this object.
+  bool remove_edge(const Edge& e, const int l_max, const Validity& validity)
   {
+    m_validity_of_call = &validity;
     return remove(e.first->vertex(e.second), e.first->vertex(e.third), Vertex_handle(), e.first, l_max);
   }
 
@@ -159,14 +165,18 @@ public:
    *
    * \pre `tr.dimension() == 3`
    */
-  bool remove_facet(const Facet& f, const int l_max)
+  bool remove_facet(const Facet& f, const int l_max) { return remove_facet(f, l_max, validity()); }
+
+  /// as above, under the condition `validity` in the place of that of this object.
+  bool remove_facet(const Facet& f, const int l_max, const Validity& validity)
   {
     const std::array<Vertex_handle, 3> v = {{ f.first->vertex((f.second + 1) & 3),
                                               f.first->vertex((f.second + 2) & 3),
                                               f.first->vertex((f.second + 3) & 3) }};
     CGAL_precondition(m_tr.dimension() == 3);
-    if(m_validity.is_constrained(v[0], v[1], v[2]))
+    if(validity.is_constrained(v[0], v[1], v[2]))
       return false;
+    m_validity_of_call = &validity;
     bool was_cut_off = false;
     Cell_handle c = f.first;
     for(int i = 0; i < 3; ++i)
@@ -199,7 +209,7 @@ public:
   Triangulation& triangulation() { return m_tr; }
 
   /// returns the validity.
-  Validity& validity() { return m_validity; }
+  Validity& validity() { return *m_validity; }
 
   /// returns the quality.
   Quality& quality() { return m_quality; }
@@ -304,7 +314,7 @@ private:
     m_root_cell = c;
     if(m_tr.is_infinite(a) || m_tr.is_infinite(b))
       return false;
-    const Supporting_edge root(a, b, c, nullptr, m_validity);
+    const Supporting_edge root(a, b, c, nullptr, *m_validity_of_call);
     if(p == Vertex_handle() && root.is_constrained)
       return false;
     m_total_number_of_shells += m_number_of_shells;
@@ -356,7 +366,7 @@ private:
       for(const bool at_a : { true, false })
       {
         if(! is_recursable_link_edge(shell, i, at_a, ancestors)
-           || (e.is_constrained && m_validity.is_constrained(shell.a(), shell.b(), shell.vertex(i))))
+           || (e.is_constrained && m_validity_of_call->is_constrained(shell.a(), shell.b(), shell.vertex(i))))
           continue;
         if(l >= l_max)
         {
@@ -365,7 +375,7 @@ private:
         }
         const Vertex_handle apex = at_a ? shell.a() : shell.b();
         const Vertex_handle other = at_a ? shell.b() : shell.a();
-        const Supporting_edge link_edge(apex, shell.vertex(i), shell.cell(i), &e, m_validity);
+        const Supporting_edge link_edge(apex, shell.vertex(i), shell.cell(i), &e, *m_validity_of_call);
         const std::size_t before = m_number_of_transformations;
         remove(link_edge, other, l + 1, l_max);
         if(m_number_of_transformations != before && degree(e) < shell.degree())
@@ -408,13 +418,13 @@ private:
   {
     if(shell.degree() > max_degree)
       return UNCHANGED;
-    m_search_validity = { &m_validity, &ancestors };
+    m_search_validity = { m_validity_of_call, &ancestors };
     const auto is_kept = [&](const int i)
     {
-      return e.is_constrained && m_validity.is_constrained(shell.a(), shell.b(), shell.vertex(i));
+      return e.is_constrained && m_validity_of_call->is_constrained(shell.a(), shell.b(), shell.vertex(i));
     };
     if(! m_search(shell, f, e.is_constrained, is_kept, only_if_done)
-       || ! m_validity.is_valid_covering_mesh(shell, m_search.partial_triangulation()))
+       || ! m_validity_of_call->is_valid_covering_mesh(shell, m_search.partial_triangulation()))
       return UNCHANGED;
     const Boundary_recovery_3::Partial_triangulation& k = m_search.partial_triangulation();
     replace(shell, k, e);
@@ -463,9 +473,10 @@ private:
   Tr& m_tr;
   Boundary_recovery_3::internal::Vertex_predicates_3<Tr> m_predicates;
   Quality m_quality;
-  Validity m_validity;
+  std::optional<Validity> m_validity;            // none if every call is given one
+  const Validity* m_validity_of_call = nullptr;
   // what the constructor without a visitor points to; other visitors need not be default constructible
-  Default_boundary_recovery_visitor_3 m_no_visitor;
+  Default_cell_replacement_visitor_3 m_no_visitor;
   Visitor* m_visitor;
   Recursion_validity m_search_validity = { nullptr, nullptr };
   Covering_mesh_search m_search{ m_predicates, m_quality, m_search_validity };

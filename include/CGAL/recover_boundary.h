@@ -121,9 +121,9 @@ namespace CGAL {
  *         `true` iff every triangle and constrained edge is in the triangulation.
  *         If the status is `stopped`, defects that would have to be searched are not known; if points of the input
  *         were still to be inserted then, all constraints are listed as missing, and the vertices of these points are
- *         default handles. If the status is `invalid_input`, the triangulation was not changed, with these
- *         exceptions: the points have been inserted if they and the vertices of a triangulation of a dimension less
- *         than 3 turn out to be coplanar, or if a vertex is on a constraint that is not its own, be it of the
+ *         default handles, also in `facets`. If the status is `invalid_input`, the triangulation was not changed, with
+ *         these exceptions: the points have been inserted if they and the vertices of a triangulation of a dimension
+ *         less than 3 turn out to be coplanar, or if a vertex is on a constraint that is not its own, be it of the
  *         triangulation or a point that no constraint uses; and constraints that intersect are, unless `list_defects`
  *         is set, found only after points were inserted and cells flipped.
  *

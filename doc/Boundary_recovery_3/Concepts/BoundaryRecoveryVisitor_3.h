@@ -5,10 +5,8 @@
 The concept `BoundaryRecoveryVisitor_3` describes what is told about a boundary recovery while it runs, and asked:
 progress, the cells that go and come, and whether to go on. All calls come from the thread that called the recovery.
 
-A visitor must not change the triangulation. It may look at it, and it sees a valid data structure, in which the
-coordinates of Steiner points may be rounded ones until the end, and cells may be inverted by that; only in
-`before_cells_removal()`, vertices that are about to get their first cells have none. It may write to the cells that
-came.
+It is told about the cells that go and come, too. The coordinates of Steiner points that it sees may be rounded ones
+until the end, and cells may be inverted by that. What the insertion of input points replaces is not announced.
 
 A member may throw. The exception reaches the caller of the recovery, with a valid triangulation: as flips left it, and
 without Steiner points if these were not finished. The visitor is not told about what is put back then.
@@ -18,7 +16,7 @@ those.
 
 A visitor that is given as `std::ref(v)` is called itself, else a copy of it is.
 
-\cgalRefines{CopyConstructible}
+\cgalRefines{CellReplacementVisitor_3,CopyConstructible}
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Default_boundary_recovery_visitor_3}
@@ -61,31 +59,6 @@ public:
   is not asked again, and the recovery stops soon, with a valid triangulation.
   */
   bool go_further();
-
-  /// @}
-
-  /// \name Cells
-  /// For data that is attached to cells. What the insertion of input points replaces is not announced.
-  /// @{
-
-  /*!
-  is called before cells are removed from the triangulation by a replacement.
-
-  \tparam CellRange a model of `ConstRange` whose value type is the cell handle of the triangulation. Infinite cells
-  may be in it.
-  */
-  template <typename CellRange>
-  void before_cells_removal(const CellRange& cells);
-
-  /*!
-  is called after cells came into the triangulation. They cover what the cells of the last `before_cells_removal()`
-  covered.
-
-  \tparam CellRange a model of `ConstRange` whose value type is the cell handle of the triangulation. Infinite cells
-  may be in it.
-  */
-  template <typename CellRange>
-  void after_cells_creation(const CellRange& cells);
 
   /// @}
 };

@@ -12,6 +12,8 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <ostream>
 #include <vector>
@@ -139,6 +141,16 @@ struct Constraint_part_3
   Input_simplex_3<Point_3_> constraint;    ///< the constraint that it is a part of
 };
 
+/// \ingroup PkgBoundaryRecovery3Classes
+/// a mesh facet of the surface: the array of its three vertices, in the orientation of the constrained facet that it is
+/// or is a part of.
+template <typename Vertex_handle_>
+struct Surface_facet_3
+  : public std::array<Vertex_handle_, 3>
+{
+  std::size_t index = 0; ///< position of the constrained facet in its input range
+};
+
 /*!
  * \ingroup PkgBoundaryRecovery3Classes
  *
@@ -155,6 +167,8 @@ struct Boundary_recovery_result_3
   typedef Input_simplex_3<Point_3>                    Input_simplex;  ///< a simplex of the input
   typedef Input_defect_3<Point_3>                     Input_defect;   ///< a defect of the input
   typedef Constraint_part_3<Vertex_handle, Point_3>   Constraint_part; ///< a part of a constraint
+  typedef std::array<Vertex_handle, 3>                Vertex_triple;  ///< the vertices of a facet
+  typedef Surface_facet_3<Vertex_handle>              Surface_facet;  ///< a mesh facet of the surface
 
   /// how the recovery ended
   Recovery_status status = Recovery_status::incomplete;
@@ -162,6 +176,11 @@ struct Boundary_recovery_result_3
   /// the vertex of the triangulation for each input vertex, by input index.
   /// Input vertices that no constraint uses have one, too. Empty if `status` is `invalid_input`.
   std::vector<Vertex_handle> vertices;
+
+  /// the vertices of each constrained facet, by input index, in the orientation of the input.
+  /// Facets that are missing have theirs, too; they are default handles where `vertices` has such. Empty if `status` is
+  /// `invalid_input`.
+  std::vector<Vertex_triple> facets;
 
   /// the constrained edges that are not in the triangulation
   std::vector<Input_simplex> missing_edges;
@@ -201,6 +220,30 @@ struct Boundary_recovery_result_3
   std::vector<Phase_report> phases;           ///< one entry for each run of a phase; those with Steiner points run
                                               ///< again if other points have to be tried, up to six times
   std::vector<Recursion_level_report> levels; ///< one entry for each pass of [CZZ+17, Alg. 5]
+
+  /// returns the mesh facets that the surface consists of, in the order of the constrained facets: of each of these
+  /// itself, its parts if there are Steiner points on it (mode `conforming` only), or nothing if it is missing.
+  /// `label_regions()` and `CGAL::recover_boundary()` take them as they are.
+  std::vector<Surface_facet> surface_facets() const
+  {
+    std::vector<Surface_facet> result;
+    if(facets.empty()) // of invalid input, facets may be listed as missing
+      return result;
+    std::vector<bool> is_whole(facets.size(), true);
+    for(const Input_simplex& facet : missing_facets)
+      is_whole[facet.index] = false;
+    for(const Constraint_part& part : parts_of_facets)
+    {
+      is_whole[part.constraint.index] = false;
+      result.push_back({ {{ part.vertices[0], part.vertices[1], part.vertices[2] }}, part.constraint.index });
+    }
+    for(std::size_t f = 0; f < facets.size(); ++f)
+      if(is_whole[f])
+        result.push_back({ facets[f], f });
+    std::stable_sort(result.begin(), result.end(),
+                     [](const Surface_facet& f, const Surface_facet& g) { return f.index < g.index; });
+    return result;
+  }
 
   /// returns `true` iff every constraint is in the triangulation.
   explicit operator bool() const { return status == Recovery_status::recovered; }

@@ -13,6 +13,7 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
+#include <CGAL/Boundary_recovery_3/Cell_replacement_visitor_3.h>
 
 #include <cstddef>
 
@@ -28,6 +29,7 @@ namespace CGAL {
  * \cgalModels{BoundaryRecoveryVisitor_3}
  */
 struct Default_boundary_recovery_visitor_3
+  : public Default_cell_replacement_visitor_3
 {
   /// is called before a phase starts.
   void on_phase_begin(Boundary_recovery_3::Recovery_phase /* phase */) { }
@@ -41,16 +43,6 @@ struct Default_boundary_recovery_visitor_3
 
   /// is asked at a steady rate; once it returned `false`, the recovery stops soon, with a valid triangulation.
   bool go_further() { return true; }
-
-  /// is called before the cells in `cells`, a range of cell handles, are removed from the triangulation by a
-  /// replacement; what point insertion replaces is not announced.
-  template <typename CellRange>
-  void before_cells_removal(const CellRange& /* cells */) { }
-
-  /// is called after the cells in `cells`, a range of cell handles, came into the triangulation, which is valid then.
-  /// They cover what the cells of the last `before_cells_removal()` covered.
-  template <typename CellRange>
-  void after_cells_creation(const CellRange& /* cells */) { }
 };
 
 } // namespace CGAL

@@ -13,6 +13,7 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/flood_fill.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
 
 #include <CGAL/Unique_hash_map.h>
@@ -152,31 +153,29 @@ private:
   void find_components()
   {
     m_component.assign(m_cells.size(), std::size_t(-1));
-    fill(m_cell_index[m_tr.infinite_cell()], m_number_of_components++);
+    fill(m_tr.infinite_cell());
     for(std::size_t i = 0; i < m_cells.size(); ++i)
       if(m_component[i] == std::size_t(-1))
-        fill(i, m_number_of_components++);
+        fill(m_cells[i]);
   }
 
-  void fill(const std::size_t seed, const std::size_t component)
+  // a new component
+  void fill(const Cell_handle seed)
   {
-    std::vector<std::size_t> stack(1, seed);
-    m_component[seed] = component;
-    while(! stack.empty())
+    const auto is_open = [this](const Cell_handle c, const int i)
     {
-      const std::size_t current = stack.back();
-      stack.pop_back();
-      for(int i = 0; i < 4; ++i)
-      {
-        if((m_closed[current] >> i) & 1)
-          continue;
-        const std::size_t next = m_cell_index[m_cells[current]->neighbor(i)];
-        if(m_component[next] != std::size_t(-1))
-          continue;
-        m_component[next] = component;
-        stack.push_back(next);
-      }
-    }
+      return ((m_closed[m_cell_index[c]] >> i) & 1) == 0;
+    };
+    const auto add = [this](const Cell_handle c)
+    {
+      std::size_t& component = m_component[m_cell_index[c]];
+      if(component != std::size_t(-1))
+        return false;
+      component = m_number_of_components;
+      return true;
+    };
+    internal::flood_fill(seed, is_open, add);
+    ++m_number_of_components;
   }
 
   std::size_t component(const Facet& f) const { return m_component[m_cell_index[f.first]]; }

@@ -8,26 +8,19 @@
 // Author(s)     : The Boundary_recovery_3 authors
 
 // Points with coordinates of type `double` in polyhedra that may be thinner than their distance. From 2^52 to 2^53,
-// these numbers are the integers, so that small polyhedra there can be searched by brute force. And the numbers that
-// this is computed with.
+// these numbers are the integers, so that small polyhedra there can be searched by brute force.
 
 #undef NDEBUG
 
 #include <CGAL/Boundary_recovery_3/internal/numbers/Representable_point_3.h>
-#include <CGAL/Boundary_recovery_3/internal/numbers/exact_numbers.h>
-#include <CGAL/Boundary_recovery_3/internal/numbers/nearest_integer.h>
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Fraction_traits.h>
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
-#include <cstdlib>
 #include <iostream>
-#include <limits>
-#include <numeric>
 #include <random>
 #include <vector>
 
@@ -171,77 +164,8 @@ void test_no_volume()
   assert(! Representable_point_3()(planes));
 }
 
-void test_nearest_integer()
-{
-  using CGAL::Boundary_recovery_3::internal::nearest_integer;
-  const Rational tiny = Rational(1) / Rational(std::ldexp(1., 80)), half(.5), huge(std::ldexp(1., 1000));
-  for(const double n : { -1e30, -3., -1., 0., 1., 2., 4503599627370496., 1e30 })
-  {
-    assert(nearest_integer(Rational(n)) == n);
-    assert(nearest_integer(Rational(Rational(n) + half - tiny)) == n);
-    assert(nearest_integer(Rational(Rational(n) + half + tiny)) == Rational(n) + Rational(1));
-    assert(nearest_integer(Rational(Rational(n) - half + tiny)) == n);
-    assert(nearest_integer(Rational(Rational(n) - half - tiny)) == Rational(n) - Rational(1));
-    const Rational large = huge * huge * huge + Rational(n);
-    assert(nearest_integer(Rational(large - tiny)) == large);
-  }
-}
-
-// Numbers just beside the middle of two neighbors, of either sign and size.
-void test_nearest_double()
-{
-  using CGAL::Boundary_recovery_3::internal::nearest_double;
-  const Rational tiny = Rational(std::ldexp(1., -300)) * Rational(std::ldexp(1., -900));
-  for(const double d : { 1., -1., .1, -3e200, 5e-300, 0., -1e-320, std::nextafter(2., 0.) })
-  {
-    const double next = std::nextafter(d, 2 * std::abs(d) + 1);
-    const Rational middle = (Rational(d) + Rational(next)) / Rational(2);
-    assert(nearest_double(Rational(d)) == d);
-    assert(nearest_double(Rational(middle - tiny)) == d);
-    assert(nearest_double(Rational(middle + tiny)) == next);
-    assert(nearest_double(Rational(middle)) == d || nearest_double(Rational(middle)) == next);
-  }
-  const double largest = std::numeric_limits<double>::max();
-  assert(nearest_double(Rational(largest)) == largest);
-  assert(nearest_double(Rational(Rational(- largest) + tiny)) == - largest);
-}
-
-// Fractions are in lowest terms, their denominators are positive, and the nearest floating point numbers on both sides
-// are all that they are converted to.
-void test_rational_numbers()
-{
-  typedef CGAL::Boundary_recovery_3::internal::Rational Exact;
-  typedef CGAL::Fraction_traits<Exact> Fractions;
-  std::minstd_rand random(3);
-  for(int k = 0; k < 1000; ++k)
-  {
-    const int n = static_cast<int>(random() % 2001) - 1000, sign = k % 2 == 0 ? 1 : -1;
-    const int d = sign * (1 + static_cast<int>(random() % 1000));
-    const Exact x = Exact(n) / Exact(d);
-    Fractions::Numerator_type numerator;
-    Fractions::Denominator_type denominator;
-    Fractions::Decompose()(x, numerator, denominator);
-    assert(denominator == std::abs(d) / std::gcd(n, d) && numerator == sign * n / std::gcd(n, d));
-    const double near = CGAL::to_double(x), infinity = std::numeric_limits<double>::infinity();
-    assert(Exact(std::nextafter(near, - infinity)) < x && x < Exact(std::nextafter(near, infinity)));
-  }
-}
-
-// No digit is lost.
-void test_exact_floats()
-{
-  typedef CGAL::Boundary_recovery_3::internal::Exact_float Exact;
-  const Exact large(std::ldexp(1., 1000)), small(std::ldexp(1., -1000)), sum = large + small;
-  assert(sum - large == small && sum * sum - large * large == small * small + Exact(2));
-  assert(CGAL::sign(Exact(sum - large - small)) == CGAL::ZERO && large < sum);
-}
-
 int main()
 {
-  test_rational_numbers();
-  test_exact_floats();
-  test_nearest_integer();
-  test_nearest_double();
   test_below_a_power_of_two();
   test_no_volume();
   test_against_brute_force();

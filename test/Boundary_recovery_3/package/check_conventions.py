@@ -17,6 +17,7 @@ SKIPPED_FOLDERS = {".git", "build", "__pycache__"}
 FLOORS = [
     "license/Boundary_recovery_3.h",
     "Boundary_recovery_3/Boundary_recovery_result_3.h",
+    "Boundary_recovery_3/Cell_replacement_visitor_3.h",
     "Boundary_recovery_3/Boundary_recovery_visitor_3.h",
     "Boundary_recovery_3/parameters.h",
     "Boundary_recovery_3/Partial_triangulation.h",

@@ -5,6 +5,7 @@
 
 #include "mesh_validity_br3.h"
 
+#include <CGAL/Boundary_recovery_3/label_regions.h>
 #include <CGAL/Constrained_boundary_recovery_3.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -74,6 +75,40 @@ Cells cells_by_index(const Tr& tr, const Vertices& vertices)
   return cells;
 }
 
+// The facets of the result are those of the input, and those of the surface are in the triangulation: each facet of the
+// input, its parts if it has some, or nothing if it is missing.
+template <typename Tr, typename Soup>
+void check_facets(const Tr& tr, const Soup& soup, const CGAL::Boundary_recovery_result_3<Tr>& result)
+{
+  typedef typename CGAL::Boundary_recovery_result_3<Tr>::Vertex_triple Vertex_triple;
+  std::vector<std::vector<Vertex_triple> > parts(soup.triangles.size()), found(soup.triangles.size());
+  for(const auto& part : result.parts_of_facets)
+    parts[part.constraint.index].push_back({{ part.vertices[0], part.vertices[1], part.vertices[2] }});
+  std::size_t last = 0;
+  for(const auto& facet : result.surface_facets())
+  {
+    typename Tr::Cell_handle c;
+    int i, j, k;
+    assert(tr.is_facet(facet[0], facet[1], facet[2], c, i, j, k));
+    assert(facet.index >= last);
+    last = facet.index;
+    found[facet.index].push_back(facet);
+  }
+  std::vector<bool> is_missing(soup.triangles.size(), false);
+  for(const auto& facet : result.missing_facets)
+    is_missing[facet.index] = true;
+  assert(result.facets.size() == soup.triangles.size());
+  for(std::size_t f = 0; f < result.facets.size(); ++f)
+  {
+    for(std::size_t i = 0; i < 3; ++i)
+      assert(result.facets[f][i] == result.vertices[soup.triangles[f][i]]);
+    if(is_missing[f])
+      assert(found[f].empty() && parts[f].empty());
+    else
+      assert(found[f] == (parts[f].empty() ? std::vector<Vertex_triple>(1, result.facets[f]) : parts[f]));
+  }
+}
+
 // What the result says is missing is missing, and nothing else.
 template <typename Tr, typename Soup>
 void check_account(const Tr& tr, const Soup& soup, const CGAL::Boundary_recovery_result_3<Tr>& result)
@@ -126,6 +161,7 @@ CGAL::Boundary_recovery_result_3<Tr> recover_and_check(Tr& tr, const Soup& soup,
   assert(tr.number_of_vertices() == soup.points.size());
   assert(br3_test::is_valid_mesh(tr));
   check_account(tr, soup, result);
+  check_facets(tr, soup, result);
   assert(result.phases.front().phase == Recovery_phase::insertion);
   assert(result.phases[1].phase == Recovery_phase::search);
   const bool was_complete = result.phases[1].lost_edges == 0 && result.phases[1].lost_facets == 0;
@@ -152,11 +188,50 @@ void test_surfaces()
   const auto result = recover_and_check(tr, soup, Recovery_mode::flips_only);
   assert(result.status == Recovery_status::incomplete);
   assert(result.defects.empty() && ! result.missing_edges.empty() && ! result.missing_facets.empty());
+  assert(result.surface_facets().size() == soup.triangles.size() - result.missing_facets.size());
   Tr with_points;
   const auto recovered = CGAL::recover_boundary(with_points, soup.points, soup.triangles);
   assert(recovered.status == Recovery_status::recovered && recovered.steiner_vertices.size() == 1);
   assert(with_points.number_of_vertices() == soup.points.size() + 1);
   assert(br3_test::is_valid_mesh(with_points));
+  check_facets(with_points, soup, recovered);
+}
+
+// Where points are on facets, their parts take their place: they bound the region, and can be recovered again.
+template <typename K>
+void test_split_facets()
+{
+  typedef CGAL::Delaunay_triangulation_3<K> Tr;
+  const auto soup = read<K>("schoenhardt_br3.off");
+  Tr tr;
+  const auto result = CGAL::recover_boundary(tr, soup.points, soup.triangles,
+                                             params::recovery_mode(Recovery_mode::conforming));
+  assert(result && ! result.parts_of_facets.empty());
+  check_facets(tr, soup, result);
+  const auto facets = result.surface_facets();
+  assert(facets.size() > soup.triangles.size());
+  std::map<typename Tr::Cell_handle, int> region;
+  assert(CGAL::Boundary_recovery_3::label_regions(tr, facets, boost::make_assoc_property_map(region)) == 1);
+  const auto again = CGAL::recover_boundary(tr, facets);
+  assert(again && again.number_of_shell_transformations == 0);
+  assert(std::equal(facets.begin(), facets.end(), again.facets.begin(), again.facets.end()));
+}
+
+// There are no facets where the input is invalid, be it found at once, or when some are missing after the flips.
+void test_facets_of_invalid_input()
+{
+  typedef CGAL::Exact_predicates_inexact_constructions_kernel K;
+  const std::vector<K::Point_3> points = { { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 },
+                                           { 1, 1, -4 }, { 1, 1, 4 }, { 5, 5, 1 } };
+  const std::vector<std::array<std::size_t, 3> > crossing = { {{ 0, 1, 2 }}, {{ 3, 4, 5 }} }, flat = { {{ 0, 1, 1 }} };
+  for(const auto& triangles : { crossing, flat })
+  {
+    CGAL::Delaunay_triangulation_3<K> tr;
+    const auto result = CGAL::recover_boundary(tr, points, triangles);
+    assert(result.status == Recovery_status::invalid_input);
+    assert(result.missing_facets.empty() == (triangles == flat));
+    assert(result.facets.empty() && result.surface_facets().empty());
+  }
 }
 
 template <typename K>
@@ -181,6 +256,15 @@ void test_overloads()
   assert(handles.size() == num_vertices(mesh));
   for(const auto v : vertices(mesh))
     assert(handles[v]->point() == mesh.point(v));
+  std::size_t number_of_faces = 0;
+  for(const auto f : faces(mesh))
+  {
+    std::size_t i = 0;
+    for(const auto v : CGAL::vertices_around_face(halfedge(f, mesh), mesh))
+      assert(result.facets[number_of_faces][i++] == handles[v]);
+    ++number_of_faces;
+  }
+  assert(result.facets.size() == number_of_faces);
 
   Polyhedron polyhedron;
   PMP::polygon_soup_to_polygon_mesh(soup.points, soup.triangles, polyhedron);
@@ -198,10 +282,13 @@ void test_overloads()
                                                params::recovery_mode(Recovery_mode::flips_only));
   assert(of_plain.status == Recovery_status::recovered || of_plain.status == Recovery_status::incomplete);
   check_account(plain, soup, of_plain);
+  check_facets(plain, soup, of_plain);
   std::vector<std::array<typename Tr::Vertex_handle, 3> > facets;
   for(const auto& t : soup.triangles)
     facets.push_back({{ expected.vertices[t[0]], expected.vertices[t[1]], expected.vertices[t[2]] }});
-  assert(CGAL::recover_boundary(tr, facets) && cells_by_index(tr, expected.vertices) == cells);
+  assert(facets == expected.facets);
+  const auto of_handles = CGAL::recover_boundary(tr, facets);
+  assert(of_handles && of_handles.facets == facets && cells_by_index(tr, expected.vertices) == cells);
 }
 
 template <typename K>
@@ -423,12 +510,15 @@ void test_visitor()
     stopped += result.status == Recovery_status::stopped;
     assert(br3_test::is_valid_mesh(tr));
     check_account(tr, soup, result);
+    check_facets(tr, soup, result);
   }
   assert(stopped > 20);
   { // no time at all, before and after the points are there
     Tr tr;
     const auto at_once = CGAL::recover_boundary(tr, soup.points, soup.triangles, params::maximum_running_time(0.));
     assert(at_once.status == Recovery_status::stopped && at_once.missing_facets.size() == soup.triangles.size());
+    check_facets(tr, soup, at_once);
+    assert(at_once.facets[0] == decltype(at_once)::Vertex_triple());
     tr.insert(soup.points.begin(), soup.points.end());
     const auto later = CGAL::recover_boundary(tr, soup.points, soup.triangles, params::maximum_running_time(0.));
     assert(later.status == Recovery_status::stopped);
@@ -440,15 +530,18 @@ void test_visitor()
 int main()
 {
   test_surfaces<K>();
+  test_split_facets<K>();
   test_overloads<K>();
   test_parameters<K>();
 #ifndef BR3_TEST_EPICK_ONLY // to save time where compiling is slow
   typedef CGAL::Exact_predicates_exact_constructions_kernel EK;
   test_surfaces<EK>();
+  test_split_facets<EK>();
   test_overloads<EK>();
   test_parameters<EK>();
 #endif
   test_number_of_crossed_entities();
+  test_facets_of_invalid_input();
   test_custom_base();
   test_ranges();
   test_determinism();

@@ -15,6 +15,7 @@
 #include <CGAL/Boundary_recovery_3/internal/geometry/Exact_positions_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/numbers/Representable_point_3.h>
+#include <CGAL/Boundary_recovery_3/internal/numbers/binary_scale.h>
 #include <CGAL/Boundary_recovery_3/internal/numbers/exact_numbers.h>
 #include <CGAL/Boundary_recovery_3/internal/numbers/nearest_integer.h>
 
@@ -196,20 +197,13 @@ private:
     }
   }
 
-  // A power of two, so that products of lengths do not leave the range of floating point numbers.
   void find_unit(const std::vector<Triangle>& faces)
   {
-    m_unit = 1;
     double largest = 0;
     for(const Triangle& f : faces)
       for(const Vertex_handle v : f)
-      {
-        const Vector d = from_origin(v);
-        for(int i = 0; i < 3; ++i)
-          largest = (std::max)(largest, std::abs(d[i]));
-      }
-    if(largest > 0)
-      m_unit = std::ldexp(1., (std::max)(-1000, (std::min)(1000, std::ilogb(largest))));
+        largest = (std::max)(largest, largest_coordinate(m_predicates.approximate_point(v) - m_origin));
+    m_unit = binary_scale(largest);
   }
 
   Vector from_origin(const Vertex_handle v) const
@@ -246,8 +240,7 @@ private:
       return false;
     const Exact_point p = m_positions(origin);
     const Vector d = approximate(direction);
-    const double length = (std::max)(std::abs(d[0]), (std::max)(std::abs(d[1]), std::abs(d[2])));
-    const double quotient = m_diameter * m_unit / length;
+    const double quotient = m_diameter * m_unit / largest_coordinate(d);
     const double start = std::isfinite(quotient) && quotient > 0 ? quotient : 1.;
     FT s(start);
     int i = 0;
@@ -299,7 +292,7 @@ private:
     const Exact_point exact = m_positions(v);
     for(const int bits : { 4, 16, 64 })
     {
-      const FT unit = FT(std::ldexp(1., (std::max)(std::ilogb(distance) - bits, -1074))) * FT(m_unit);
+      const FT unit = FT(binary_unit(std::ilogb(distance) - bits)) * FT(m_unit);
       m_positions.set(v, Exact_point(nearest_multiple(exact.x(), unit), nearest_multiple(exact.y(), unit),
                                      nearest_multiple(exact.z(), unit)));
       if(is_kernel_point(v, faces))

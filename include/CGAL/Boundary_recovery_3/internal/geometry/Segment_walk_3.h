@@ -15,7 +15,7 @@
 #include <CGAL/Boundary_recovery_3/Shell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/walk_elements.h>
-#include <CGAL/Boundary_recovery_3/internal/util/contains.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/enum.h>
@@ -148,10 +148,7 @@ private:
   {
     const Crossing from = m_crossings.back();
     const Cell_handle c = from.cell;
-    Vertex_handle s;
-    for(int i = 0; i < 4; ++i)
-      if(! internal::contains(from.vertices, c->vertex(i)))
-        s = c->vertex(i);
+    const Vertex_handle s = c->vertex(internal::index_of_opposite_vertex(c, from.vertices));
     if(s == m_v)
       return true;
     // In the order in which the vertices of the facet go around uv, s comes within half a turn after the vertex k if
@@ -223,9 +220,7 @@ private:
       for(int k = 0; k < 3; ++k)
         CGAL_expensive_assertion(m_predicates.orientation(m_u, m_v, vertices[k], vertices[(k + 1) % 3]) == NEGATIVE);
       crossing.vertices[2] = vertices[2];
-      for(int i = 0; i < 4; ++i)
-        if(! internal::contains(vertices, c->vertex(i)))
-          crossing.cell = c->neighbor(i);
+      crossing.cell = c->neighbor(internal::index_of_opposite_vertex(c, vertices));
     }
     m_crossings.push_back(crossing);
     return false;

@@ -162,6 +162,7 @@ private:
       m_result.missing_facets.push_back(describe_facet(m_input, f));
     m_result.number_of_edges = m_result.missing_edges.size();
     m_result.number_of_facets = m_result.missing_facets.size();
+    list_facets();
     return std::move(m_result);
   }
 
@@ -181,6 +182,8 @@ private:
                     : Recovery_status::incomplete;
     if(m_result.status == Recovery_status::invalid_input)
       m_result.vertices.clear(); // as for input that is refused at once
+    else
+      list_facets();
   }
 
   // Judges the input only now, for in most cases flips are enough, and prove it valid.
@@ -241,6 +244,14 @@ private:
     m_result.unrepresentable_constraints = describe_edges(recovery, recovery.unrepresentable_edges());
     for(const std::size_t f : recovery.unrepresentable_facets())
       m_result.unrepresentable_constraints.push_back(describe_facet(m_input, f));
+  }
+
+  void list_facets()
+  {
+    const std::vector<Vertex_handle>& v = m_result.vertices;
+    m_result.facets.reserve(m_input.facets.size());
+    for(const auto& f : m_input.facets)
+      m_result.facets.push_back({{ v[f[0]], v[f[1]], v[f[2]] }});
   }
 
   // The parts of constraints with Steiner points on them.

@@ -19,6 +19,7 @@
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Cell_replacement.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 
 #include <array>
@@ -117,9 +118,7 @@ private:
   void add_both_cells(const Cell_handle c, const Facet& f)
   {
     add(c);
-    for(int i = 0; i < 4; ++i)
-      if(! internal::contains(f, c->vertex(i)))
-        add(c->neighbor(i));
+    add(c->neighbor(internal::index_of_opposite_vertex(c, f)));
   }
 
   // One more layer: the cells beyond the outer facets, the hull excepted, while there are few enough vertices.

@@ -16,6 +16,7 @@
 #include <CGAL/Boundary_recovery_3/internal/geometry/Segment_walk_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/walk_elements.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
 
 #include <algorithm>
@@ -52,9 +53,10 @@ public:
 
   Constraint_recovery_3(const Tr& tr, const Predicates& predicates) : m_walk(tr, predicates) { }
 
-  // Returns whether the constraint is in the mesh in the end.
+  // Returns whether the constraint is in the mesh in the end. The shell transformations obey `validity`.
   template <typename Shell_transformation, typename Context>
-  bool operator()(Shell_transformation& st, const Constraint& constraint, const int l_max, Context& context)
+  bool operator()(Shell_transformation& st, const Constraint& constraint,
+                  const typename Shell_transformation::Validity& validity, const int l_max, Context& context)
   {
     const std::size_t start = st.number_of_shells();
     std::size_t fewest = std::size_t(-1);
@@ -77,7 +79,7 @@ public:
         fewest = m_walk.crossings().size();
         m_tried.clear();
       }
-      if(! try_crossings(st, l_max))
+      if(! try_crossings(st, validity, l_max))
         return false;
     }
     return false;
@@ -97,8 +99,8 @@ private:
   typedef std::array<Vertex_handle, 3> Entity; // as Crossing_3::vertices
 
   // Returns whether the mesh changed, so that the crossings have to be collected again.
-  template <typename Shell_transformation>
-  bool try_crossings(Shell_transformation& st, const int l_max)
+  template <typename Shell_transformation, typename Validity>
+  bool try_crossings(Shell_transformation& st, const Validity& validity, const int l_max)
   {
     const std::vector<Crossing>& crossings = m_walk.crossings();
     const std::size_t step = N == 2 && crossings.size() > 2 ? crossings.size() - 1 : 1; // from the first to the last
@@ -107,7 +109,7 @@ private:
       if(! is_new(crossings[i]))
         continue;
       const std::size_t before = st.number_of_transformations();
-      remove(st, crossings[i], l_max);
+      remove(st, crossings[i], validity, l_max);
       m_was_cut_off |= st.was_cut_off();
       if(st.number_of_transformations() != before)
         return true;
@@ -115,14 +117,14 @@ private:
     return false;
   }
 
-  template <typename Shell_transformation>
-  static bool remove(Shell_transformation& st, const Crossing& crossing, const int l_max)
+  template <typename Shell_transformation, typename Validity>
+  static bool remove(Shell_transformation& st, const Crossing& crossing, const Validity& validity, const int l_max)
   {
     const Cell_handle c = crossing.cell;
     if(crossing.dimension == 1)
-      return st.remove_edge(Edge(c, c->index(crossing.vertices[0]), c->index(crossing.vertices[1])), l_max);
-    const int i = 6 - c->index(crossing.vertices[0]) - c->index(crossing.vertices[1]) - c->index(crossing.vertices[2]);
-    return st.remove_facet(Facet(c, i), l_max);
+      return st.remove_edge(Edge(c, c->index(crossing.vertices[0]), c->index(crossing.vertices[1])), l_max,
+                            validity);
+    return st.remove_facet(Facet(c, internal::index_of_opposite_vertex(c, crossing.vertices)), l_max, validity);
   }
 
   // An entity is tried once between two decreases of the number of crossings.

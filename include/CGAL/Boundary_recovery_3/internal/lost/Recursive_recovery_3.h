@@ -58,7 +58,7 @@ public:
   Recursive_recovery_3(Tr& tr, const Predicates& predicates, const Constraints& constraints, Context& context,
                        std::vector<std::size_t>& lost, std::vector<Report>& levels)
     : m_tr(tr), m_constraints(constraints), m_context(context), m_recover(tr, predicates), m_lost(lost),
-      m_levels(levels)
+      m_levels(levels), m_target_validity{ tr, constraints }
   { }
 
   // These three return the number of covering meshes that were replaced.
@@ -69,13 +69,13 @@ public:
   std::size_t remove_plainly(const Phase phase)
   {
     typedef Shell_transformation_3<Tr, No_shell_quality_3, Target_validity, Visitor> Transformation;
-    Transformation st(m_tr, No_shell_quality_3(), target_validity(all().front()), m_context.visitor());
+    Transformation st(m_tr, No_shell_quality_3(), m_context.visitor(), Predicates(m_tr));
     start(std::size_t(-1));
     for(std::size_t before = std::size_t(-1); ! m_lost.empty() && m_lost.size() <= before / 2; )
     {
       before = m_lost.size();
       report(); // for the order
-      pass(phase, st, 0);
+      pass(phase, st, m_target_validity, 0);
     }
     return st.number_of_transformations();
   }
@@ -85,8 +85,11 @@ public:
   {
     typedef Worst_element_quality_3<Tr> Quality;
     typedef Shell_transformation_3<Tr, Quality, Target_validity, Visitor> Transformation;
-    Transformation st(m_tr, Quality(m_tr), target_validity(all().front()), m_context.visitor());
-    raise_recursion_level(phase, max_recursion_level, &Report::n1, [&](const int l_max) { pass(phase, st, l_max); });
+    Transformation st(m_tr, Quality(m_tr), m_context.visitor(), Predicates(m_tr));
+    raise_recursion_level(phase, max_recursion_level, &Report::n1, [&](const int l_max)
+    {
+      pass(phase, st, m_target_validity, l_max);
+    });
     return st.number_of_transformations();
   }
 
@@ -98,14 +101,15 @@ public:
     typedef Shell_validity_conjunction_3<Kept, BRC3<Tr, Table> > Validity;
     Table table(m_tr);
     const Validity validity{ Kept(m_constraints), BRC3<Tr, Table>(table) };
-    Shell_transformation_3<Tr, Quality, Validity, Visitor> st(m_tr, Quality(table), validity, m_context.visitor());
+    Shell_transformation_3<Tr, Quality, Validity, Visitor> st(m_tr, Quality(table), m_context.visitor(),
+                                                              Predicates(m_tr));
     raise_recursion_level(phase, max_recursion_level, &Report::n2, [&](const int l_max)
     {
       std::vector<Constraint> lost;
       for(const std::size_t i : m_lost)
         lost.push_back(all()[i]);
       table.set_constraints(lost);
-      pass(phase, st, l_max);
+      pass(phase, st, [&](const Constraint&) -> const Validity& { return validity; }, l_max);
     });
     return st.number_of_transformations();
   }
@@ -135,13 +139,19 @@ private:
   }
 
   // BRC1 and BRC2 are about the constraint that is being recovered, BRC3 and BRC4 about all of them.
-  Target_validity target_validity(const Constraint& target) const
+  struct Target_validity_of
   {
-    return std::apply([this](const auto ... v)
-                      {
-                        return Target_validity(Kept(m_constraints), Target_condition(m_tr, v...));
-                      }, target);
-  }
+    Target_validity operator()(const Constraint& target) const
+    {
+      return std::apply([this](const auto ... v)
+                        {
+                          return Target_validity(Kept(this->constraints), Target_condition(this->tr, v...));
+                        }, target);
+    }
+
+    const Tr& tr;
+    const Constraints& constraints;
+  };
 
   void start(const std::size_t max_number_of_shells)
   {
@@ -211,16 +221,16 @@ private:
     return result;
   }
 
-  // recvBndEdgesByST of [CZZ+17, Alg. 4].
-  template <typename Transformation>
-  void pass(const Phase phase, Transformation& st, const int l_max)
+  // recvBndEdgesByST of [CZZ+17, Alg. 4]. `validity_of` gives the condition under which a constraint is recovered.
+  template <typename Transformation, typename Validity_of>
+  void pass(const Phase phase, Transformation& st, const Validity_of& validity_of, const int l_max)
   {
     std::size_t done = 0;
     m_lost.clear();
     for(const auto& crossings_and_index : m_order)
     {
       const std::size_t i = crossings_and_index.second;
-      if(! attempt(st, i, l_max))
+      if(! attempt(st, i, validity_of, l_max))
         m_lost.push_back(i);
       m_context.visitor().on_progress(phase, ++done, m_order.size());
     }
@@ -229,15 +239,13 @@ private:
 
   // Does not repeat an attempt that changed nothing and was not cut off, until the mesh has changed; a higher
   // recursion level alone would lead it to the same end.
-  template <typename Transformation>
-  bool attempt(Transformation& st, const std::size_t i, const int l_max)
+  template <typename Transformation, typename Validity_of>
+  bool attempt(Transformation& st, const std::size_t i, const Validity_of& validity_of, const int l_max)
   {
     const std::size_t before = st.number_of_transformations();
     if(m_hopeless_since[i] == before || st.number_of_shells() > m_max_number_of_shells)
       return false;
-    if constexpr(std::is_same<typename Transformation::Validity, Target_validity>::value)
-      st.validity() = target_validity(all()[i]);
-    const bool is_recovered = m_recover(st, all()[i], l_max, m_context);
+    const bool is_recovered = m_recover(st, all()[i], validity_of(all()[i]), l_max, m_context);
     const bool is_hopeless = ! is_recovered && st.number_of_transformations() == before && ! m_recover.was_cut_off();
     m_hopeless_since[i] = is_hopeless ? before : never;
     return is_recovered;
@@ -249,6 +257,7 @@ private:
   Constraint_recovery_3<Tr, N> m_recover;
   std::vector<std::size_t>& m_lost;
   std::vector<Report>& m_levels;
+  const Target_validity_of m_target_validity;
   std::vector<std::pair<std::size_t, std::size_t> > m_order; // the lost constraints, as report() sorted them
   std::vector<std::size_t> m_hopeless_since; // numbers of transformations, or never, for each constraint
   std::size_t m_max_number_of_shells = std::size_t(-1); // in one calling of Alg. 5

@@ -14,12 +14,12 @@
 
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/flood_fill.h>
 
 #include <CGAL/Unique_hash_map.h>
 
 #include <array>
 #include <cstddef>
-#include <vector>
 
 namespace CGAL {
 namespace Boundary_recovery_3 {
@@ -38,21 +38,12 @@ public:
   Exterior_3(const Tr& tr, const Constraints_3<Tr>& constraints)
     : m_number_of_other_cells(tr.tds().number_of_cells()), m_contains(false)
   {
-    std::vector<Cell_handle> stack;
-    add(tr.infinite_cell(), stack);
-    while(! stack.empty())
+    const auto is_open = [&](const Cell_handle c, const int i)
     {
-      const Cell_handle c = stack.back();
-      stack.pop_back();
-      for(int i = 0; i < 4; ++i)
-      {
-        if(contains(c->neighbor(i)))
-          continue;
-        const std::array<Vertex_handle, 3> f = internal::facet_vertices(c, i);
-        if(tr.is_infinite(c, i) || ! constraints.is_constrained(f[0], f[1], f[2]))
-          add(c->neighbor(i), stack);
-      }
-    }
+      const std::array<Vertex_handle, 3> f = internal::facet_vertices(c, i);
+      return tr.is_infinite(c, i) || ! constraints.is_constrained(f[0], f[1], f[2]);
+    };
+    internal::flood_fill(tr.infinite_cell(), is_open, [this](const Cell_handle c) { return this->add(c); });
   }
 
   bool contains(const Cell_handle c) const { return m_contains[c]; }
@@ -61,11 +52,15 @@ public:
   bool is_everything() const { return m_number_of_other_cells == 0; }
 
 private:
-  void add(const Cell_handle c, std::vector<Cell_handle>& stack)
+  // Returns whether c is new.
+  bool add(const Cell_handle c)
   {
-    m_contains[c] = true;
+    bool& is_known = m_contains[c];
+    if(is_known)
+      return false;
+    is_known = true;
     --m_number_of_other_cells;
-    stack.push_back(c);
+    return true;
   }
 
   std::size_t m_number_of_other_cells;

@@ -13,6 +13,7 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 
 #include <CGAL/Triangulation_utils_3.h>
 
@@ -44,6 +45,16 @@ bool has_vertices(const Cell_handle c, const std::array<Vertex_handle, N>& simpl
   while(i < N && c->has_vertex(simplex[i]))
     ++i;
   return i == N;
+}
+
+// The index of the vertex of a cell that is opposite to a facet of it, which is given by its vertices.
+template <typename Cell_handle, typename VertexRange>
+int index_of_opposite_vertex(const Cell_handle c, const VertexRange& facet)
+{
+  int i = 0;
+  while(internal::contains(facet, c->vertex(i)))
+    ++i;
+  return i;
 }
 
 // The vertices of some cells, in the order in which they are met, without v.

@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <CGAL/Boundary_recovery_3/internal/numbers/binary_scale.h>
 #include <CGAL/Boundary_recovery_3/internal/numbers/nearest_integer.h>
 
 #include <CGAL/Kernel/global_functions_3.h>
@@ -153,7 +154,7 @@ private:
       int exponent = approximate > 0 ? std::ilogb(approximate) : -1074;
       if(! (largest > Rational(std::ldexp(1., exponent))))
         --exponent; // all the numbers inside are less than the power of two
-      m_spacings[i] = std::ldexp(1., (std::max)(exponent - 52, -1074));
+      m_spacings[i] = binary_unit(exponent - 52);
     }
     for(Vector_3& v : m_vertices)
       v = Vector_3(v.x() / Rational(m_spacings[0]), v.y() / Rational(m_spacings[1]), v.z() / Rational(m_spacings[2]));

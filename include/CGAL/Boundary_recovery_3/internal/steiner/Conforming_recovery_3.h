@@ -73,13 +73,8 @@ public:
                         Steiner_points& steiner_points, Visitor& visitor)
     : m_tr(tr), m_predicates(predicates), m_constraints(constraints), m_steiner_points(steiner_points),
       m_visitor(visitor), m_walk(tr, predicates), m_edge_recovery(tr, predicates),
-      m_edge_transformation(tr, Quality(tr),
-                            Edge_validity(Kept(steiner_points), BRC1<Tr>(tr, Vertex_handle(), Vertex_handle())),
-                            visitor, predicates),
-      m_facet_transformation(tr, Quality(tr),
-                             Facet_validity(Kept(steiner_points),
-                                            BRC2<Tr>(tr, Vertex_handle(), Vertex_handle(), Vertex_handle())),
-                             visitor, predicates)
+      m_edge_transformation(tr, Quality(tr), visitor, predicates),
+      m_facet_transformation(tr, Quality(tr), visitor, predicates)
   { }
 
   // Makes the edge e a chain of mesh edges: what flips cannot recover is split at a crossing, and both parts are tried
@@ -95,11 +90,10 @@ public:
       const std::array<Vertex_handle, 2> part = parts.back();
       if(! context.go_further())
         return false;
-      m_edge_transformation.validity() = Edge_validity(Kept(m_steiner_points),
-                                                       BRC1<Tr>(m_predicates, part[0], part[1]));
       parts.pop_back();
+      const Edge_validity validity(Kept(m_steiner_points), BRC1<Tr>(m_predicates, part[0], part[1]));
       if(number_of_splits < max_number_of_splits_with_flips
-         && m_edge_recovery(m_edge_transformation, part, l_max, context))
+         && m_edge_recovery(m_edge_transformation, part, validity, l_max, context))
         continue;
       const typename Walk::Outcome outcome = m_walk(part[0], part[1]);
       if(outcome == Walk::IS_EDGE)
@@ -129,8 +123,7 @@ public:
   bool recover_facet(const std::size_t f, const int l_max, Context& context)
   {
     const std::array<Vertex_handle, 3>& facet = m_constraints.facets()[f];
-    m_facet_transformation.validity() = Facet_validity(Kept(m_steiner_points),
-                                                       BRC2<Tr>(m_predicates, facet[0], facet[1], facet[2]));
+    const Facet_validity validity(Kept(m_steiner_points), BRC2<Tr>(m_predicates, facet[0], facet[1], facet[2]));
     for(find_piercing_edges(f); ! m_piercing_edges.empty(); find_piercing_edges(f))
       for(const Piercing_edge& e : m_piercing_edges)
       {
@@ -138,7 +131,8 @@ public:
           return false;
         Cell_handle c;
         int i, j;
-        if(! m_tr.is_edge(e[0], e[1], c, i, j) || m_facet_transformation.remove_edge(Edge(c, i, j), l_max))
+        if(! m_tr.is_edge(e[0], e[1], c, i, j) || m_facet_transformation.remove_edge(Edge(c, i, j), l_max,
+                                                                                          validity))
           continue;
         if(! m_tr.is_edge(e[0], e[1], c, i, j))
           continue;

@@ -18,6 +18,7 @@
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_validity.h>
+#include <CGAL/Boundary_recovery_3/internal/numbers/binary_scale.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_points_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 
@@ -492,13 +493,8 @@ private:
     double largest = 0;
     for(const Half_facet& h : m_half_facets)
       if(! m_tr.is_infinite(h.v))
-      {
-        const Vector d = difference(h.v, m_s);
-        for(int i = 0; i < 3; ++i)
-          largest = (std::max)(largest, std::abs(d[i]));
-      }
-    if(largest > 0)
-      m_scale = std::ldexp(1., (std::max)(-1000, (std::min)(1000, - std::ilogb(largest))));
+        largest = (std::max)(largest, largest_coordinate(difference(h.v, m_s)));
+    m_scale = 1 / binary_scale(largest);
   }
 
   Vector normal(const Triangle& t) const

@@ -97,8 +97,7 @@ public:
     : m_tr(tr), m_predicates(predicates), m_constraints(constraints), m_positions(positions), m_points(points),
       m_visitor(visitor), m_reconnection(predicates), m_growing_cavity(tr, predicates, constraints),
       m_kernel_point(predicates, positions),
-      m_transformation(tr, Quality(tr), Validity(Kept(constraints), No_new_edge_at_vertex_3<Tr>(Vertex_handle())),
-                       visitor, predicates)
+      m_transformation(tr, Quality(tr), visitor, predicates)
   { }
 
   // Removes as many points as it can. The recursion level of the flips is low first, for most points need no more. (On
@@ -481,7 +480,7 @@ private:
   template <typename Context>
   bool reduce_ball(const Vertex_handle v, const int l_max, Context& context)
   {
-    m_transformation.validity() = Validity(Kept(m_constraints), No_new_edge_at_vertex_3<Tr>(v));
+    const Validity validity{ Kept(m_constraints), No_new_edge_at_vertex_3<Tr>(v) };
     for(bool is_changed = true; is_changed; )
     {
       is_changed = false;
@@ -495,7 +494,7 @@ private:
         int i, j;
         if(! m_tr.is_edge(v, x, c, i, j))
           continue;
-        const bool is_removed = m_transformation.remove_edge(Edge(c, i, j), l_max);
+        const bool is_removed = m_transformation.remove_edge(Edge(c, i, j), l_max, validity);
         collect_ball(v); // its cells may have been replaced even if the edge is still there
         if(! is_removed)
           continue;

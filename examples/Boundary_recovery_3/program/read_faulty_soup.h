@@ -1,5 +1,5 @@
-#ifndef BOUNDARY_RECOVERY_3_EXAMPLES_READ_FAULTY_SOUP_H
-#define BOUNDARY_RECOVERY_3_EXAMPLES_READ_FAULTY_SOUP_H
+#ifndef BOUNDARY_RECOVERY_3_PROGRAM_READ_FAULTY_SOUP_H
+#define BOUNDARY_RECOVERY_3_PROGRAM_READ_FAULTY_SOUP_H
 
 #include <CGAL/IO/polygon_soup_io.h>
 
@@ -153,4 +153,4 @@ bool read_faulty_soup(const std::string& extension, const std::string& text,
 
 } // namespace read_surface_internal
 
-#endif // BOUNDARY_RECOVERY_3_EXAMPLES_READ_FAULTY_SOUP_H
+#endif // BOUNDARY_RECOVERY_3_PROGRAM_READ_FAULTY_SOUP_H

@@ -1,5 +1,5 @@
-#ifndef BOUNDARY_RECOVERY_3_EXAMPLES_PRINT_SUMMARY_H
-#define BOUNDARY_RECOVERY_3_EXAMPLES_PRINT_SUMMARY_H
+#ifndef BOUNDARY_RECOVERY_3_PROGRAM_PRINT_SUMMARY_H
+#define BOUNDARY_RECOVERY_3_PROGRAM_PRINT_SUMMARY_H
 
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_visitor_3.h>
@@ -141,4 +141,4 @@ void print_summary(std::ostream& os, const Result& result, const Domain& domain,
   os.precision(precision);
 }
 
-#endif // BOUNDARY_RECOVERY_3_EXAMPLES_PRINT_SUMMARY_H
+#endif // BOUNDARY_RECOVERY_3_PROGRAM_PRINT_SUMMARY_H

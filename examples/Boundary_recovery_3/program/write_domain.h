@@ -1,8 +1,7 @@
-#ifndef BOUNDARY_RECOVERY_3_EXAMPLES_WRITE_DOMAIN_H
-#define BOUNDARY_RECOVERY_3_EXAMPLES_WRITE_DOMAIN_H
+#ifndef BOUNDARY_RECOVERY_3_PROGRAM_WRITE_DOMAIN_H
+#define BOUNDARY_RECOVERY_3_PROGRAM_WRITE_DOMAIN_H
 
-#include "surface_facets.h"
-
+#include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
 #include <CGAL/Boundary_recovery_3/label_regions.h>
 
 #include <CGAL/Kernel/global_functions.h>
@@ -42,16 +41,15 @@ class Domain_builder
 
   const Tr& m_tr;
   Domain<Point> m_domain;
-  std::vector<std::array<Vertex_handle, 3> > m_facets;
-  std::vector<std::size_t> m_faces; // the face that each facet comes from
+  std::vector<CGAL::Boundary_recovery_3::Surface_facet_3<Vertex_handle> > m_facets;
 
 public:
   explicit Domain_builder(const Tr& tr) : m_tr(tr) { }
 
-  template <typename Surface, typename Result>
-  Domain<Point> operator()(const Surface& surface, const Result& result, const bool keep_exterior)
+  template <typename Result>
+  Domain<Point> operator()(const Result& result, const bool keep_exterior)
   {
-    collect_facets(surface, result);
+    m_facets = result.surface_facets();
     Region_map region(0);
     m_domain.number_of_regions =
       CGAL::Boundary_recovery_3::label_regions(m_tr, m_facets, boost::associative_property_map<Region_map>(region));
@@ -76,26 +74,6 @@ public:
   }
 
 private:
-  // the faces that are in the triangulation, each as one facet or as several ones
-  template <typename Surface, typename Result>
-  void collect_facets(const Surface& surface, const Result& result)
-  {
-    std::vector<bool> is_missing(surface.faces.size(), false);
-    for(const auto& facet : result.missing_facets)
-      is_missing[facet.index] = true;
-    const Surface_facets<Result> parts(result);
-    for(std::size_t i = 0; i < surface.faces.size(); ++i)
-    {
-      if(is_missing[i])
-        continue;
-      for(const auto& facet : parts(i, surface.faces[i]))
-      {
-        m_facets.push_back(facet);
-        m_faces.push_back(i);
-      }
-    }
-  }
-
   // Where a facet is missing the outside may flow in, and what is left as regions are a few bubbles: then a facet
   // beside the gap has the outside on both sides.
   bool has_leak(const Region_map& region) const
@@ -154,10 +132,10 @@ private:
     for(const Cell_handle c : cells)
       m_domain.tetrahedra.push_back({{ number[c->vertex(0)], number[c->vertex(1)],
                                        number[c->vertex(2)], number[c->vertex(3)] }});
-    for(std::size_t i = 0; i < m_facets.size(); ++i)
+    for(const auto& facet : m_facets)
     {
-      m_domain.triangles.push_back({{ number[m_facets[i][0]], number[m_facets[i][1]], number[m_facets[i][2]] }});
-      m_domain.patches.push_back(m_faces[i] + 1);
+      m_domain.triangles.push_back({{ number[facet[0]], number[facet[1]], number[facet[2]] }});
+      m_domain.patches.push_back(facet.index + 1);
     }
   }
 };
@@ -267,4 +245,4 @@ bool write_domain(const std::string& file, const std::string& extension, const D
   return ! os.fail();
 }
 
-#endif // BOUNDARY_RECOVERY_3_EXAMPLES_WRITE_DOMAIN_H
+#endif // BOUNDARY_RECOVERY_3_PROGRAM_WRITE_DOMAIN_H

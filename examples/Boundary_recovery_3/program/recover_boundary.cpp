@@ -148,7 +148,7 @@ int run(const Options& options)
 
   Domain<Point> domain;
   if(result.status != Status::invalid_input)
-    domain = Domain_builder<Triangulation>(tr)(surface, result, options.keep_exterior);
+    domain = Domain_builder<Triangulation>(tr)(result, options.keep_exterior);
   const std::array<double, 2> angles = range_of_dihedral_angles(domain);
   use_vertex_numbers_of_file(result, surface);
 

@@ -1,5 +1,5 @@
-#ifndef BOUNDARY_RECOVERY_3_EXAMPLES_READ_SURFACE_H
-#define BOUNDARY_RECOVERY_3_EXAMPLES_READ_SURFACE_H
+#ifndef BOUNDARY_RECOVERY_3_PROGRAM_READ_SURFACE_H
+#define BOUNDARY_RECOVERY_3_PROGRAM_READ_SURFACE_H
 
 #include "check_ply.h"
 #include "read_faulty_soup.h"
@@ -191,4 +191,4 @@ bool read_surface(const std::string& file, Surface<Point>& surface, std::string&
   return true;
 }
 
-#endif // BOUNDARY_RECOVERY_3_EXAMPLES_READ_SURFACE_H
+#endif // BOUNDARY_RECOVERY_3_PROGRAM_READ_SURFACE_H
