@@ -1,5 +1,7 @@
 # Tests of the package rather than of the code: headers alone, Clang, conventions, data, installation, manual.
 
+set(br3_package_tests ${CMAKE_CURRENT_SOURCE_DIR}/test/Boundary_recovery_3/package)
+
 # Registers a test that reports itself as skipped, with the reason.
 function(br3_add_skipped_test name reason)
   add_test(NAME ${name} COMMAND ${CMAKE_COMMAND} -E echo "skipped: ${reason}")
@@ -9,8 +11,7 @@ endfunction()
 # What a compiler must be told to parse our headers, and a file that holds nothing but what `-include` brings.
 set(br3_includes $<TARGET_PROPERTY:Boundary_recovery_3,INTERFACE_INCLUDE_DIRECTORIES>)
 set(br3_definitions $<TARGET_PROPERTY:Boundary_recovery_3,INTERFACE_COMPILE_DEFINITIONS>)
-set(br3_syntax -std=c++17 -frounding-math -fsyntax-only -Wall -Wextra -Werror
-  $<$<BOOL:${br3_includes}>:-I$<JOIN:${br3_includes},$<SEMICOLON>-I>>)
+set(br3_syntax -std=c++17 -frounding-math -fsyntax-only -Wall -Wextra -Werror)
 set(br3_empty_file ${CMAKE_CURRENT_BINARY_DIR}/empty.cpp)
 file(WRITE ${br3_empty_file} "// empty\n")
 
@@ -22,7 +23,8 @@ foreach(header ${br3_headers})
   string(REGEX REPLACE "^CGAL/" "" name ${header})
   string(MAKE_C_IDENTIFIER ${name} name)
   add_test(NAME header_alone__${name}
-           COMMAND ${CMAKE_CXX_COMPILER} ${br3_syntax} "$<$<BOOL:${br3_definitions}>:-D$<JOIN:${br3_definitions},;-D>>"
+           COMMAND ${CMAKE_CXX_COMPILER} ${br3_syntax} "$<$<BOOL:${br3_includes}>:-I$<JOIN:${br3_includes},;-I>>"
+                   "$<$<BOOL:${br3_definitions}>:-D$<JOIN:${br3_definitions},;-D>>"
                    -include ${header} ${br3_empty_file} COMMAND_EXPAND_LISTS)
   set_tests_properties(header_alone__${name} PROPERTIES LABELS header)
 endforeach()
@@ -36,9 +38,11 @@ function(br3_add_clang_tests)
       get_target_property(type ${target} TYPE)
       if(type STREQUAL "EXECUTABLE")
         get_target_property(sources ${target} SOURCES)
+        set(includes $<TARGET_PROPERTY:${target},INCLUDE_DIRECTORIES>)
         set(definitions $<TARGET_PROPERTY:${target},COMPILE_DEFINITIONS>)
         add_test(NAME program_clang__${target}
                  COMMAND ${BR3_CLANG} ${br3_syntax} -Wno-unknown-warning-option
+                         "$<$<BOOL:${includes}>:-I$<JOIN:${includes},;-I>>"
                          "$<$<BOOL:${definitions}>:-D$<JOIN:${definitions},;-D>>" ${sources} COMMAND_EXPAND_LISTS)
         set_tests_properties(program_clang__${target} PROPERTIES LABELS "program;clang")
       endif()
@@ -56,9 +60,9 @@ endif()
 find_package(Python3 QUIET COMPONENTS Interpreter)
 if(Python3_FOUND)
   add_test(NAME conventions COMMAND Python3::Interpreter
-           ${CMAKE_CURRENT_SOURCE_DIR}/test/Boundary_recovery_3/check_conventions.py ${CMAKE_CURRENT_SOURCE_DIR})
+           ${br3_package_tests}/check_conventions.py ${CMAKE_CURRENT_SOURCE_DIR})
   add_test(NAME conventions_are_checked COMMAND Python3::Interpreter
-           ${CMAKE_CURRENT_SOURCE_DIR}/test/Boundary_recovery_3/check_conventions.py --self-test
+           ${br3_package_tests}/check_conventions.py --self-test
            ${CMAKE_CURRENT_BINARY_DIR}/conventions_self_test ${CMAKE_CURRENT_SOURCE_DIR})
   add_test(NAME data_is_reproducible COMMAND Python3::Interpreter
            ${CMAKE_CURRENT_SOURCE_DIR}/data/generate_meshes.py --check ${CMAKE_CURRENT_SOURCE_DIR}/data/meshes)
@@ -67,7 +71,7 @@ if(Python3_FOUND)
            ${br3_figures}/draw_figures.py --check ${br3_figures})
   if(TARGET recover_boundary)
     add_test(NAME program_behaves_as_documented COMMAND Python3::Interpreter
-             ${CMAKE_CURRENT_SOURCE_DIR}/test/Boundary_recovery_3/test_program_br3.py $<TARGET_FILE:recover_boundary>)
+             ${br3_package_tests}/test_program_br3.py $<TARGET_FILE:recover_boundary>)
     set_tests_properties(program_behaves_as_documented PROPERTIES DEPENDS compilation_of__recover_boundary)
   endif()
 else()
@@ -78,7 +82,7 @@ add_test(NAME install_and_find_package COMMAND ${CMAKE_COMMAND}
          -DBUILD_DIR=${CMAKE_CURRENT_BINARY_DIR} -DSOURCE_DIR=${CMAKE_CURRENT_SOURCE_DIR}
          -DSCRATCH_DIR=${CMAKE_CURRENT_BINARY_DIR}/install_test -DCGAL_DIR=${CGAL_DIR}
          -DCXX_COMPILER=${CMAKE_CXX_COMPILER} -DVERSION=${PROJECT_VERSION}
-         -P ${CMAKE_CURRENT_SOURCE_DIR}/test/Boundary_recovery_3/install_test/run_install_test.cmake)
+         -P ${br3_package_tests}/install_test/run_install_test.cmake)
 
 if(DOXYGEN_FOUND)
   add_test(NAME manual_builds_without_warning COMMAND Doxygen::doxygen Boundary_recovery_3.dxy

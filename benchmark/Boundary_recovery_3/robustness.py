@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Recovers every surface in every mode with both kernels, and has each result judged by an exact checker.
 
-The checker (test/Boundary_recovery_3/exact_mesh_checker_br3.h) is written from the definition, and looks at the final
+The checker (test/Boundary_recovery_3/oracles/exact_mesh_checker_br3.h) is written from the definition, and looks at the final
 triangulation only: all cells positive, the convex hull tiled, every triangle there or listed as missing, no Steiner
 point where none may be. README.md in this folder tells how to build the programs.
 """

@@ -29,8 +29,8 @@ namespace Boundary_recovery_3 {
 namespace internal {
 
 /*
- * Removes a vertex at which there is no constraint, see `has_constraint_at()`, by covering its ball with other cells: by
- * collapsing an edge of it, or by small polyhedron reconnection.
+ * Removes a vertex at which there is no constraint, see `has_constraint_at()`: its ball is covered with other cells, by
+ * collapsing an edge or by small polyhedron reconnection.
  *
  * The search changes nothing; what it found is done then, or left.
  */

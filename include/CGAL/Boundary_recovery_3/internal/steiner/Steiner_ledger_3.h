@@ -30,8 +30,8 @@ namespace internal {
 
 /*
  * The ledger of Steiner points: of each point on a constraint, which constraint that is, in what order, and where
- * exactly; of each free point, which constraint it came off, and, as long as the triangulation cannot store it, where it
- * is. It counts how many of both there were.
+ * exactly; of each free point, which constraint it came off, and where it is as long as the triangulation cannot store
+ * that. It counts how many of both there were.
  *
  * A constrained edge with Steiner points is a chain of vertices from its first to its second. What is on a constraint
  * is known from here, never computed: a mesh facet is a part of a constrained facet iff its three vertices are on it.

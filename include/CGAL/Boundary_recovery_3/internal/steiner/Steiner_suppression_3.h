@@ -46,10 +46,11 @@ namespace internal {
  * The postprocessing of [CZZ+17, Section 4.3]: removes Steiner points that are on no constraint.
  *
  * A vertex is dropped when its ball can be covered without it: by collapsing an edge of it, or by small polyhedron
- * reconnection of the ball. Until that works, the edges at the vertex are removed one after the other by recursive shell
- * transformations. Then the ball and one layer more is tried, and in the end ever larger cavities around the ball: first
- * such that grow by the vertices that touch them most, then such that grow where they have to. Two neighbors become one
- * where one point sees the boundary of both balls. In between, points move to the deepest point of their kernel.
+ * reconnection of the ball. Until that works, the edges at the vertex are removed one after the other by recursive
+ * shell transformations. Then the ball and one layer more is tried, and in the end ever larger cavities around the
+ * ball: first such that grow by the vertices that touch them most, then such that grow where they have to. Two
+ * neighbors become one where one point sees the boundary of both balls. In between, points move to the deepest point
+ * of their kernel.
  *
  * It ends: no step adds a point, every round but the last removes some, and within a round, the flips around a point
  * only ever take edges away from it.

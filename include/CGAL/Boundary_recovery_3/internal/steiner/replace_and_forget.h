@@ -19,8 +19,8 @@ namespace CGAL {
 namespace Boundary_recovery_3 {
 namespace internal {
 
-// Replaces cells by tetrahedra, as `Mesh_editor_3` does. The Steiner points in `dropped` go with the cells, and are taken
-// out of the ledger.
+// Replaces cells by tetrahedra, as `Mesh_editor_3` does. The Steiner points in `dropped` go with the cells, and are
+// taken out of the ledger.
 template <typename Editor, typename Ledger, typename TetrahedronRange>
 void replace_and_forget(Editor& editor, Ledger& ledger, const std::vector<typename Editor::Tr::Cell_handle>& cells,
                         const TetrahedronRange& tetrahedra,

@@ -6,6 +6,8 @@
 #ifndef BR3_TEST_RANDOM_TRIANGULATIONS_H
 #define BR3_TEST_RANDOM_TRIANGULATIONS_H
 
+#include "random_numbers_br3.h"
+
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Triangulation_cell_base_with_info_3.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
@@ -32,9 +34,6 @@ struct Lattice_point
 };
 
 typedef std::vector<Lattice_point> Lattice_points;
-
-// The distributions of the standard library differ between implementations; this does not.
-inline int random_int(std::mt19937& rng, const int n) { return static_cast<int>(rng() % static_cast<unsigned>(n)); }
 
 inline Lattice_points distinct(const Lattice_points& points)
 {

@@ -8,23 +8,19 @@
 // Author(s)     : The Boundary_recovery_3 authors
 
 // Points with coordinates of type `double` in polyhedra that may be thinner than their distance. From 2^52 to 2^53,
-// these numbers are the integers, so that small polyhedra there can be searched by brute force. And the small tools for
-// numbers: powers of two, nearest integers and nearest numbers.
+// these numbers are the integers, so that small polyhedra there can be searched by brute force.
 
 #undef NDEBUG
 
 #include <CGAL/Boundary_recovery_3/internal/numbers/Representable_point_3.h>
-#include <CGAL/Boundary_recovery_3/internal/numbers/binary_scale.h>
 
 #include <CGAL/Exact_rational.h>
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <iostream>
-#include <limits>
 #include <random>
 #include <vector>
 
@@ -168,70 +164,8 @@ void test_no_volume()
   assert(! Representable_point_3()(planes));
 }
 
-void test_nearest_integer()
-{
-  using CGAL::Boundary_recovery_3::internal::nearest_integer;
-  const Rational tiny = Rational(1) / Rational(std::ldexp(1., 80)), half(.5), huge(std::ldexp(1., 1000));
-  for(const double n : { -1e30, -3., -1., 0., 1., 2., 4503599627370496., 1e30 })
-  {
-    assert(nearest_integer(Rational(n)) == n);
-    assert(nearest_integer(Rational(Rational(n) + half - tiny)) == n);
-    assert(nearest_integer(Rational(Rational(n) + half + tiny)) == Rational(n) + Rational(1));
-    assert(nearest_integer(Rational(Rational(n) - half + tiny)) == n);
-    assert(nearest_integer(Rational(Rational(n) - half - tiny)) == Rational(n) - Rational(1));
-    const Rational large = huge * huge * huge + Rational(n);
-    assert(nearest_integer(Rational(large - tiny)) == large);
-  }
-}
-
-// Numbers just beside the middle of two neighbors, of either sign and size.
-void test_nearest_double()
-{
-  using CGAL::Boundary_recovery_3::internal::nearest_double;
-  const Rational tiny = Rational(std::ldexp(1., -300)) * Rational(std::ldexp(1., -900));
-  for(const double d : { 1., -1., .1, -3e200, 5e-300, 0., -1e-320, std::nextafter(2., 0.) })
-  {
-    const double next = std::nextafter(d, 2 * std::abs(d) + 1);
-    const Rational middle = (Rational(d) + Rational(next)) / Rational(2);
-    assert(nearest_double(Rational(d)) == d);
-    assert(nearest_double(Rational(middle - tiny)) == d);
-    assert(nearest_double(Rational(middle + tiny)) == next);
-    assert(nearest_double(Rational(middle)) == d || nearest_double(Rational(middle)) == next);
-  }
-  const double largest = std::numeric_limits<double>::max();
-  assert(nearest_double(Rational(largest)) == largest);
-  assert(nearest_double(Rational(Rational(- largest) + tiny)) == - largest);
-}
-
-// Numbers of any size become about one; zero, infinity and the smallest numbers have a scale, too.
-void test_binary_scale()
-{
-  namespace internal = CGAL::Boundary_recovery_3::internal;
-  for(const double x : { 1., 1.5, std::nextafter(2., 0.), .1, 3e200, 7e-200, 1e301, 1e-301 })
-  {
-    const double scale = internal::binary_scale(x);
-    int exponent = 0;
-    assert(std::frexp(scale, &exponent) == .5); // a power of two
-    assert(scale <= x && x < 2 * scale);
-    assert(x / scale == x * (1 / scale));
-  }
-  const double infinity = std::numeric_limits<double>::infinity();
-  assert(internal::binary_scale(0) == 1);
-  assert(internal::binary_scale(infinity) == std::ldexp(1., 1000));
-  assert(internal::binary_scale(std::numeric_limits<double>::denorm_min()) == std::ldexp(1., -1000));
-  assert(internal::binary_unit(3) == 8 && internal::binary_unit(-1074) == std::numeric_limits<double>::denorm_min());
-  assert(internal::binary_unit(-5000) == std::numeric_limits<double>::denorm_min());
-  typedef std::array<double, 3> Triple;
-  assert(internal::largest_coordinate(Triple{{ 0, 0, 0 }}) == 0);
-  assert(internal::largest_coordinate(Triple{{ -3, 2, 1 }}) == 3);
-  assert(internal::largest_coordinate(Triple{{ 1, -infinity, 2 }}) == infinity);
-}
-
 int main()
 {
-  test_binary_scale();
-  test_nearest_integer();
-  test_nearest_double();
   test_below_a_power_of_two();
   test_no_volume();
   test_against_brute_force();

@@ -183,7 +183,7 @@ class Checker:
                 seen[name] = path
 
     def check_programs(self):
-        """Every program is named in its CMakeLists.txt and every name there exists; examples also in the manual."""
+        """Every program is named in the CMakeLists.txt above it and every name there exists; examples also in the manual."""
         for folder in ("examples", "test", "benchmark"):
             base = "%s/%s" % (folder, PACKAGE)
             if not os.path.exists(os.path.join(self.root, base, "CMakeLists.txt")):
@@ -193,8 +193,8 @@ class Checker:
             self.require(cmake.lstrip().startswith("cmake_minimum_required"), base + "/CMakeLists.txt",
                          "does not start with cmake_minimum_required")
             named = set(re.findall(r'[\w./]+\.cpp', cmake))
-            there = {os.path.relpath(p, base) for p in self.paths if p.startswith(base + "/") and p.endswith(".cpp")
-                     and "/install_test/" not in p}
+            there = {os.path.relpath(p, base) for p in self.paths
+                     if p.startswith(base + "/") and p.endswith(".cpp") and "/install_test/" not in p}
             for name in sorted(named ^ there):
                 self.require(False, "%s/%s" % (base, name),
                              "not named in CMakeLists.txt" if name in there else "does not exist, but is named in CMakeLists.txt")
@@ -285,6 +285,7 @@ def self_test(scratch, root):
         "assert": replace(header, code, "\nvoid f(int i) { assert(i); }\n" + code),
         "does not exist, but is named": append(examples + "CMakeLists.txt", 'create_single_source_cgal_program("no.cpp")\n'),
         "not named in CMakeLists.txt": lambda copy: write(copy, examples + "x_br3.cpp", "int main() { }\n"),
+        "mesh/y_br3.cpp: not named": lambda copy: write(copy, "test/%s/mesh/y_br3.cpp" % PACKAGE, "int main() { }\n"),
         "not named in doc": replace("doc/%s/examples.txt" % PACKAGE, "\\example %s/recover_boundary_minimal.cpp\n" % PACKAGE, ""),
         "has the name of": lambda copy: write(copy, examples + "PARAMETERS.h", "\n"),
         "wrong licence": append("package_info/%s/license.txt" % PACKAGE, "or not\n"),

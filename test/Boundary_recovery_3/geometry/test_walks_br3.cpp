@@ -1,4 +1,4 @@
-// The walks along a segment and over a triangle, against tests of all edges and facets.
+// The walks along a segment and over a triangle, against tests of all edges and facets; and where they start.
 
 #undef NDEBUG // the checks are assertions, also in a Release build
 
@@ -7,6 +7,7 @@
 #include <CGAL/Boundary_recovery_3/internal/geometry/Facet_walk_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Segment_walk_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
+#include <CGAL/Boundary_recovery_3/internal/geometry/walk_elements.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -115,7 +116,51 @@ public:
         }
   }
 
+  // ---- wedges ----
+
+  // For each vertex and some of the edges: the half-plane is inside one facet or cell around the edge.
+  void check_wedges(std::mt19937& rng)
+  {
+    for(const auto& e : m_edges)
+      if(random_int(rng, 4) == 0)
+      {
+        const Cell_handle c = m_cells[e];
+        const BR::Shell_3<Tr> shell(m_tr, c, c->index(m_vertices[e[0]]), c->index(m_vertices[e[1]]));
+        for(int v = 0; v < static_cast<int>(m_points.size()); ++v)
+          if(! is_zero(cross(m_points[e[1]] - m_points[e[0]], m_points[v] - m_points[e[0]])))
+            check_wedge(shell, v);
+      }
+  }
+
 private:
+  // For a cell, the half-plane is between those of its other vertices, less than half a turn apart.
+  void check_wedge(const BR::Shell_3<Tr>& shell, const int v)
+  {
+    const Lattice_point &a = m_points[shell.a()->info()], &b = m_points[shell.b()->info()];
+    const BR::internal::Shell_wedge found = BR::internal::find_wedge(shell, m_predicates, m_vertices[v]);
+    if(shell.index(m_vertices[v]) != shell.none)
+    {
+      assert(found.index == shell.none);
+      return;
+    }
+    int number_of_wedges = 0;
+    for(int i = 0; i < shell.degree(); ++i)
+    {
+      if(i == shell.infinite_index())
+        continue;
+      const Lattice_point& p = m_points[shell.vertex(i)->info()];
+      const Wide side = volume(a, b, p, m_points[v]);
+      const bool is_in_facet = side == 0 && dot(cross(b - a, p - a), cross(b - a, m_points[v] - a)) > 0;
+      const bool is_in_cell = side > 0 && shell.next(i) != shell.infinite_index()
+                           && volume(a, b, m_points[shell.vertex(shell.next(i))->info()], m_points[v]) < 0;
+      assert((is_in_facet || is_in_cell) == (found.index == i));
+      assert(found.index != i || found.is_facet == is_in_facet);
+      number_of_wedges += is_in_facet || is_in_cell;
+    }
+    assert(number_of_wedges == 1);
+    ++number_of[found.is_facet ? "wedge is facet" : "wedge is cell"];
+  }
+
   static Simplex sorted(const std::vector<Vertex_handle>& vertices)
   {
     Simplex s;
@@ -286,6 +331,7 @@ void test_points(const Lattice_points& points, const int divisor, std::mt19937& 
     else
       tester.check_random_segments(120, rng);
     tester.check_triangles(4, rng);
+    tester.check_wedges(rng);
   }
 }
 
@@ -349,7 +395,8 @@ void check_that_all_was_met()
                                  "segment crosses edges only", "segment crosses facets only",
                                  "segment crosses edges and facets",
                                  "triangle is facet", "triangle crossed once", "triangle crossed twice",
-                                 "triangle crossed more often", "triangle blocked" })
+                                 "triangle crossed more often", "triangle blocked",
+                                 "wedge is facet", "wedge is cell" })
     assert(number_of[what] >= 100);
   assert(number_of["segment blocked behind crossings"] >= 20);
   assert(number_of["triangle blocked behind crossings"] >= 6);

@@ -1,0 +1,158 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+// The search for points in the kernel of a polyhedron, judged by rational numbers.
+
+#undef NDEBUG
+
+#include "brute_force_checker_br3.h"
+#include "steiner_inputs_br3.h"
+
+#include <CGAL/Boundary_recovery_3/internal/geometry/Exact_positions_3.h>
+#include <CGAL/Boundary_recovery_3/internal/geometry/Kernel_point_3.h>
+#include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <iostream>
+#include <vector>
+
+namespace internal = CGAL::Boundary_recovery_3::internal;
+typedef CGAL::Exact_predicates_inexact_constructions_kernel K;
+typedef CGAL::Delaunay_triangulation_3<K>                   Tr;
+typedef Tr::Vertex_handle                                   Vertex_handle;
+typedef K::Point_3                                          Point_3;
+
+// A polyhedron, given by triangles that are counterclockwise from outside, and a vertex for the point in its kernel.
+class Polyhedron
+{
+public:
+  typedef internal::Kernel_point_3<Tr> Kernel_point;
+
+  Polyhedron(const std::vector<br3_test::Coordinates>& points, const std::vector<br3_test::Simplex>& triangles)
+    : m_predicates(m_tr, &m_positions), m_kernel_point(m_predicates, m_positions), m_v(m_tr.tds().create_vertex())
+  {
+    for(const auto& p : points)
+    {
+      vertices.push_back(m_tr.tds().create_vertex());
+      vertices.back()->set_point(Point_3(p[0], p[1], p[2]));
+    }
+    m_v->set_point(vertices[0]->point());
+    for(const auto& t : triangles)
+      m_faces.push_back({{ vertices[t[0]], vertices[t[2]], vertices[t[1]] }});
+  }
+
+  // What the tool says about the deepest point, judged by rational numbers.
+  bool has_deepest_point()
+  {
+    const bool result = m_kernel_point(m_v, m_faces);
+    assert(result == is_in_kernel() || ! result);
+    assert(m_positions.empty());
+    return result;
+  }
+
+  // The same from a vertex of the polyhedron on, in one direction.
+  bool has_point_on_ray(const std::size_t origin, const Kernel_point::Exact_vector& direction)
+  {
+    m_positions.erase(m_v);
+    const bool result = m_kernel_point(m_v, m_faces, vertices[origin], { direction });
+    assert(result == is_in_kernel());
+    return result;
+  }
+
+  bool has_exact_position() const { return m_positions.contains(m_v); }
+  Point_3 point() const { return m_v->point(); }
+
+  std::vector<Vertex_handle> vertices;
+
+private:
+  bool is_in_kernel() const
+  {
+    const br3_test::Rational_point x = br3_test::to_rational(m_positions(m_v));
+    return std::all_of(m_faces.begin(), m_faces.end(), [&](const Kernel_point::Triangle& f)
+    {
+      return br3_test::volume(br3_test::to_rational(f[0]->point()), br3_test::to_rational(f[1]->point()),
+                              br3_test::to_rational(f[2]->point()), x) > 0;
+    });
+  }
+
+  Tr m_tr;
+  internal::Exact_positions_3<Tr> m_positions;
+  const internal::Vertex_predicates_3<Tr> m_predicates;
+  Kernel_point m_kernel_point;
+  const Vertex_handle m_v;
+  std::vector<Kernel_point::Triangle> m_faces;
+};
+
+std::vector<br3_test::Coordinates> scaled(std::vector<br3_test::Coordinates> points, const int exponent)
+{
+  for(auto& p : points)
+    for(double& x : p)
+      x = std::ldexp(x, exponent);
+  return points;
+}
+
+const std::vector<br3_test::Simplex> tetrahedron = { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } };
+
+// The center and the radius of the ball in a corner of a cube, at all the scales.
+void test_deepest_point()
+{
+  for(const int exponent : { 0, 1, 5, -5, 300, -300, 1000, -1000, 1023 }) // there, twice the size overflows
+  {
+    Polyhedron p(scaled({ {{ 0, 0, 0 }}, {{ 1, 0, 0 }}, {{ 0, 1, 0 }}, {{ 0, 0, 1 }} }, exponent), tetrahedron);
+    assert(p.has_deepest_point());
+    const double radius = std::ldexp(1 / (3 + std::sqrt(3.)), exponent);
+    for(int i = 0; i < 3; ++i)
+      assert(std::abs(p.point()[i] / radius - 1) < 1e-9);
+  }
+}
+
+// The polyhedron of Schoenhardt is seen from its center, the notched box from nowhere.
+void test_empty_kernel()
+{
+  const br3_test::Plc schoenhardt = br3_test::twisted_prism(3, .3, 1000, 1000);
+  Polyhedron with_kernel(schoenhardt.points, schoenhardt.triangles);
+  assert(with_kernel.has_deepest_point());
+  const br3_test::Plc box = br3_test::Notched_box(2, 1).plc();
+  Polyhedron without_kernel(box.points, box.triangles);
+  assert(! without_kernel.has_deepest_point());
+  for(const double z : { 1., .5, -1. })
+    assert(! without_kernel.has_point_on_ray(0, Polyhedron::Kernel_point::Exact_vector(1, .1, z)));
+}
+
+void test_ray()
+{
+  typedef Polyhedron::Kernel_point::Exact_vector Vector;
+  for(const int exponent : { 0, 300, -300 })
+  {
+    const std::vector<br3_test::Coordinates> points = { {{ 0, 0, 0 }}, {{ 1, 0, 0 }}, {{ 0, 1, 0 }}, {{ 0, 0, 1 }} };
+    Polyhedron p(scaled(points, exponent), tetrahedron);
+    assert(p.has_point_on_ray(0, Vector(1, 2, 3)) && ! p.has_exact_position());
+    assert(p.point().y() == 2 * p.point().x()); // on the ray, for these numbers are few digits long
+    assert(p.has_point_on_ray(0, Vector(-1, 0, 0)) && ! p.has_exact_position()); // not on the ray, but inside
+  }
+  // Between two neighboring numbers there is none: the exact position on the ray remains.
+  const double next = std::nextafter(1., 2.);
+  Polyhedron flat({ {{ 0, 0, 1 }}, {{ 1, 0, 1 }}, {{ 0, 1, 1 }}, {{ .25, .25, next }} }, tetrahedron);
+  assert(! flat.has_deepest_point());
+  assert(flat.has_point_on_ray(0, Vector(1, 1, std::ldexp(1., -52))) && flat.has_exact_position());
+  assert(! flat.has_point_on_ray(0, Vector(-1, -1, 0)) && ! flat.has_exact_position());
+}
+
+int main()
+{
+  test_deepest_point();
+  test_empty_kernel();
+  test_ray();
+  std::cout << "done" << std::endl;
+}

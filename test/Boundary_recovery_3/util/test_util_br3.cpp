@@ -1,0 +1,276 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+// The tools that know nothing of geometry: ranges, hash tables of simplices, matrices of bits, and the context of runs.
+
+#undef NDEBUG
+
+#include "random_numbers_br3.h"
+#include "stopping_visitor_br3.h"
+
+#include <CGAL/Boundary_recovery_3/internal/util/Bit_matrix.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Hash_index.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/bits.h>
+#include <CGAL/Boundary_recovery_3/internal/util/contains.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <iostream>
+#include <limits>
+#include <map>
+#include <random>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace internal = CGAL::Boundary_recovery_3::internal;
+using br3_test::Stopping_visitor;
+
+void test_contains()
+{
+  const std::array<int, 3> items = {{ 2, 3, 5 }};
+  const std::vector<int> none;
+  for(int i = 0; i < 7; ++i)
+  {
+    assert(internal::contains(items, i) == (i == 2 || i == 3 || i == 5));
+    assert(! internal::contains(none, i));
+  }
+}
+
+// Against std::map, with simplices that come again, one by one and many at a time, and with reserve() in between.
+template <std::size_t N>
+void test_simplex_index(const unsigned seed, const int number_of_vertices)
+{
+  typedef internal::Simplex_index_3<const double*, N> Index;
+  typedef std::array<const double*, N> Simplex;
+  std::vector<double> vertices(static_cast<std::size_t>(number_of_vertices)); // any addresses will do
+  std::mt19937 rng(seed);
+  Index index;
+  std::map<Simplex, std::size_t> expected; // by sorted simplices
+  std::vector<Simplex> queries, inserted_simplices;
+  const auto sorted = [](Simplex s)
+  {
+    std::sort(s.begin(), s.end(), std::less<const double*>());
+    return s;
+  };
+  const auto expected_number = [&](const Simplex& s)
+  {
+    const auto it = expected.find(sorted(s));
+    return it == expected.end() ? Index::none : it->second;
+  };
+  const auto check_many = [&]
+  {
+    std::vector<std::size_t> numbers(1);
+    index.look_up(queries, numbers);
+    assert(numbers.size() == queries.size());
+    for(std::size_t k = 0; k < queries.size(); ++k)
+      assert(numbers[k] == expected_number(queries[k]));
+  };
+  for(int i = 0; i < 4000; ++i)
+  {
+    Simplex s;
+    for(const double*& p : s)
+      p = &vertices[static_cast<std::size_t>(br3_test::random_int(rng, number_of_vertices))];
+    queries.push_back(s);
+    assert(index[s] == expected_number(s));
+    if(br3_test::random_int(rng, 3) == 0)
+    {
+      const bool is_new = expected_number(s) == Index::none;
+      const auto inserted = index.insert(s);
+      assert(inserted.second == is_new);
+      assert(inserted.first == expected.emplace(sorted(s), expected.size()).first->second);
+      if(is_new)
+        inserted_simplices.push_back(s);
+    }
+    if(br3_test::random_int(rng, 500) == 0)
+    {
+      index.reserve(static_cast<std::size_t>(br3_test::random_int(rng, 3000)));
+      check_many();
+    }
+    assert(index.size() == expected.size());
+  }
+  check_many();
+  assert(index.keys() == inserted_simplices);
+
+  index.clear();
+  assert(index.size() == 0 && index[queries.back()] == index.none);
+  for(const bool is_new : { true, false })
+    assert(index.insert(queries.back()) == std::make_pair(std::size_t(0), is_new));
+}
+
+// All pairs of simplices with N vertices, which may be the same ones.
+template <std::size_t N>
+void test_permutations()
+{
+  std::vector<std::array<std::size_t, N> > simplices(1);
+  for(std::size_t i = 0; i < N; ++i)
+  {
+    std::vector<std::array<std::size_t, N> > longer;
+    for(auto s : simplices)
+      for(s[i] = 0; s[i] < N; ++s[i])
+        longer.push_back(s);
+    simplices = longer;
+  }
+  for(const auto& s : simplices)
+    for(const auto& t : simplices)
+      assert(internal::is_permutation(s, t) == std::is_permutation(s.begin(), s.end(), t.begin()));
+}
+
+// Numbers whose hash values collide: in all bits, in those that decide on the slot, or in those that are in it.
+void test_colliding_hash_values()
+{
+  const std::array<std::uint64_t (*)(std::uint64_t), 3> hashes = {{
+    [](std::uint64_t) { return std::uint64_t(7); },
+    [](const std::uint64_t i) { return i << 32; },
+    [](const std::uint64_t i) { return i; }
+  }};
+  for(const auto hash : hashes)
+  {
+    internal::Hash_index<std::uint64_t, std::uint64_t (*)(std::uint64_t), std::equal_to<std::uint64_t> > index(hash);
+    index.reserve(0);
+    assert(index[0] == index.none);
+    for(const std::uint64_t i : { 5, 3, 5, 0, 3, 200, 0 })
+      index.insert(i);
+    assert((index.keys() == std::vector<std::uint64_t>{ 5, 3, 0, 200 }));
+    for(std::uint64_t i = 0; i < 300; ++i)
+      index.insert(i);
+    assert(index.size() == 300 && index[0] == 2 && index[4] == 6 && index[299] == 299 && index[300] == index.none);
+  }
+}
+
+void test_bits()
+{
+  std::mt19937 rng(31);
+  for(int round = 0; round < 1000; ++round)
+  {
+    std::set<int> expected;
+    internal::Bits bits = 0;
+    for(int k = round % 8 * round % 64; k >= 0; --k)
+      bits |= internal::bit(*expected.insert(br3_test::random_int(rng, 64)).first);
+    const int i = br3_test::random_int(rng, 64);
+    assert(internal::has_bit(bits, i) == (expected.count(i) == 1));
+    assert(internal::number_of_bits(bits) == static_cast<int>(expected.size()));
+    assert(internal::is_single_bit(bits) == (expected.size() == 1));
+    assert(internal::lowest_bit(bits) == *expected.begin());
+    const auto next = expected.upper_bound(i);
+    assert(internal::next_bit_on_circle(bits, i) == (next == expected.end() ? *expected.begin() : *next));
+    assert((internal::bits_before(i) | internal::bits_after(i)) == ~internal::bit(i));
+    std::vector<int> elements;
+    internal::for_each_bit(bits, [&](const int k) { elements.push_back(k); });
+    assert(std::equal(elements.begin(), elements.end(), expected.begin(), expected.end()));
+    assert(internal::any_of_bits(bits, [&](const int k) { return k == i; }) == (expected.count(i) == 1));
+  }
+}
+
+void test_bit_matrix()
+{
+  std::mt19937 rng(5);
+  for(const std::size_t n : { 1, 63, 64, 65, 200 })
+  {
+    internal::Bit_matrix matrix;
+    matrix.assign(3, n);
+    std::array<std::set<std::size_t>, 3> expected;
+    for(std::size_t k = 0; k < n; ++k)
+    {
+      const std::size_t row = static_cast<std::size_t>(br3_test::random_int(rng, 3));
+      const std::size_t column = static_cast<std::size_t>(br3_test::random_int(rng, static_cast<int>(n)));
+      matrix.set(row, column);
+      expected[row].insert(column);
+    }
+    for(std::size_t row = 0; row < 3; ++row)
+    {
+      std::vector<std::size_t> columns;
+      matrix.for_each([&](const std::size_t w) { return matrix.word(row, w); },
+                      [&](const std::size_t column) { columns.push_back(column); });
+      assert(std::equal(columns.begin(), columns.end(), expected[row].begin(), expected[row].end()));
+      for(std::size_t k = 0; k < n; ++k)
+      {
+        assert(matrix(row, k) == (expected[row].count(k) == 1));
+        assert(matrix.any_of([&](const std::size_t w) { return matrix.word(row, w); },
+                             [&](const std::size_t column) { return column == k; }) == matrix(row, k));
+      }
+    }
+  }
+}
+
+// The visitor's no is final: it is not asked again.
+void test_cancelling()
+{
+  Stopping_visitor visitor;
+  visitor.last_question = 2;
+  internal::Recovery_context<Stopping_visitor> context(visitor);
+  assert(&context.visitor() == &visitor && ! context.is_stopped());
+  assert(context.go_further() && context.go_further() && ! context.is_stopped());
+  for(int i = 0; i < 3000; ++i)
+    assert(! (i % 2 == 0 ? context.go_further() : context.go_further_after_short_step()) && context.is_stopped());
+  assert(visitor.number_of_questions == 3);
+}
+
+// Of short steps, each 1024th one leads to a question.
+void test_short_steps()
+{
+  Stopping_visitor visitor;
+  visitor.last_question = 3;
+  internal::Recovery_context<Stopping_visitor> context(visitor);
+  for(std::size_t i = 1; i < 4 * 1024; ++i)
+  {
+    assert(context.go_further_after_short_step() && ! context.is_stopped());
+    assert(visitor.number_of_questions == i / 1024);
+  }
+  assert(! context.go_further_after_short_step() && context.is_stopped());
+}
+
+// Nothing but a time that is not over yet lets the run go on.
+void test_running_time()
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+  for(const double seconds : { infinity, 1e6, 0., -1., nan })
+  {
+    Stopping_visitor visitor;
+    internal::Recovery_context<Stopping_visitor> context(visitor);
+    context.set_maximum_running_time(seconds);
+    assert(context.go_further() == (seconds > 0) && context.is_stopped() == ! (seconds > 0));
+    assert(visitor.number_of_questions == (seconds > 0 ? 1 : 0));
+  }
+  Stopping_visitor visitor;
+  internal::Recovery_context<Stopping_visitor> context(visitor);
+  const double start = context.seconds();
+  context.set_maximum_running_time(start + .01);
+  while(context.go_further())
+    assert(context.seconds() >= start);
+  assert(start >= 0 && context.seconds() >= start + .01);
+}
+
+int main()
+{
+  test_contains();
+  for(const unsigned seed : { 1u, 2u, 3u })
+    for(const int n : { 5, 40, 1000 })
+    {
+      test_simplex_index<1>(seed, n);
+      test_simplex_index<2>(seed, n);
+      test_simplex_index<3>(seed, n);
+    }
+  test_permutations<1>();
+  test_permutations<2>();
+  test_permutations<3>();
+  test_colliding_hash_values();
+  test_bits();
+  test_bit_matrix();
+  test_cancelling();
+  test_short_steps();
+  test_running_time();
+  std::cout << "done" << std::endl;
+}
