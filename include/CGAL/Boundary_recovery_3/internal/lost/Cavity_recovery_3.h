@@ -106,34 +106,7 @@ private:
 
   bool add_both_cells(const Cell_handle c, const Facet& f)
   {
-<<<<<<< HEAD
-    add(c);
-    add(c->neighbor(internal::index_of_opposite_vertex(c, f)));
-  }
-
-  // One more layer: the cells beyond the outer facets, the hull excepted, while there are few enough vertices.
-  void add_layer()
-  {
-    const std::vector<Cell_handle> inner = m_cells;
-    for(const Cell_handle c : inner)
-      for(int i = 0; i < 4; ++i)
-        if(! m_tr.is_infinite(c->neighbor(i)) && number_of_vertices_with(c->neighbor(i)) <= max_number_of_vertices)
-          add(c->neighbor(i));
-  }
-
-  std::size_t number_of_vertices_with(const Cell_handle extra) const
-  {
-    std::size_t n = m_vertices.size();
-    for(int i = 0; i < 4; ++i)
-      if(! internal::contains(m_vertices, extra->vertex(i)))
-        ++n;
-    return n;
-=======
-    int i = 0;
-    while(internal::contains(f, c->vertex(i)))
-      ++i;
-    return m_cavity.add(c) && m_cavity.add(c->neighbor(i));
->>>>>>> wt-c
+    return m_cavity.add(c) && m_cavity.add(c->neighbor(internal::index_of_opposite_vertex(c, f)));
   }
 
   bool reconnect(const std::vector<Edge>& edges, const std::vector<Facet>& facets)
