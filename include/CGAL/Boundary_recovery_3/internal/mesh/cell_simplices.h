@@ -114,19 +114,6 @@ std::array<Vertex_handle, 4> with_exchanged_vertex(const Cell_handle c, const Ve
   return result;
 }
 
-// The tetrahedra that come in the place of two cells when their common facet is split by v.
-template <typename CellRange, typename Vertex_handle>
-std::vector<std::array<Vertex_handle, 4> > split_facet(const CellRange& cells,
-                                                       const std::array<Vertex_handle, 3>& facet,
-                                                       const Vertex_handle v)
-{
-  std::vector<std::array<Vertex_handle, 4> > tetrahedra;
-  for(const auto c : cells)
-    for(const Vertex_handle replaced : facet)
-      tetrahedra.push_back(internal::with_exchanged_vertex(c, replaced, v));
-  return tetrahedra;
-}
-
 } // namespace internal
 } // namespace Boundary_recovery_3
 } // namespace CGAL

@@ -14,8 +14,8 @@
 
 #include <CGAL/Boundary_recovery_3/internal/geometry/Exact_positions_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/Cell_replacement.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_editor_3.h>
+#include <CGAL/Boundary_recovery_3/internal/operations/split_facet.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Facet_fans_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Half_facet_star_3.h>
 
@@ -45,12 +45,13 @@ public:
   typedef typename Tr::Cell_handle       Cell_handle;
   typedef Vertex_predicates_3<Tr>        Predicates;
   typedef Exact_positions_3<Tr>          Positions;
+  typedef Mesh_editor_3<Tr, Visitor>     Editor;
   typedef Half_facet_star_3<Tr>          Star;
   typedef Facet_fans_3<Tr>               Fans;
   typedef std::vector<Vertex_handle>     Vertices;
 
-  Insert_artificial_fan_3(Tr& tr, const Predicates& predicates, Positions& positions, Visitor& visitor)
-    : m_tr(tr), m_predicates(predicates), m_positions(positions), m_visitor(visitor)
+  Insert_artificial_fan_3(Editor& editor, const Predicates& predicates, Positions& positions)
+    : m_editor(editor), m_tr(editor.triangulation()), m_predicates(predicates), m_positions(positions)
   { }
 
   // Adds the fan to those between the neighbors of s on its edge, and brings the star up to date. The points that come
@@ -130,7 +131,7 @@ private:
     const Exact_point v = m_positions(cut.v), w = m_positions(cut.w);
     const FT at_v = CGAL::volume(p, q, r, v), at_w = CGAL::volume(p, q, r, w);
     const Exact_point end = v + (at_v / (at_v - at_w)) * (w - v);
-    const Vertex_handle point = m_tr.tds().create_vertex();
+    const Vertex_handle point = m_editor.create_vertex();
     m_positions.set(point, CGAL::midpoint(m_positions(s), end));
     // cells have changed since the cut was found
     Cell_handle c;
@@ -138,17 +139,14 @@ private:
     CGAL_assertion_code(const bool is_facet =)
     m_tr.is_facet(s, cut.v, cut.w, c, i, j, k);
     CGAL_assertion(is_facet);
-    const Vertex_triple facet = {{ s, cut.v, cut.w }};
-    const std::array<Cell_handle, 2> cells = {{ c, c->neighbor(internal::index_of_opposite_vertex(c, facet)) }};
-    m_replacement(m_tr, cells, internal::split_facet(cells, facet, point), m_visitor);
+    internal::split_facet(m_editor, c, Vertex_triple{{ s, cut.v, cut.w }}, point);
     return point;
   }
 
-  Tr& m_tr;
+  Editor& m_editor;
+  const Tr& m_tr;
   const Predicates& m_predicates;
   Positions& m_positions;
-  Visitor& m_visitor;
-  Cell_replacement<Tr> m_replacement;
   Vertex_handle m_p, m_q; // the neighbors of s on its edge
 };
 

@@ -15,7 +15,7 @@
 #include <CGAL/Boundary_recovery_3/internal/geometry/Exact_positions_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Kernel_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/Cell_replacement.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_editor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Ball_sectors_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Facet_fans_3.h>
@@ -38,7 +38,7 @@ namespace internal {
  * ball. Each sees all the boundary of its sector, which is starred from it. The sector outside the hull has no s_i: its
  * triangles go to the infinite vertex.
  */
-template <typename Tr>
+template <typename Tr, typename Visitor>
 class Sector_points_3
 {
 public:
@@ -49,11 +49,12 @@ public:
   typedef Half_facet_star_3<Tr>                      Star;
   typedef Facet_fans_3<Tr>                           Fans;
   typedef Ball_sectors_3<Tr>                         Sectors;
-  typedef typename Cell_replacement<Tr>::Tetrahedron Tetrahedron;
+  typedef Mesh_editor_3<Tr, Visitor>                 Editor;
+  typedef typename Editor::Tetrahedron               Tetrahedron;
   typedef std::vector<Vertex_handle>                 Vertices;
 
-  Sector_points_3(Tr& tr, const Predicates& predicates, Positions& positions)
-    : m_tr(tr), m_positions(positions), m_kernel_point(predicates, positions)
+  Sector_points_3(Editor& editor, const Predicates& predicates, Positions& positions)
+    : m_editor(editor), m_positions(positions), m_kernel_point(predicates, positions)
   { }
 
   // Creates the vertices, and finds positions for them, which may be exact ones. The fans are triangulated. Returns
@@ -86,7 +87,7 @@ public:
     std::vector<Tetrahedron> result;
     for(const Sector& sector : m_sectors)
       for(const Vertex_triple& f : sector.faces)
-        result.push_back({{ f[0], f[1], f[2], sector.is_infinite ? m_tr.infinite_vertex() : sector.vertex }});
+        result.push_back({{ f[0], f[1], f[2], apex(sector) }});
     return result;
   }
 
@@ -105,6 +106,11 @@ private:
     Exact_vector middle = NULL_VECTOR;  // the mean direction of the fans
     Vertex_handle vertex = Vertex_handle();
   };
+
+  Vertex_handle apex(const Sector& sector) const
+  {
+    return sector.is_infinite ? m_editor.triangulation().infinite_vertex() : sector.vertex;
+  }
 
   void collect_faces(const Star& star, const Fans& fans, const Sectors& sectors)
   {
@@ -163,7 +169,7 @@ private:
     directions.insert(directions.end(), sector.normals.begin(), sector.normals.end());
     directions.push_back(sector.middle);
     directions.push_back(- sector.middle);
-    sector.vertex = m_tr.tds().create_vertex();
+    sector.vertex = m_editor.create_vertex();
     return m_kernel_point(sector.vertex, sector.faces, s, directions);
   }
 
@@ -172,11 +178,11 @@ private:
     for(const Vertex_handle v : vertices())
     {
       m_positions.erase(v);
-      m_tr.tds().delete_vertex(v);
+      m_editor.delete_vertex(v);
     }
   }
 
-  Tr& m_tr;
+  Editor& m_editor;
   Positions& m_positions;
   Kernel_point_3<Tr> m_kernel_point;
   std::vector<Sector> m_sectors;

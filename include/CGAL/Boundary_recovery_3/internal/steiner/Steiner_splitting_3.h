@@ -14,7 +14,7 @@
 
 #include <CGAL/Boundary_recovery_3/internal/geometry/Kernel_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/Cell_replacement.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_editor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_validity.h>
@@ -23,7 +23,7 @@
 #include <CGAL/Boundary_recovery_3/internal/steiner/Half_facet_star_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Insert_artificial_fan_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Sector_points_3.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_points_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_ledger_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Triangulate_fan_3.h>
 
 #include <CGAL/assertions.h>
@@ -56,57 +56,56 @@ public:
   typedef typename Tr::Cell_handle             Cell_handle;
   typedef Vertex_predicates_3<Tr>              Predicates;
   typedef Constraints_3<Tr>                    Constraints;
-  typedef Steiner_points_3<Tr>                 Steiner_points;
-  typedef std::vector<Vertex_handle>           Vertices;
+  typedef Steiner_ledger_3<Tr>                 Ledger;
+  typedef Mesh_editor_3<Tr, Visitor>           Editor;
 
-  // `predicates` know of the positions in `steiner_points`. All constraints are unions of mesh simplices.
-  Steiner_splitting_3(Tr& tr, const Predicates& predicates, const Constraints& constraints,
-                      Steiner_points& steiner_points, Visitor& visitor)
-    : m_tr(tr), m_predicates(predicates), m_constraints(constraints), m_steiner_points(steiner_points),
-      m_visitor(visitor), m_star(tr), m_fans(tr, predicates),
-      m_insert_artificial_fan(tr, predicates, steiner_points.positions(), visitor), m_sectors(tr),
-      m_triangulate_fan(tr, predicates), m_sector_points(tr, predicates, steiner_points.positions()),
-      m_kernel_point(predicates, steiner_points.positions())
+  // `predicates` know of the positions in `ledger`. All constraints are unions of mesh simplices.
+  Steiner_splitting_3(Editor& editor, const Predicates& predicates, const Constraints& constraints, Ledger& ledger)
+    : m_editor(editor), m_tr(editor.triangulation()), m_predicates(predicates), m_constraints(constraints),
+      m_ledger(ledger), m_star(m_tr), m_fans(m_tr, predicates),
+      m_insert_artificial_fan(editor, predicates, ledger.positions()), m_sectors(m_tr),
+      m_triangulate_fan(m_tr, predicates), m_sector_points(editor, predicates, ledger.positions()),
+      m_kernel_point(predicates, ledger.positions())
   { }
 
-  // Takes s off its constraint. The points that come in its place may have exact positions.
-  // Returns false if there is none for one of them; then s stays.
+  // Takes s off its constraint. The points that come in its place are free points of the ledger, and may have exact
+  // positions. Returns false if there is none for one of them; then s stays.
   bool operator()(const Vertex_handle s)
   {
     m_free_points.clear();
     m_star.collect(s);
+    const Carrier origin = m_ledger.carrier(s);
     const bool is_possible = collect_fans() && label_sectors() && triangulate_fans()
                           && m_sector_points(m_star, m_fans, m_sectors);
     if(is_possible)
     {
-      replace_ball();
+      replace_ball(origin);
       for(const Vertex_handle v : m_free_points)
         release(v);
     }
-    m_points.insert(m_points.end(), m_free_points.begin(), m_free_points.end()); // they are in the mesh anyway
+    for(const Vertex_handle v : m_free_points) // they are in the mesh anyway
+      m_ledger.insert_free(v, origin);
     CGAL_expensive_postcondition(internal::is_mesh_valid(m_tr, m_predicates));
     return is_possible;
   }
 
-  // The points that came off the constraints, in the order of their creation.
-  const Vertices& points() const { return m_points; }
-
 private:
-  typedef typename Steiner_points::Positions   Positions;
+  typedef typename Ledger::Positions           Positions;
+  typedef typename Ledger::Carrier             Carrier;
   typedef Facet_fans_3<Tr>                     Fans;
   typedef typename Fans::Fan                   Fan;
 
   bool collect_fans()
   {
     const Vertex_handle s = m_star.center();
-    const typename Steiner_points::Carrier carrier = m_steiner_points.carrier(s);
+    const Carrier carrier = m_ledger.carrier(s);
     if(carrier.dimension == 2)
     {
       m_fans.clear();
       return add_fan_of_constraint(carrier.index, true);
     }
-    m_fans.clear(m_steiner_points.neighbors_on_edge(s));
-    for(const std::size_t f : m_steiner_points.facets_at_edge(carrier.index))
+    m_fans.clear(m_ledger.neighbors_on_edge(s));
+    for(const std::size_t f : m_ledger.facets_at_edge(carrier.index))
       if(! add_fan_of_constraint(f, false))
         return false;
     if(! m_fans.add_hull_fans(m_star))
@@ -119,7 +118,7 @@ private:
 
   bool add_fan_of_constraint(const std::size_t f, const bool is_closed)
   {
-    return m_fans.add_planar_fan(m_star, m_steiner_points.vertices_on_facet(f), m_constraints.facets()[f], is_closed);
+    return m_fans.add_planar_fan(m_star, m_ledger.vertices_on_facet(f), m_constraints.facets()[f], is_closed);
   }
 
   // Returns false if there are not as many sectors as expected.
@@ -135,19 +134,19 @@ private:
     return std::all_of(m_fans.begin(), m_fans.end(), [this](Fan& fan) { return m_triangulate_fan(m_star, fan); });
   }
 
-  void replace_ball()
+  void replace_ball(const Carrier& origin)
   {
     const Vertex_handle s = m_star.center();
-    m_steiner_points.erase(s);
-    m_replacement(m_tr, m_star.cells(), m_sector_points.tetrahedra(), m_visitor, std::array<Vertex_handle, 1>{{ s }});
-    const Vertices vertices = m_sector_points.vertices();
-    m_points.insert(m_points.end(), vertices.begin(), vertices.end());
+    m_ledger.erase(s);
+    m_editor.replace(m_star.cells(), m_sector_points.tetrahedra(), std::array<Vertex_handle, 1>{{ s }});
+    for(const Vertex_handle v : m_sector_points.vertices())
+      m_ledger.insert_free(v, origin);
   }
 
   // A point of an artificial fan need not be exactly where it is any more.
   void release(const Vertex_handle v)
   {
-    Positions& positions = m_steiner_points.positions();
+    Positions& positions = m_ledger.positions();
     std::vector<Cell_handle> star;
     m_tr.incident_cells(v, std::back_inserter(star));
     const auto faces = internal::faces_of_ball(star, v);
@@ -157,21 +156,19 @@ private:
       positions.set(v, exact);
   }
 
-  Tr& m_tr;
+  Editor& m_editor;
+  const Tr& m_tr;
   const Predicates& m_predicates;
   const Constraints& m_constraints;
-  Steiner_points& m_steiner_points;
-  Visitor& m_visitor;
+  Ledger& m_ledger;
   Half_facet_star_3<Tr> m_star; // of the Steiner point
   Fans m_fans;
   Insert_artificial_fan_3<Tr, Visitor> m_insert_artificial_fan;
   Ball_sectors_3<Tr> m_sectors;
   Triangulate_fan_3<Tr> m_triangulate_fan;
-  Sector_points_3<Tr> m_sector_points;
-  Cell_replacement<Tr> m_replacement;
+  Sector_points_3<Tr, Visitor> m_sector_points;
   Kernel_point_3<Tr> m_kernel_point;
-  Vertices m_free_points; // of artificial fans
-  Vertices m_points;
+  std::vector<Vertex_handle> m_free_points; // of artificial fans
 };
 
 } // namespace internal
