@@ -74,7 +74,7 @@ void test_facets_of_cells(const Tr& tr)
       expected.erase(c->vertex(i));
       assert(set_of(f) == expected);
       assert(tr.is_infinite(c) || volume({{ f[0], f[1], f[2], c->vertex(i) }}) > 0);
-      assert(internal::has_vertices(c, f));
+      assert(internal::has_vertices(c, f) && internal::index_of_opposite_vertex(c, f) == i);
       for(const Cell_handle other : tr.finite_cell_handles())
       {
         const Vertex_set vertices = vertices_of(other);

@@ -39,6 +39,8 @@ FLOORS = [
     "input",        # the caller's input, and what is wrong with it
     "recover_boundary.h",
 ]
+# Internal headers that no file of test/ has to include, by their path below include/CGAL, with the reason.
+UNTESTED_HEADERS = {}
 FORBIDDEN_IN_HEADERS = {
     r"\bstd::(cout|cerr|clog)\b|\b(printf|fprintf|puts)\s*\(": "prints",
     r"\b(exit|abort|_Exit|quick_exit|terminate)\s*\(": "ends the program",
@@ -88,6 +90,7 @@ class Checker:
         for path in headers:
             self.check_header(path)
         self.check_floors(headers)
+        self.check_tested(headers)
         self.check_unique_names()
         self.check_programs()
         self.check_package_info()
@@ -160,6 +163,16 @@ class Checker:
                     self.require(floor(other) <= floor(name), "include/CGAL/" + name, "includes %s, which is on a lower floor" % other)
         for name in includes:
             self.require(not self.is_in_circle(name, includes), "include/CGAL/" + name, "includes itself in a circle")
+
+    def check_tested(self, headers):
+        """Each internal header is included by a test of its subject, and not only by other headers."""
+        tests = [p for p in self.paths if p.startswith("test/") and p.endswith((".h", ".cpp"))]
+        included = {i for p in tests for i in re.findall(r"^#include <CGAL/([^>]+)>", read(self.root, p), re.M)}
+        for path in headers:
+            name = path[len("include/CGAL/"):]
+            if "/internal/" in path:
+                self.require(name in included or name in UNTESTED_HEADERS, path, "not included by any file of test/")
+                self.require(name not in included or name not in UNTESTED_HEADERS, path, "in UNTESTED_HEADERS, but tested")
 
     @staticmethod
     def is_in_circle(name, includes):
@@ -280,6 +293,7 @@ def self_test(scratch, root):
         "which is on a lower floor": replace(util, "\n#include", "\n#include <CGAL/%s/internal/mesh/cell_simplices.h>\n#include" % PACKAGE),
         "on none of the floors": lambda copy: write(copy, "include/CGAL/%s/internal/x.h" % PACKAGE, read(copy, util)),
         "in a circle": replace(util, "\n#include", "\n#include <CGAL/%s/internal/util/Simplex_index_3.h>\n#include" % PACKAGE),
+        "not included by any file of test/": lambda copy: write(copy, os.path.dirname(util) + "/x.h", read(copy, util)),
         "prints": replace(header, code, "\nvoid f() { std::cerr << 1; }\n" + code),
         "ends the program": replace(header, code, "\nvoid f() { std::abort(); }\n" + code),
         "assert": replace(header, code, "\nvoid f(int i) { assert(i); }\n" + code),

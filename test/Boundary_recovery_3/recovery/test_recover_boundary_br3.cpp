@@ -5,6 +5,8 @@
 
 #include "mesh_validity_br3.h"
 
+#include <CGAL/Boundary_recovery_3/internal/input/Indexed_boundary_recovery.h>
+#include <CGAL/Boundary_recovery_3/internal/input/input_conversion.h>
 #include <CGAL/Boundary_recovery_3/label_regions.h>
 #include <CGAL/Constrained_boundary_recovery_3.h>
 #include <CGAL/Delaunay_triangulation_3.h>
@@ -413,6 +415,49 @@ void test_ranges()
   assert(cells_by_index(tr, same.vertices) == cells_by_index(expected, result.vertices));
 }
 
+void test_options()
+{
+  namespace internal = CGAL::Boundary_recovery_3::internal;
+  const internal::Recovery_options defaults = internal::recovery_options(params::default_values());
+  assert(defaults.mode == Recovery_mode::constrained && defaults.max_recursion_level < 0 && ! defaults.list_defects);
+  assert(defaults.maximum_running_time == std::numeric_limits<double>::infinity());
+  const internal::Recovery_options options = internal::recovery_options(internal::merge_all(
+    params::maximum_running_time(2.5), params::recovery_mode(Recovery_mode::flips_only),
+    params::max_recursion_level(7), params::list_defects(true)));
+  assert(options.mode == Recovery_mode::flips_only && options.max_recursion_level == 7 && options.list_defects);
+  assert(options.maximum_running_time == 2.5);
+  assert(internal::size_or_zero(std::vector<int>(3), 0) == 3);
+  assert(internal::size_or_zero(Bare_range<std::list<int> >{ std::list<int>(3) }, 0) == 0);
+}
+
+// What all the overloads lead to, without vertices and with them.
+void test_index_form()
+{
+  namespace internal = CGAL::Boundary_recovery_3::internal;
+  typedef CGAL::Delaunay_triangulation_3<K> Tr;
+  typedef CGAL::Default_boundary_recovery_visitor_3 Visitor;
+  const Soup<K> soup = read<K>("gear_br3.off");
+  Tr expected, tr;
+  const auto result = CGAL::recover_boundary(expected, soup.points, soup.triangles);
+  internal::Indexed_input_3<K::Point_3> input;
+  input.points = soup.points;
+  for(const auto& t : soup.triangles)
+    input.facets.push_back({{ t[0], t[1], t[2] }});
+  const K kernel;
+  const internal::Recovery_options options;
+  Visitor visitor;
+  std::vector<Tr::Vertex_handle> vertices;
+  for(const bool is_new : { true, false })
+  {
+    internal::Indexed_boundary_recovery<Tr, K, Visitor> recover(tr, input, kernel, options, visitor);
+    const auto same = recover(vertices);
+    assert(same && same.number_of_inserted_vertices == (is_new ? soup.points.size() : 0));
+    assert(cells_by_index(tr, same.vertices) == cells_by_index(expected, result.vertices));
+    assert(is_new || same.vertices == vertices);
+    vertices = same.vertices;
+  }
+}
+
 void test_determinism()
 {
   const Soup<K> soup = read<K>("gear_br3.off");
@@ -544,6 +589,8 @@ int main()
   test_facets_of_invalid_input();
   test_custom_base();
   test_ranges();
+  test_options();
+  test_index_form();
   test_determinism();
   test_visitor();
   test_visitor_by_value();

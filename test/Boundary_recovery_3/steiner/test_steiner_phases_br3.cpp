@@ -29,6 +29,11 @@
 #include "mesh_validity_br3.h"
 #include "steiner_inputs_br3.h"
 
+#include <CGAL/Boundary_recovery_3/internal/steiner/Conforming_recovery_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Constraint_parts_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_rounding_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_splitting_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_suppression_3.h>
 #include <CGAL/Constrained_boundary_recovery_3.h>
 #include <CGAL/recover_boundary.h>
 

@@ -1,0 +1,237 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+// The account of Steiner points on constraints, against one that is kept in plain lists.
+
+#undef NDEBUG
+
+#include "random_numbers_br3.h"
+
+#include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_points_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/contains.h>
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cstddef>
+#include <iostream>
+#include <random>
+#include <set>
+#include <vector>
+
+namespace internal = CGAL::Boundary_recovery_3::internal;
+using br3_test::random_int;
+typedef CGAL::Exact_predicates_inexact_constructions_kernel K;
+typedef CGAL::Delaunay_triangulation_3<K>                   Tr;
+typedef Tr::Vertex_handle                                   Vertex_handle;
+typedef internal::Constraints_3<Tr>                         Constraints;
+typedef internal::Steiner_points_3<Tr>                      Steiner_points;
+typedef std::vector<Vertex_handle>                          Vertices;
+typedef std::set<Vertex_handle>                             Vertex_set;
+typedef std::vector<std::size_t>                            Indices;
+
+Vertex_set set_of(const Vertices& v) { return Vertex_set(v.begin(), v.end()); }
+
+// Some facets and edges among a few vertices. Nothing here looks at cells or points.
+class Account
+{
+public:
+  explicit Account(std::mt19937& rng)
+    : m_rng(rng), m_steiner_points(m_constraints)
+  {
+    for(int i = 0; i < 6; ++i)
+      m_input.push_back(m_tr.tds().create_vertex());
+    for(int k = 0; k < 10; ++k)
+    {
+      const int a = number_below(6), b = (a + 1 + number_below(5)) % 6, c = number_below(6);
+      if(c == a || c == b)
+        m_constraints.insert(m_input[index(a)], m_input[index(b)]);
+      else
+        m_constraints.insert(m_input[index(a)], m_input[index(b)], m_input[index(c)]);
+    }
+    for(const auto& e : m_constraints.edges())
+      m_chains.push_back(Vertices(e.begin(), e.end()));
+    m_interiors.resize(m_constraints.facets().size());
+  }
+
+  void insert_on_edge()
+  {
+    const std::size_t e = index(number_below(m_chains.size()));
+    const std::size_t i = index(number_below(m_chains[e].size() - 1));
+    const Vertex_handle v = new_vertex();
+    m_steiner_points.insert_on_edge(e, m_chains[e][i], v);
+    m_chains[e].insert(m_chains[e].begin() + static_cast<std::ptrdiff_t>(i) + 1, v);
+  }
+
+  void insert_in_facet()
+  {
+    if(m_interiors.empty())
+      return;
+    const std::size_t f = index(number_below(m_interiors.size()));
+    const Vertex_handle v = new_vertex();
+    m_steiner_points.insert_in_facet(f, v);
+    m_interiors[f].push_back(v);
+  }
+
+  void erase()
+  {
+    if(m_vertices.empty())
+      return;
+    const Vertex_handle v = m_vertices[index(number_below(m_vertices.size()))];
+    m_steiner_points.erase(v);
+    assert(! m_steiner_points.positions().contains(v) && ! m_steiner_points.is_steiner(v));
+    for(auto* lists : { &m_chains, &m_interiors })
+      for(Vertices& list : *lists)
+        list.erase(std::remove(list.begin(), list.end(), v), list.end());
+    m_vertices.erase(std::find(m_vertices.begin(), m_vertices.end(), v));
+  }
+
+  void check() const
+  {
+    assert(m_steiner_points.vertices() == m_vertices);
+    Indices split_edges, split_facets;
+    for(std::size_t e = 0; e < m_chains.size(); ++e)
+    {
+      assert(m_steiner_points.vertices_on_edge(e) == m_chains[e]);
+      if(m_chains[e].size() > 2)
+        split_edges.push_back(e);
+      for(std::size_t i = 1; i + 1 < m_chains[e].size(); ++i)
+        check_point_on_edge(e, i);
+    }
+    for(std::size_t f = 0; f < m_interiors.size(); ++f)
+    {
+      const Vertices found = m_steiner_points.vertices_on_facet(f);
+      assert(set_of(found) == vertices_on_facet(f) && set_of(found).size() == found.size());
+      if(found.size() > 3)
+        split_facets.push_back(f);
+      for(const Vertex_handle v : m_interiors[f])
+        assert(m_steiner_points.carrier(v).dimension == 2 && m_steiner_points.carrier(v).index == f);
+    }
+    assert(m_steiner_points.split_edges() == split_edges && m_steiner_points.split_facets() == split_facets);
+    check_parts();
+  }
+
+private:
+  static std::size_t index(const int i) { return static_cast<std::size_t>(i); }
+
+  template <typename Number>
+  int number_below(const Number n) { return random_int(m_rng, static_cast<int>(n)); }
+
+  Vertex_handle new_vertex()
+  {
+    const Vertex_handle v = m_tr.tds().create_vertex();
+    m_steiner_points.positions().set(v, Steiner_points::Positions::Exact_point_3(1, 2, 3));
+    m_vertices.push_back(v);
+    return v;
+  }
+
+  // Those on the closed facet.
+  Vertex_set vertices_on_facet(const std::size_t f) const
+  {
+    Vertex_set result(m_interiors[f].begin(), m_interiors[f].end());
+    for(const std::size_t e : m_constraints.edges_of_facet(f))
+      result.insert(m_chains[e].begin(), m_chains[e].end());
+    return result;
+  }
+
+  void check_point_on_edge(const std::size_t e, const std::size_t i) const
+  {
+    const Vertex_handle v = m_chains[e][i];
+    assert(m_steiner_points.carrier(v).dimension == 1 && m_steiner_points.carrier(v).index == e);
+    assert((m_steiner_points.neighbors_on_edge(v)
+            == std::array<Vertex_handle, 2>{{ m_chains[e][i - 1], m_chains[e][i + 1] }}));
+    Indices facets;
+    for(std::size_t f = 0; f < m_interiors.size(); ++f)
+      if(internal::contains(m_constraints.edges_of_facet(f), e))
+        facets.push_back(f);
+    assert(m_steiner_points.facets_at_edge(e) == facets);
+  }
+
+  // All edges and triangles between the vertices, but for triangles with three vertices on one edge.
+  void check_parts() const
+  {
+    Vertices all = m_input;
+    all.insert(all.end(), m_vertices.begin(), m_vertices.end());
+    for(const Vertex_handle u : all)
+    {
+      assert(m_steiner_points.is_steiner(u) == internal::contains(m_vertices, u));
+      for(std::size_t f = 0; f < m_interiors.size(); ++f)
+        assert(m_steiner_points.is_on_facet(u, f) == (vertices_on_facet(f).count(u) == 1));
+      for(const Vertex_handle v : all)
+        if(u != v)
+        {
+          assert(m_steiner_points.is_constrained(u, v) == (is_part(u, v) || m_constraints.is_constrained(u, v)));
+          for(const Vertex_handle w : all)
+            if(w != u && w != v && ! are_on_one_edge({ u, v, w }))
+              assert(m_steiner_points.is_constrained(u, v, w) == are_on_one_facet({ u, v, w }));
+        }
+    }
+  }
+
+  bool is_part(const Vertex_handle u, const Vertex_handle v) const
+  {
+    for(const Vertices& chain : m_chains)
+      for(std::size_t i = 1; i < chain.size(); ++i)
+        if((chain[i - 1] == u && chain[i] == v) || (chain[i - 1] == v && chain[i] == u))
+          return true;
+    return false;
+  }
+
+  bool are_on_one_edge(const Vertex_set& vertices) const
+  {
+    return std::any_of(m_chains.begin(), m_chains.end(), [&](const Vertices& chain)
+    {
+      const Vertex_set on_edge = set_of(chain);
+      return std::includes(on_edge.begin(), on_edge.end(), vertices.begin(), vertices.end());
+    });
+  }
+
+  bool are_on_one_facet(const Vertex_set& vertices) const
+  {
+    for(std::size_t f = 0; f < m_interiors.size(); ++f)
+    {
+      const Vertex_set on_facet = vertices_on_facet(f);
+      if(std::includes(on_facet.begin(), on_facet.end(), vertices.begin(), vertices.end()))
+        return true;
+    }
+    return false;
+  }
+
+  std::mt19937& m_rng;
+  Tr m_tr;
+  Constraints m_constraints;
+  Steiner_points m_steiner_points;
+  Vertices m_input, m_vertices;             // the Steiner points in the order in which they were inserted
+  std::vector<Vertices> m_chains, m_interiors;
+};
+
+int main()
+{
+  std::mt19937 rng(1);
+  for(int round = 0; round < 8; ++round)
+  {
+    Account account(rng);
+    account.check();
+    for(int step = 0; step < 40; ++step)
+    {
+      const int action = random_int(rng, 5);
+      if(action < 2)
+        account.insert_on_edge();
+      else if(action == 2)
+        account.insert_in_facet();
+      else
+        account.erase();
+      account.check();
+    }
+  }
+  std::cout << "done" << std::endl;
+}
