@@ -221,7 +221,7 @@ struct Boundary_recovery_result_3
                                               ///< again if other points have to be tried, up to six times
   std::vector<Recursion_level_report> levels; ///< one entry for each pass of [CZZ+17, Alg. 5]
 
-  /// returns the mesh facets that the surface consists of, in the order of the constrained facets: of each of these
+  /// returns the mesh facets that the surface consists of, in the order of the constrained facets: such a facet
   /// itself, its parts if there are Steiner points on it (mode `conforming` only), or nothing if it is missing.
   /// `label_regions()` and `CGAL::recover_boundary()` take them as they are.
   std::vector<Surface_facet> surface_facets() const
