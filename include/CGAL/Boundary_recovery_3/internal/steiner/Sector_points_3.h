@@ -13,10 +13,10 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/geometry/Exact_positions_3.h>
-#include <CGAL/Boundary_recovery_3/internal/geometry/Kernel_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Cell_replacement.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
+#include <CGAL/Boundary_recovery_3/internal/operations/Move_into_kernel_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Ball_sectors_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Facet_fans_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Half_facet_star_3.h>
@@ -53,7 +53,7 @@ public:
   typedef std::vector<Vertex_handle>                 Vertices;
 
   Sector_points_3(Tr& tr, const Predicates& predicates, Positions& positions)
-    : m_tr(tr), m_positions(positions), m_kernel_point(predicates, positions)
+    : m_tr(tr), m_positions(positions), m_move_into_kernel(predicates, positions)
   { }
 
   // Creates the vertices, and finds positions for them, which may be exact ones. The fans are triangulated. Returns
@@ -164,7 +164,7 @@ private:
     directions.push_back(sector.middle);
     directions.push_back(- sector.middle);
     sector.vertex = m_tr.tds().create_vertex();
-    return m_kernel_point(sector.vertex, sector.faces, s, directions);
+    return m_move_into_kernel(sector.vertex, sector.faces, s, directions);
   }
 
   void delete_vertices()
@@ -178,7 +178,7 @@ private:
 
   Tr& m_tr;
   Positions& m_positions;
-  Kernel_point_3<Tr> m_kernel_point;
+  Move_into_kernel_3<Tr> m_move_into_kernel;
   std::vector<Sector> m_sectors;
 };
 

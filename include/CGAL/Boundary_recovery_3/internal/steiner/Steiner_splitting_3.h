@@ -12,12 +12,12 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/internal/geometry/Kernel_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Cell_replacement.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_validity.h>
+#include <CGAL/Boundary_recovery_3/internal/operations/Move_into_kernel_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Ball_sectors_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Facet_fans_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Half_facet_star_3.h>
@@ -66,7 +66,7 @@ public:
       m_visitor(visitor), m_star(tr), m_fans(tr, predicates),
       m_insert_artificial_fan(tr, predicates, steiner_points.positions(), visitor), m_sectors(tr),
       m_triangulate_fan(tr, predicates), m_sector_points(tr, predicates, steiner_points.positions()),
-      m_kernel_point(predicates, steiner_points.positions())
+      m_move_into_kernel(predicates, steiner_points.positions())
   { }
 
   // Takes s off its constraint. The points that come in its place may have exact positions.
@@ -153,7 +153,7 @@ private:
     const auto faces = internal::faces_of_ball(star, v);
     const typename Positions::Exact_point_3 exact = positions(v);
     positions.erase(v);
-    if(! m_kernel_point.is_kernel_point(v, faces) && ! m_kernel_point(v, faces))
+    if(! m_move_into_kernel.is_in_kernel(v, faces) && ! m_move_into_kernel(v, faces))
       positions.set(v, exact);
   }
 
@@ -169,7 +169,7 @@ private:
   Triangulate_fan_3<Tr> m_triangulate_fan;
   Sector_points_3<Tr> m_sector_points;
   Cell_replacement<Tr> m_replacement;
-  Kernel_point_3<Tr> m_kernel_point;
+  Move_into_kernel_3<Tr> m_move_into_kernel;
   Vertices m_free_points; // of artificial fans
   Vertices m_points;
 };

@@ -19,13 +19,13 @@
 #include <CGAL/Boundary_recovery_3/internal/cavity/Growing_cavity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/cavity/Small_polyhedron_reconnection_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Exact_positions_3.h>
-#include <CGAL/Boundary_recovery_3/internal/geometry/Kernel_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Cell_replacement.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Exterior_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_validity.h>
+#include <CGAL/Boundary_recovery_3/internal/operations/Move_into_kernel_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 #include <CGAL/Shell_transformation_3.h>
 
@@ -96,7 +96,7 @@ public:
                         std::vector<Vertex_handle>& points, Visitor& visitor)
     : m_tr(tr), m_predicates(predicates), m_constraints(constraints), m_positions(positions), m_points(points),
       m_visitor(visitor), m_reconnection(predicates), m_growing_cavity(tr, predicates, constraints),
-      m_kernel_point(predicates, positions),
+      m_move_into_kernel(predicates, positions),
       m_transformation(tr, Quality(tr), Validity(Kept(constraints), No_new_edge_at_vertex_3<Tr>(Vertex_handle())),
                        visitor, predicates)
   { }
@@ -134,7 +134,7 @@ private:
   typedef Worst_element_quality_3<Tr>                                            Quality;
   typedef Small_polyhedron_reconnection_3<Tr>                                    Reconnection;
   typedef typename Cell_replacement<Tr>::Tetrahedron                             Tetrahedron;
-  typedef typename Kernel_point_3<Tr>::Triangle                                  Triangle;
+  typedef typename Move_into_kernel_3<Tr>::Vertex_triple                         Triangle;
 
   // Cells, their outer faces seen from inside, and the points inside.
   struct Polyhedron
@@ -274,7 +274,7 @@ private:
     const typename Positions::Point_3 before = v->point();
     const bool is_exact = m_positions.contains(v);
     m_positions.erase(v);
-    if(m_kernel_point(v, faces))
+    if(m_move_into_kernel(v, faces))
       return;
     v->set_point(before);
     if(is_exact)
@@ -292,8 +292,8 @@ private:
     const std::vector<Triangle> faces = internal::faces_of_ball(m_ball, v);
     const typename Positions::Exact_point_3 exact = m_positions(v);
     m_positions.erase(v);
-    if(m_kernel_point.is_kernel_point(v, faces) || m_kernel_point(v, faces)
-       || (context.go_further() && m_kernel_point.move_near(v, faces, exact)) || star_from_nearby(v, context))
+    if(m_move_into_kernel.is_in_kernel(v, faces) || m_move_into_kernel(v, faces)
+       || (context.go_further() && m_move_into_kernel.move_near(v, faces, exact)) || star_from_nearby(v, context))
       return true;
     m_positions.set(v, exact);
     return false;
@@ -392,7 +392,7 @@ private:
       std::vector<Triangle> faces;
       std::vector<Vertex_handle> inner_points;
       if(! m_positions.contains(v) && cavity.collect_boundary(m_points, faces, inner_points)
-         && m_kernel_point(v, faces))
+         && m_move_into_kernel(v, faces))
       {
         star(v, cavity.cells(), faces, inner_points);
         return;
@@ -531,7 +531,7 @@ private:
   Visitor& m_visitor;
   Reconnection m_reconnection;
   Growing_cavity m_growing_cavity;
-  Kernel_point_3<Tr> m_kernel_point;
+  Move_into_kernel_3<Tr> m_move_into_kernel;
   Shell_transformation_3<Tr, Quality, Validity, Visitor> m_transformation;
   Cell_replacement<Tr> m_replacement;
   std::optional<std::vector<Vertex_handle> > m_exterior_points; // where there is a domain; none until asked for
