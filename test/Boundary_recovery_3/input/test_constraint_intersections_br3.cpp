@@ -17,10 +17,10 @@
 #include "random_numbers_br3.h"
 #include "stopping_visitor_br3.h"
 
+#include <CGAL/Bbox_3.h>
 #include <CGAL/Boundary_recovery_3/internal/input/Constraint_intersections_3.h>
 #include <CGAL/Boundary_recovery_3/internal/input/Indexed_input_3.h>
 #include <CGAL/Boundary_recovery_3/internal/input/box_search.h>
-#include <CGAL/Bbox_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 

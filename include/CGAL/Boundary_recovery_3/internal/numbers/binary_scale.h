@@ -12,6 +12,8 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <CGAL/number_utils.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -20,11 +22,14 @@ namespace CGAL {
 namespace Boundary_recovery_3 {
 namespace internal {
 
-// The largest absolute value of the three coordinates of a vector or a point, of type `double`.
+// The largest absolute value of the three coordinates of a vector or a point, approximately where they are exact.
 template <typename Coordinates>
 double largest_coordinate(const Coordinates& x)
 {
-  return (std::max)({ 0., std::abs(x[0]), std::abs(x[1]), std::abs(x[2]) });
+  double largest = 0;
+  for(int i = 0; i < 3; ++i)
+    largest = (std::max)(largest, std::abs(CGAL::to_double(x[i])));
+  return largest;
 }
 
 // The largest power of two that is at most `size`, 1 for zero. Numbers of this size that are divided by it, or

@@ -21,9 +21,9 @@
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_editor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_validity.h>
+#include <CGAL/Boundary_recovery_3/internal/numbers/nearest_integer.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/split_edge.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/split_facet.h>
-#include <CGAL/Boundary_recovery_3/internal/numbers/nearest_integer.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_ledger_3.h>
 #include <CGAL/Shell_transformation_3.h>
 

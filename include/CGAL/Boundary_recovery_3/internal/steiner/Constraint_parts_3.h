@@ -12,8 +12,8 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_ledger_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
 

@@ -13,11 +13,11 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/cavity/Cavity_3.h>
-#include <CGAL/Boundary_recovery_3/internal/geometry/Kernel_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_editor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
+#include <CGAL/Boundary_recovery_3/internal/operations/Move_into_kernel_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_ledger_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/replace_and_forget.h>
 
@@ -43,7 +43,7 @@ public:
   typedef Mesh_editor_3<Tr, Visitor>           Editor;
 
   Merge_points_3(Editor& editor, const Predicates& predicates, const Constraints& constraints, Ledger& ledger)
-    : m_editor(editor), m_constraints(constraints), m_ledger(ledger), m_kernel_point(predicates, ledger.positions())
+    : m_editor(editor), m_constraints(constraints), m_ledger(ledger), m_move_into_kernel(predicates, ledger.positions())
   { }
 
   // Merges v, of which `ball` are the cells around it, with the first neighbor for which this is possible.
@@ -63,7 +63,7 @@ public:
       std::vector<Vertex_triple> faces;
       std::vector<Vertex_handle> inner_points;
       if(! m_ledger.positions().contains(v) && cavity.collect_boundary(m_ledger.free_points(), faces, inner_points)
-         && m_kernel_point(v, faces))
+         && m_move_into_kernel(v, faces))
       {
         internal::star_and_forget(m_editor, m_ledger, cavity, v);
         return;
@@ -73,12 +73,12 @@ public:
   }
 
 private:
-  typedef typename Kernel_point_3<Tr>::Triangle Vertex_triple;
+  typedef typename Move_into_kernel_3<Tr>::Vertex_triple Vertex_triple;
 
   Editor& m_editor;
   const Constraints& m_constraints;
   Ledger& m_ledger;
-  Kernel_point_3<Tr> m_kernel_point;
+  Move_into_kernel_3<Tr> m_move_into_kernel;
   std::vector<Cell_handle> m_ball;
 };
 

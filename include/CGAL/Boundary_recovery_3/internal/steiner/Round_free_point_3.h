@@ -14,11 +14,11 @@
 
 #include <CGAL/Boundary_recovery_3/internal/cavity/Cavity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/cavity/grow_cavity.h>
-#include <CGAL/Boundary_recovery_3/internal/geometry/Kernel_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_editor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
+#include <CGAL/Boundary_recovery_3/internal/operations/Move_into_kernel_3.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/star_cavity.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_ledger_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/replace_and_forget.h>
@@ -51,7 +51,7 @@ public:
 
   Round_free_point_3(Editor& editor, const Predicates& predicates, const Constraints& constraints, Ledger& ledger)
     : m_editor(editor), m_tr(editor.triangulation()), m_predicates(predicates), m_constraints(constraints),
-      m_ledger(ledger), m_kernel_point(predicates, ledger.positions())
+      m_ledger(ledger), m_move_into_kernel(predicates, ledger.positions())
   { }
 
   // Returns whether v has such a position then. Once stopped, only what is quick is tried.
@@ -64,8 +64,8 @@ public:
     const auto faces = internal::faces_of_ball(m_ball, v);
     const typename Positions::Exact_point_3 exact = m_ledger.positions()(v);
     m_ledger.positions().erase(v);
-    if(m_kernel_point.is_kernel_point(v, faces) || m_kernel_point(v, faces)
-       || (context.go_further() && m_kernel_point.move_near(v, faces, exact)) || star_from_nearby(v, context))
+    if(m_move_into_kernel.is_in_kernel(v, faces) || m_move_into_kernel(v, faces)
+       || (context.go_further() && m_move_into_kernel.move_near(v, faces, exact)) || star_from_nearby(v, context))
       return true;
     m_ledger.positions().set(v, exact);
     return false;
@@ -143,7 +143,7 @@ private:
   const Predicates& m_predicates;
   const Constraints& m_constraints;
   Ledger& m_ledger;
-  Kernel_point_3<Tr> m_kernel_point;
+  Move_into_kernel_3<Tr> m_move_into_kernel;
   std::vector<Cell_handle> m_ball;
 };
 

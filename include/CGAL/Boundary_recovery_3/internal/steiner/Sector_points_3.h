@@ -13,10 +13,10 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/geometry/Exact_positions_3.h>
-#include <CGAL/Boundary_recovery_3/internal/geometry/Kernel_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_editor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
+#include <CGAL/Boundary_recovery_3/internal/operations/Move_into_kernel_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Ball_sectors_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Facet_fans_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Half_facet_star_3.h>
@@ -54,7 +54,7 @@ public:
   typedef std::vector<Vertex_handle>                 Vertices;
 
   Sector_points_3(Editor& editor, const Predicates& predicates, Positions& positions)
-    : m_editor(editor), m_positions(positions), m_kernel_point(predicates, positions)
+    : m_editor(editor), m_positions(positions), m_move_into_kernel(predicates, positions)
   { }
 
   // Creates the vertices, and finds positions for them, which may be exact ones. The fans are triangulated. Returns
@@ -170,7 +170,7 @@ private:
     directions.push_back(sector.middle);
     directions.push_back(- sector.middle);
     sector.vertex = m_editor.create_vertex();
-    return m_kernel_point(sector.vertex, sector.faces, s, directions);
+    return m_move_into_kernel(sector.vertex, sector.faces, s, directions);
   }
 
   void delete_vertices()
@@ -184,7 +184,7 @@ private:
 
   Editor& m_editor;
   Positions& m_positions;
-  Kernel_point_3<Tr> m_kernel_point;
+  Move_into_kernel_3<Tr> m_move_into_kernel;
   std::vector<Sector> m_sectors;
 };
 

@@ -13,10 +13,10 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/geometry/Exact_positions_3.h>
-#include <CGAL/Boundary_recovery_3/internal/geometry/Kernel_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_validity.h>
+#include <CGAL/Boundary_recovery_3/internal/operations/Move_into_kernel_3.h>
 
 #include <CGAL/number_utils.h>
 
@@ -46,7 +46,7 @@ public:
 
   // `predicates` know of `positions`.
   Steiner_rounding_3(const Tr& tr, const Predicates& predicates, Positions& positions)
-    : m_tr(tr), m_predicates(predicates), m_positions(positions), m_kernel_point(predicates, positions)
+    : m_tr(tr), m_predicates(predicates), m_positions(positions), m_move_into_kernel(predicates, positions)
   { }
 
   // Moves v to the point next to its exact position that the triangulation can store, or else to one of those around
@@ -111,7 +111,7 @@ private:
                                         std::abs(CGAL::to_double(exact.z())) });
     const double spacing = largest - std::nextafter(largest, 0.);
     for(const int exponent : { 2, 6, 10 })
-      if(m_kernel_point.move_near(v, faces, exact, std::ldexp(spacing, exponent)))
+      if(m_move_into_kernel.move_near(v, faces, exact, std::ldexp(spacing, exponent)))
         return true;
     return false;
   }
@@ -127,7 +127,7 @@ private:
   const Tr& m_tr;
   const Predicates& m_predicates;
   Positions& m_positions;
-  Kernel_point_3<Tr> m_kernel_point;
+  Move_into_kernel_3<Tr> m_move_into_kernel;
   std::vector<Cell_handle> m_star;
 };
 

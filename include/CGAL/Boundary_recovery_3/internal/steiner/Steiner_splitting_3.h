@@ -12,12 +12,12 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/internal/geometry/Kernel_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_editor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_editor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_validity.h>
+#include <CGAL/Boundary_recovery_3/internal/operations/Move_into_kernel_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Ball_sectors_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Facet_fans_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Half_facet_star_3.h>
@@ -65,7 +65,7 @@ public:
       m_ledger(ledger), m_star(m_tr), m_fans(m_tr, predicates),
       m_insert_artificial_fan(editor, predicates, ledger.positions()), m_sectors(m_tr),
       m_triangulate_fan(m_tr, predicates), m_sector_points(editor, predicates, ledger.positions()),
-      m_kernel_point(predicates, ledger.positions())
+      m_move_into_kernel(predicates, ledger.positions())
   { }
 
   // Takes s off its constraint. The points that come in its place are free points of the ledger, and may have exact
@@ -152,7 +152,7 @@ private:
     const auto faces = internal::faces_of_ball(star, v);
     const typename Positions::Exact_point_3 exact = positions(v);
     positions.erase(v);
-    if(! m_kernel_point.is_kernel_point(v, faces) && ! m_kernel_point(v, faces))
+    if(! m_move_into_kernel.is_in_kernel(v, faces) && ! m_move_into_kernel(v, faces))
       positions.set(v, exact);
   }
 
@@ -167,7 +167,7 @@ private:
   Ball_sectors_3<Tr> m_sectors;
   Triangulate_fan_3<Tr> m_triangulate_fan;
   Sector_points_3<Tr, Visitor> m_sector_points;
-  Kernel_point_3<Tr> m_kernel_point;
+  Move_into_kernel_3<Tr> m_move_into_kernel;
   std::vector<Vertex_handle> m_free_points; // of artificial fans
 };
 

@@ -14,13 +14,13 @@
 
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
 #include <CGAL/Boundary_recovery_3/internal/cavity/Growing_cavity_3.h>
-#include <CGAL/Boundary_recovery_3/internal/geometry/Kernel_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Exterior_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_editor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_validity.h>
+#include <CGAL/Boundary_recovery_3/internal/operations/Move_into_kernel_3.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/Remove_vertex_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Merge_points_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Reduce_ball_3.h>
@@ -75,7 +75,7 @@ public:
       m_ledger(ledger), m_context(context), m_remove(editor, predicates, constraints),
       m_reduce_ball(editor, predicates, constraints), m_merge(editor, predicates, constraints, ledger),
       m_round(editor, predicates, constraints, ledger), m_growing_cavity(m_tr, predicates, constraints),
-      m_kernel_point(predicates, ledger.positions())
+      m_move_into_kernel(predicates, ledger.positions())
   { }
 
   // Removes as many points as it can. The recursion level of the flips is low first, for most points need no more. (On
@@ -258,7 +258,7 @@ private:
     const auto before = v->point();
     const bool is_exact = positions.contains(v);
     positions.erase(v);
-    if(m_kernel_point(v, faces))
+    if(m_move_into_kernel(v, faces))
       return;
     v->set_point(before);
     if(is_exact)
@@ -292,7 +292,7 @@ private:
   Merge_points_3<Tr, Visitor> m_merge;
   Round_free_point_3<Tr, Visitor> m_round;
   Growing_cavity m_growing_cavity;
-  Kernel_point_3<Tr> m_kernel_point;
+  Move_into_kernel_3<Tr> m_move_into_kernel;
   std::optional<std::vector<Vertex_handle> > m_exterior_points; // where there is a domain; none until asked for
   std::vector<Cell_handle> m_ball;
 };

@@ -15,8 +15,8 @@
 #include "steiner_inputs_br3.h"
 
 #include <CGAL/Boundary_recovery_3/internal/geometry/Exact_positions_3.h>
-#include <CGAL/Boundary_recovery_3/internal/geometry/Kernel_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
+#include <CGAL/Boundary_recovery_3/internal/operations/Move_into_kernel_3.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -37,10 +37,10 @@ typedef K::Point_3                                          Point_3;
 class Polyhedron
 {
 public:
-  typedef internal::Kernel_point_3<Tr> Kernel_point;
+  typedef internal::Move_into_kernel_3<Tr> Move_into_kernel;
 
   Polyhedron(const std::vector<br3_test::Coordinates>& points, const std::vector<br3_test::Simplex>& triangles)
-    : m_predicates(m_tr, &m_positions), m_kernel_point(m_predicates, m_positions), m_v(m_tr.tds().create_vertex())
+    : m_predicates(m_tr, &m_positions), m_move_into_kernel(m_predicates, m_positions), m_v(m_tr.tds().create_vertex())
   {
     for(const auto& p : points)
     {
@@ -55,17 +55,17 @@ public:
   // What the tool says about the deepest point, judged by rational numbers.
   bool has_deepest_point()
   {
-    const bool result = m_kernel_point(m_v, m_faces);
+    const bool result = m_move_into_kernel(m_v, m_faces);
     assert(result == is_in_kernel() || ! result);
     assert(m_positions.empty());
     return result;
   }
 
   // The same from a vertex of the polyhedron on, in one direction.
-  bool has_point_on_ray(const std::size_t origin, const Kernel_point::Exact_vector& direction)
+  bool has_point_on_ray(const std::size_t origin, const Move_into_kernel::Exact_vector& direction)
   {
     m_positions.erase(m_v);
-    const bool result = m_kernel_point(m_v, m_faces, vertices[origin], { direction });
+    const bool result = m_move_into_kernel(m_v, m_faces, vertices[origin], { direction });
     assert(result == is_in_kernel());
     return result;
   }
@@ -79,7 +79,7 @@ private:
   bool is_in_kernel() const
   {
     const br3_test::Rational_point x = br3_test::to_rational(m_positions(m_v));
-    return std::all_of(m_faces.begin(), m_faces.end(), [&](const Kernel_point::Triangle& f)
+    return std::all_of(m_faces.begin(), m_faces.end(), [&](const Move_into_kernel::Vertex_triple& f)
     {
       return br3_test::volume(br3_test::to_rational(f[0]->point()), br3_test::to_rational(f[1]->point()),
                               br3_test::to_rational(f[2]->point()), x) > 0;
@@ -89,9 +89,9 @@ private:
   Tr m_tr;
   internal::Exact_positions_3<Tr> m_positions;
   const internal::Vertex_predicates_3<Tr> m_predicates;
-  Kernel_point m_kernel_point;
+  Move_into_kernel m_move_into_kernel;
   const Vertex_handle m_v;
-  std::vector<Kernel_point::Triangle> m_faces;
+  std::vector<Move_into_kernel::Vertex_triple> m_faces;
 };
 
 std::vector<br3_test::Coordinates> scaled(std::vector<br3_test::Coordinates> points, const int exponent)
@@ -127,12 +127,12 @@ void test_empty_kernel()
   Polyhedron without_kernel(box.points, box.triangles);
   assert(! without_kernel.has_deepest_point());
   for(const double z : { 1., .5, -1. })
-    assert(! without_kernel.has_point_on_ray(0, Polyhedron::Kernel_point::Exact_vector(1, .1, z)));
+    assert(! without_kernel.has_point_on_ray(0, Polyhedron::Move_into_kernel::Exact_vector(1, .1, z)));
 }
 
 void test_ray()
 {
-  typedef Polyhedron::Kernel_point::Exact_vector Vector;
+  typedef Polyhedron::Move_into_kernel::Exact_vector Vector;
   for(const int exponent : { 0, 300, -300 })
   {
     const std::vector<br3_test::Coordinates> points = { {{ 0, 0, 0 }}, {{ 1, 0, 0 }}, {{ 0, 1, 0 }}, {{ 0, 0, 1 }} };

@@ -1,0 +1,188 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_OPERATIONS_MOVE_INTO_KERNEL_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_OPERATIONS_MOVE_INTO_KERNEL_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/internal/geometry/Exact_positions_3.h>
+#include <CGAL/Boundary_recovery_3/internal/geometry/Is_in_kernel_3.h>
+#include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
+#include <CGAL/Boundary_recovery_3/internal/geometry/Visibility_kernel_3.h>
+#include <CGAL/Boundary_recovery_3/internal/geometry/exact_point_on_ray.h>
+#include <CGAL/Boundary_recovery_3/internal/geometry/representable_point_in_kernel.h>
+#include <CGAL/Boundary_recovery_3/internal/numbers/binary_scale.h>
+#include <CGAL/Boundary_recovery_3/internal/numbers/nearest_integer.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * Moves a vertex into the open visibility kernel of a polyhedron, so that it sees all of its faces from inside.
+ *
+ * The exact predicates judge vertices, so each candidate is tried by putting the vertex there. If none will do, the
+ * vertex is left at one of them.
+ *
+ * A polyhedron may be too flat to have a floating point number inside (a wall of a CAD model that is planar up to
+ * rounding). Then the vertex may get an exact position, for the time being.
+ */
+template <typename Tr>
+class Move_into_kernel_3
+{
+public:
+  typedef typename Tr::Vertex_handle                   Vertex_handle;
+  typedef Vertex_predicates_3<Tr>                      Predicates;
+  typedef Exact_positions_3<Tr>                        Positions;
+  typedef std::array<Vertex_handle, 3>                 Vertex_triple;
+  typedef typename Positions::Point_3                  Point_3;
+  typedef typename Positions::Exact_point_3            Exact_point;
+  typedef typename Positions::Exact_kernel::Vector_3   Exact_vector;
+
+  // `predicates` know of `positions`.
+  Move_into_kernel_3(const Predicates& predicates, Positions& positions)
+    : m_predicates(predicates), m_positions(positions), m_is_in_kernel(predicates)
+  { }
+
+  // Moves v to a point on a ray from `origin`, a point of the closed kernel, in one of the directions, or to the
+  // deepest point. Each of the faces has the polyhedron on its positive side. v must have no exact position, but it
+  // may get one. Returns whether it is in the kernel now.
+  bool operator()(const Vertex_handle v, const std::vector<Vertex_triple>& faces,
+                  const Vertex_handle origin, const std::vector<Exact_vector>& directions)
+  {
+    const Kernel kernel(m_predicates, faces, m_predicates.approximate_point(origin));
+    const auto is_inside = is_inside_at(v, faces);
+    for(const Exact_vector& d : directions)
+      if(kernel.point_on_ray(approximate(d), is_inside))
+        return true;
+    const Exact_point start = m_positions(origin);
+    for(const Exact_vector& d : directions)
+      if(const auto p = exact_point_on_ray(m_positions, faces, start, d, kernel.diameter() * kernel.unit()))
+      {
+        m_positions.set(v, *p);
+        improve_exact_position(v, faces, kernel, start);
+        return true;
+      }
+    return bool(kernel.deepest_point(is_inside));
+  }
+
+  // Moves v to the deepest point of the kernel, in numbers of the triangulation's kernel. v must have no exact
+  // position.
+  bool operator()(const Vertex_handle v, const std::vector<Vertex_triple>& faces)
+  {
+    const Kernel kernel(m_predicates, faces, m_predicates.approximate_point(v));
+    return bool(kernel.deepest_point(is_inside_at(v, faces)));
+  }
+
+  // Moves v to a point in numbers of the triangulation's kernel, with no coordinate farther than `radius` from that of
+  // `inside`, an exact point of the open kernel. v must have no exact position. This is slow, but hardly ever fails
+  // where there is such a point.
+  bool move_near(const Vertex_handle v, const std::vector<Vertex_triple>& faces, const Exact_point& inside,
+                 const double radius = std::numeric_limits<double>::infinity())
+  {
+    if constexpr(Positions::is_kernel_exact)
+      return false;
+    else
+    {
+      const auto p = representable_point_in_kernel(m_positions, faces, inside, radius);
+      if(! p)
+        return false;
+      v->set_point(Point_3((*p)[0], (*p)[1], (*p)[2]));
+      return is_in_kernel(v, faces);
+    }
+  }
+
+  // Whether v sees all the faces.
+  bool is_in_kernel(const Vertex_handle v, const std::vector<Vertex_triple>& faces) const
+  {
+    return m_is_in_kernel(v, faces);
+  }
+
+private:
+  typedef Visibility_kernel_3<Tr>        Kernel;
+  typedef typename Kernel::Point         Point;
+  typedef typename Kernel::Vector        Vector;
+  typedef typename Positions::Exact_FT   FT;
+
+  static Vector approximate(const Exact_vector& d)
+  {
+    return Vector(CGAL::to_double(d.x()), CGAL::to_double(d.y()), CGAL::to_double(d.z()));
+  }
+
+  // Puts v at a point, and tells whether it is in the kernel there.
+  auto is_inside_at(const Vertex_handle v, const std::vector<Vertex_triple>& faces) const
+  {
+    return [this, v, &faces](const Point& p)
+    {
+      v->set_point(Point_3(p.x(), p.y(), p.z()));
+      return this->is_in_kernel(v, faces);
+    };
+  }
+
+  // v was put exactly on a ray. Gives it a position that fewer bits describe, if possible one that can be stored.
+  void improve_exact_position(const Vertex_handle v, const std::vector<Vertex_triple>& faces, const Kernel& kernel,
+                              const Exact_point& origin)
+  {
+    const Vector offset = approximate(m_positions(v) - origin);
+    const double unit = kernel.unit(), distance = std::hypot(offset[0] / unit, offset[1] / unit, offset[2] / unit);
+    simplify_position(v, faces, unit, distance);
+    if(distance > thinnest * kernel.diameter()) // else no number can be expected, and linear programs are slow there
+      round_to_deepest_point(v, faces, kernel);
+  }
+
+  // Gives v another exact position near it that fewer bits describe, if this is in the kernel: positions that are
+  // computed from positions would become longer and longer. The distance is in the unit.
+  void simplify_position(const Vertex_handle v, const std::vector<Vertex_triple>& faces, const double unit,
+                         const double distance)
+  {
+    if(! std::isnormal(distance))
+      return;
+    const Exact_point exact = m_positions(v);
+    for(const int bits : { 4, 16, 64 })
+    {
+      const FT step = FT(binary_unit(std::ilogb(distance) - bits)) * FT(unit);
+      m_positions.set(v, Exact_point(nearest_multiple(exact.x(), step), nearest_multiple(exact.y(), step),
+                                     nearest_multiple(exact.z(), step)));
+      if(is_in_kernel(v, faces))
+        return;
+    }
+    m_positions.set(v, exact);
+  }
+
+  // Moves v, which has an exact position, to the deepest point if this can be stored.
+  void round_to_deepest_point(const Vertex_handle v, const std::vector<Vertex_triple>& faces, const Kernel& kernel)
+  {
+    const Exact_point exact = m_positions(v);
+    m_positions.erase(v);
+    if(! kernel.deepest_point(is_inside_at(v, faces)))
+      m_positions.set(v, exact);
+  }
+
+  static constexpr double thinnest = 1e-30; // of the diameter; numbers have 16 digits
+
+  const Predicates& m_predicates;
+  Positions& m_positions;
+  Is_in_kernel_3<Tr> m_is_in_kernel;
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_OPERATIONS_MOVE_INTO_KERNEL_3_H
