@@ -209,8 +209,8 @@ private:
       const auto outcome = m_growing_cavity(m_ball, v, m_mesh.ledger.free_points(), growth, bounds, m_mesh.context);
       if(outcome == Growing_cavity::FOUND)
       {
-        internal::replace_and_forget(m_mesh.editor, m_mesh.ledger, m_growing_cavity.cells(), m_growing_cavity.tetrahedra(),
-                                     m_growing_cavity.dropped_points());
+        internal::replace_and_forget(m_mesh.editor, m_mesh.ledger, m_growing_cavity.cells(),
+                                     m_growing_cavity.tetrahedra(), m_growing_cavity.dropped_points());
         hopeless.clear();
         return;
       }
