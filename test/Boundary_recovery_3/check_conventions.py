@@ -191,8 +191,9 @@ class Checker:
             cmake = re.sub(r"#[^\n]*", "", read(self.root, base + "/CMakeLists.txt"))
             self.require(cmake.lstrip().startswith("cmake_minimum_required"), base + "/CMakeLists.txt",
                          "does not start with cmake_minimum_required")
-            named = set(re.findall(r'[\w.]+\.cpp', cmake))
-            there = {os.path.basename(p) for p in self.paths if os.path.dirname(p) == base and p.endswith(".cpp")}
+            named = set(re.findall(r'[\w./]+\.cpp', cmake))
+            there = {os.path.relpath(p, base) for p in self.paths
+                     if p.startswith(base + "/") and p.endswith(".cpp") and "/install_test/" not in p}
             for name in sorted(named ^ there):
                 self.require(False, "%s/%s" % (base, name),
                              "not named in CMakeLists.txt" if name in there else "does not exist, but is named in CMakeLists.txt")

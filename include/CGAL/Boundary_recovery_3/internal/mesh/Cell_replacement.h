@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <CGAL/Boundary_recovery_3/internal/mesh/Open_facets_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
@@ -20,6 +21,7 @@
 
 #include <boost/container/small_vector.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -33,6 +35,8 @@ namespace internal {
  *
  * Combinatorial only: the caller knows that the new cells, given by four vertices each, are positively oriented
  * (infinite cells: consistently so), and that their outer facets are those of the old cells.
+ *
+ * If memory is lacking, the triangulation stays as it is: new cells are glued only when all of them are there.
  */
 template <typename Tr>
 class Cell_replacement
@@ -62,22 +66,18 @@ public:
   template <typename CellRange, typename TetrahedronRange>
   const Cells& operator()(Tr& tr, const CellRange& old_cells, const TetrahedronRange& tetrahedra)
   {
-    m_open_facets.clear();
-    m_new_cells.clear();
-    open_outer_facets(old_cells);
-    for(const Tetrahedron& t : tetrahedra)
+    if((std::max)(old_cells.size(), tetrahedra.size()) > max_number_for_lists)
     {
-      const Cell_handle c = tr.tds().create_cell(t[0], t[1], t[2], t[3]);
-      m_new_cells.push_back(c);
-      for(int i = 0; i < 4; ++i)
-      {
-        t[i]->set_cell(c);
-        glue(tr, c, i);
-      }
+      Open_facets_3<Tr> open_facets(old_cells, tetrahedra.size());
+      replace(tr, old_cells, tetrahedra, [&](const Cell_handle c, const int i) { open_facets.glue(tr, c, i); });
+      CGAL_postcondition(open_facets.empty());
     }
-    CGAL_postcondition(m_open_facets.empty());
-    for(const Cell_handle c : old_cells)
-      tr.tds().delete_cell(c);
+    else
+    {
+      open_outer_facets(old_cells, tetrahedra.size());
+      replace(tr, old_cells, tetrahedra, [&](const Cell_handle c, const int i) { this->glue(tr, c, i); });
+      CGAL_postcondition(m_open_facets.empty());
+    }
     return m_new_cells;
   }
 
@@ -99,10 +99,49 @@ private:
     int index;
   };
 
-  // The facets of the cells around the polyhedron, seen from outside.
-  template <typename CellRange>
-  void open_outer_facets(const CellRange& old_cells)
+  // With so many cells, lists are faster than hash tables.
+  static constexpr std::size_t max_number_for_lists = 64;
+
+  template <typename CellRange, typename TetrahedronRange, typename Glue>
+  void replace(Tr& tr, const CellRange& old_cells, const TetrahedronRange& tetrahedra, const Glue& glue_facet)
   {
+    create_cells(tr, tetrahedra);
+    auto c = m_new_cells.begin();
+    for(const Tetrahedron& t : tetrahedra)
+    {
+      for(int i = 0; i < 4; ++i)
+      {
+        t[i]->set_cell(*c);
+        glue_facet(*c, i);
+      }
+      ++c;
+    }
+    for(const Cell_handle old : old_cells)
+      tr.tds().delete_cell(old);
+  }
+
+  // All of them, or none.
+  template <typename TetrahedronRange>
+  void create_cells(Tr& tr, const TetrahedronRange& tetrahedra)
+  {
+    m_new_cells.clear();
+    m_new_cells.reserve(tetrahedra.size());
+    try {
+      for(const Tetrahedron& t : tetrahedra)
+        m_new_cells.push_back(tr.tds().create_cell(t[0], t[1], t[2], t[3]));
+    } catch(...) {
+      for(const Cell_handle c : m_new_cells)
+        tr.tds().delete_cell(c);
+      throw;
+    }
+  }
+
+  // The facets of the cells around the polyhedron, seen from outside. There will be room for the inner facets, too:
+  // each is one of two new cells.
+  template <typename CellRange>
+  void open_outer_facets(const CellRange& old_cells, const std::size_t number_of_new_cells)
+  {
+    m_open_facets.clear();
     for(const Cell_handle c : old_cells)
       for(int i = 0; i < 4; ++i)
       {
@@ -110,6 +149,7 @@ private:
         if(! internal::contains(old_cells, n))
           m_open_facets.emplace_back(internal::facet_vertices(c, i), n, n->index(c));
       }
+    m_open_facets.reserve(m_open_facets.size() + 2 * number_of_new_cells);
   }
 
   // Makes the facet i of c adjacent to the open facet with the same vertices, or opens it.

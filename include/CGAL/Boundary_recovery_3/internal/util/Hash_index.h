@@ -33,7 +33,9 @@ inline std::uint64_t mixed_bits(const std::uint64_t bits)
 
 /*
  * Numbers keys in the order in which they come. A hash table with open addressing, for the flips ask all the time
- * whether a simplex is in it; no single key is ever taken out.
+ * whether a simplex is in it.
+ *
+ * Keys that are taken out are not found any more, but keep their numbers: a key that comes again gets a new one.
  *
  * The slots hold a number and a part of the hash value only: the table is small, and what is not in it is told from the
  * slots alone as a rule. The keys are dense, so those of neighbors, numbered one after the other, are close together.
@@ -51,10 +53,14 @@ public:
     : m_hash(hash), m_is_equal(is_equal)
   { }
 
+  // With those that were taken out.
   std::size_t size() const { return m_keys.size(); }
 
   // By their numbers, each as it was given first.
   const std::vector<Key>& keys() const { return m_keys; }
+
+  // How many keys there is room for, those that were taken out included; insertion does not fail then.
+  std::size_t capacity() const { return (std::min)(m_keys.capacity(), 2 * m_slots.size() / 3); }
 
   void reserve(const std::size_t n)
   {
@@ -66,6 +72,7 @@ public:
   void clear()
   {
     m_keys.clear();
+    m_number_of_erased_keys = 0;
     std::fill(m_slots.begin(), m_slots.end(), Slot());
   }
 
@@ -82,6 +89,39 @@ public:
     slot = Slot{ static_cast<std::uint32_t>(size()), tag(hash) };
     m_keys.push_back(key);
     return std::make_pair(size() - 1, true);
+  }
+
+  // Takes a key out, and returns the number that it had, or none. This needs no memory.
+  std::size_t erase(const Key& key)
+  {
+    const std::size_t k = (*this)[key];
+    if(k != none)
+    {
+      free_slot(position(key, m_hash(key)));
+      ++m_number_of_erased_keys;
+    }
+    return k;
+  }
+
+  // Whether the key with this number was taken out. It is looked up.
+  bool is_erased(const std::size_t k) const { return m_number_of_erased_keys > 0 && (*this)[m_keys[k]] != k; }
+
+  std::size_t number_of_erased_keys() const { return m_number_of_erased_keys; }
+
+  // Gives new numbers to the keys that are left, in the same order. This needs no memory.
+  void renumber()
+  {
+    std::size_t kept = 0;
+    for(std::size_t k = 0; k < size(); ++k)
+    {
+      Slot& slot = m_slots[position(m_keys[k], m_hash(m_keys[k]))];
+      if(slot.index != k)
+        continue;
+      slot.index = static_cast<std::uint32_t>(kept);
+      m_keys[kept++] = m_keys[k];
+    }
+    m_keys.erase(m_keys.begin() + kept, m_keys.end());
+    m_number_of_erased_keys = 0;
   }
 
   // Returns the number of the key, or none.
@@ -171,18 +211,44 @@ private:
     std::size_t number_of_slots = 16;
     while(are_too_few(number_of_slots, n))
       number_of_slots *= 2;
-    m_slots.assign(number_of_slots, Slot());
-    for(std::size_t k = 0; k < size(); ++k)
+    std::vector<Slot> slots(number_of_slots);
+    slots.swap(m_slots);
+    if(m_number_of_erased_keys == 0)
+      for(std::size_t k = 0; k < size(); ++k)
+        put_into_slot(k);
+    else
+      for(const Slot& slot : slots)
+        if(slot.index != empty)
+          put_into_slot(slot.index);
+  }
+
+  void put_into_slot(const std::size_t k)
+  {
+    const std::uint64_t hash = m_hash(m_keys[k]);
+    m_slots[position(m_keys[k], hash)] = Slot{ static_cast<std::uint32_t>(k), tag(hash) };
+  }
+
+  // Empties the slot i. Those of the keys behind it that could not be reached any more move up.
+  void free_slot(std::size_t i)
+  {
+    const std::size_t mask = m_slots.size() - 1;
+    for(std::size_t j = (i + 1) & mask; m_slots[j].index != empty; j = (j + 1) & mask)
     {
-      const std::uint64_t hash = m_hash(m_keys[k]);
-      m_slots[position(m_keys[k], hash)] = Slot{ static_cast<std::uint32_t>(k), tag(hash) };
+      const std::size_t first = first_position(m_hash(m_keys[m_slots[j].index]));
+      if(((j - first) & mask) >= ((j - i) & mask))
+      {
+        m_slots[i] = m_slots[j];
+        i = j;
+      }
     }
+    m_slots[i] = Slot();
   }
 
   Hash m_hash;
   Equal m_is_equal;
   std::vector<Slot> m_slots;
   std::vector<Key> m_keys;
+  std::size_t m_number_of_erased_keys = 0;
 };
 
 } // namespace internal

@@ -1,0 +1,110 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_MESH_MESH_INDICES_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_MESH_MESH_INDICES_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <array>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+// Whether cells carry the indices of CGAL's mesh cells: a region, and a mark on each facet.
+template <typename Cell, typename = void>
+struct Has_cell_indices : std::false_type { };
+
+template <typename Cell>
+struct Has_cell_indices<Cell, std::void_t<decltype(std::declval<Cell&>().set_subdomain_index(
+                                                     std::declval<const Cell&>().subdomain_index())),
+                                          decltype(std::declval<Cell&>().set_surface_patch_index(
+                                                     0, std::declval<const Cell&>().surface_patch_index(0)))> >
+  : std::true_type
+{ };
+
+// Whether vertices carry those of CGAL's mesh vertices: the dimension of what they are on, and its index.
+template <typename Vertex, typename = void>
+struct Has_vertex_indices : std::false_type { };
+
+template <typename Vertex>
+struct Has_vertex_indices<Vertex, std::void_t<decltype(std::declval<Vertex&>().set_dimension(
+                                                         std::declval<const Vertex&>().in_dimension())),
+                                              decltype(std::declval<Vertex&>().set_index(
+                                                         std::declval<const Vertex&>().index()))> >
+  : std::true_type
+{ };
+
+/*
+ * A copy of the indices that a cell carries, so that another cell with the same vertices in the same order can have
+ * them. If cells carry none, it is empty.
+ */
+template <typename Cell, bool has_indices = Has_cell_indices<Cell>::value>
+struct Cell_indices
+{
+  explicit Cell_indices(const Cell&) { }
+
+  void give_to(Cell&) const { }
+};
+
+template <typename Cell>
+struct Cell_indices<Cell, true>
+{
+  typedef std::decay_t<decltype(std::declval<const Cell&>().subdomain_index())>      Subdomain_index;
+  typedef std::decay_t<decltype(std::declval<const Cell&>().surface_patch_index(0))> Surface_patch_index;
+
+  explicit Cell_indices(const Cell& c)
+    : subdomain(c.subdomain_index()),
+      patches{{ c.surface_patch_index(0), c.surface_patch_index(1), c.surface_patch_index(2),
+                c.surface_patch_index(3) }}
+  { }
+
+  void give_to(Cell& c) const
+  {
+    c.set_subdomain_index(subdomain);
+    for(int i = 0; i < 4; ++i)
+      c.set_surface_patch_index(i, patches[i]);
+  }
+
+  Subdomain_index subdomain;
+  std::array<Surface_patch_index, 4> patches;
+};
+
+// The same for a vertex.
+template <typename Vertex, bool has_indices = Has_vertex_indices<Vertex>::value>
+struct Vertex_indices
+{
+  explicit Vertex_indices(const Vertex&) { }
+
+  void give_to(Vertex&) const { }
+};
+
+template <typename Vertex>
+struct Vertex_indices<Vertex, true>
+{
+  explicit Vertex_indices(const Vertex& v) : dimension(v.in_dimension()), index(v.index()) { }
+
+  void give_to(Vertex& v) const
+  {
+    v.set_dimension(dimension);
+    v.set_index(index);
+  }
+
+  int dimension;
+  std::decay_t<decltype(std::declval<const Vertex&>().index())> index;
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_MESH_MESH_INDICES_H
