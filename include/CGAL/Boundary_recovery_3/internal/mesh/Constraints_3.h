@@ -12,7 +12,6 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
 
 #include <CGAL/assertions.h>
@@ -41,7 +40,6 @@ class Constraints_3
 {
 public:
   typedef typename Tr::Vertex_handle    Vertex_handle;
-  typedef typename Tr::Cell_handle      Cell_handle;
   typedef std::array<Vertex_handle, 2>  Edge;
   typedef std::array<Vertex_handle, 3>  Facet;
 
@@ -162,22 +160,6 @@ public:
   bool is_constrained(const Vertex_handle u, const Vertex_handle v, const Vertex_handle w) const
   {
     return index(u, v, w) != none;
-  }
-
-  // Appends the constraints that are edges or facets of the given cells. Some come more than once.
-  template <typename CellRange>
-  void collect(const CellRange& cells, std::vector<Edge>& edges, std::vector<Facet>& facets) const
-  {
-    for(const Cell_handle c : cells)
-      for(int i = 0; i < 4; ++i)
-      {
-        const Facet f = internal::facet_vertices(c, i);
-        if(is_constrained(f[0], f[1], f[2]))
-          facets.push_back(f);
-        for(int j = i + 1; j < 4; ++j)
-          if(is_constrained(c->vertex(i), c->vertex(j)))
-            edges.push_back({{ c->vertex(i), c->vertex(j) }});
-      }
   }
 
 private:
