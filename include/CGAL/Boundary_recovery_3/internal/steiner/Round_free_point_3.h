@@ -95,7 +95,7 @@ private:
   // Of a cavity of which all faces are seen.
   bool can_be_starred(Cavity& cavity) const
   {
-    std::vector<typename Cavity::Triangle> faces;
+    std::vector<typename Cavity::Vertex_triple> faces;
     std::vector<Vertex_handle> inner_points;
     return cavity.collect_boundary(m_mesh.ledger.free_points(), faces, inner_points);
   }
