@@ -17,6 +17,7 @@
 #include <CGAL/Boundary_recovery_3/internal/cavity/grow_cavity.h>
 #include <CGAL/Boundary_recovery_3/internal/cavity/spanned_cavity.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/constraint_queries.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 
 #include <algorithm>
@@ -153,7 +154,7 @@ bool has_constraint_inside(const Cells& cells, const Constraints& constraints)
 {
   Edges edges;
   Facets facets;
-  constraints.collect(cells, edges, facets);
+  BR::internal::collect_constraints(constraints, cells, edges, facets);
   const std::map<Vertex_set, int> number_of_cells = facets_of(cells);
   const auto is_inside = [&](const auto& simplex)
   {

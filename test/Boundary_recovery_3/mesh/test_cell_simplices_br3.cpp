@@ -17,6 +17,7 @@
 #include <CGAL/Boundary_recovery_3/internal/mesh/Cell_replacement.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/constraint_queries.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_validity.h>
 
 #include <algorithm>
@@ -136,25 +137,16 @@ void test_outer_facets(const Cells& cells)
   assert(found == outer_facets(cells));
 }
 
-// A facet is split by its center: the new tetrahedra are all of the old cells.
-void test_split_of_facet(Tr& tr, std::mt19937& rng)
+void test_exchanged_vertices(const Tr& tr)
 {
-  const Cells cells = finite_cells(tr);
-  const Cell_handle c = cells[random_int(rng, static_cast<int>(cells.size()))];
-  const int i = random_int(rng, 4);
-  if(tr.is_infinite(c->neighbor(i)))
-    return;
-  const Facet f = internal::facet_vertices(c, i);
-  const Vertex_handle v = tr.tds().create_vertex();
-  v->set_point(CGAL::centroid(f[0]->point(), f[1]->point(), f[2]->point()));
-  const Cells old_cells = { c, c->neighbor(i) };
-  const Tetrahedra tetrahedra = internal::split_facet(old_cells, f, v);
-  assert(tetrahedra.size() == 6 && number_around(tetrahedra, std::array<Vertex_handle, 1>{{ v }}) == 6);
-  assert(total_volume(tetrahedra) == total_volume(tetrahedra_of(old_cells)));
-  for(int k = 0; k < 4; ++k)
-    for(int l = 0; l < 4; ++l)
-      assert(internal::with_exchanged_vertex(c, c->vertex(k), v)[l] == (k == l ? v : c->vertex(l)));
-  tr.tds().delete_vertex(v);
+  const Vertex_handle x = tr.infinite_vertex();
+  for(const Cell_handle c : tr.finite_cell_handles())
+    for(int i = 0; i < 4; ++i)
+    {
+      const Tetrahedron t = internal::with_exchanged_vertex(c, c->vertex(i), x);
+      for(int k = 0; k < 4; ++k)
+        assert(t[static_cast<std::size_t>(k)] == (k == i ? x : c->vertex(k)));
+    }
 }
 
 // Against maps of what was inserted.
@@ -199,7 +191,7 @@ void test_constraints(const Tr& tr, std::mt19937& rng)
 
   Edges found_edges;
   Facets found_facets;
-  constraints.collect(tr.all_cell_handles(), found_edges, found_facets);
+  internal::collect_constraints(constraints, tr.all_cell_handles(), found_edges, found_facets);
   std::set<Vertex_set> in_mesh, found;
   for(const auto& e : tr.finite_edges())
     in_mesh.insert({ e.first->vertex(e.second), e.first->vertex(e.third) });
@@ -322,7 +314,7 @@ int main()
     for(int k = 0; k < 40; ++k)
     {
       test_outer_facets(random_cavity(tr, rng, 1 + k / 2));
-      test_split_of_facet(tr, rng);
+      test_exchanged_vertices(tr);
       number_of_replacements += test_replacement(tr, rng);
     }
     test_constraints(tr, rng);

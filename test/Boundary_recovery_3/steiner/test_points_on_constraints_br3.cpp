@@ -7,14 +7,14 @@
 //
 // Author(s)     : The Boundary_recovery_3 authors
 
-// The account of Steiner points on constraints, against one that is kept in plain lists.
+// The ledger of Steiner points, against one that is kept in plain lists.
 
 #undef NDEBUG
 
 #include "random_numbers_br3.h"
 
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_points_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_ledger_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -24,6 +24,7 @@
 #include <cassert>
 #include <cstddef>
 #include <iostream>
+#include <map>
 #include <random>
 #include <set>
 #include <vector>
@@ -34,7 +35,8 @@ typedef CGAL::Exact_predicates_inexact_constructions_kernel K;
 typedef CGAL::Delaunay_triangulation_3<K>                   Tr;
 typedef Tr::Vertex_handle                                   Vertex_handle;
 typedef internal::Constraints_3<Tr>                         Constraints;
-typedef internal::Steiner_points_3<Tr>                      Steiner_points;
+typedef internal::Steiner_ledger_3<Tr>                      Ledger;
+typedef Ledger::Carrier                                     Carrier;
 typedef std::vector<Vertex_handle>                          Vertices;
 typedef std::set<Vertex_handle>                             Vertex_set;
 typedef std::vector<std::size_t>                            Indices;
@@ -46,7 +48,7 @@ class Account
 {
 public:
   explicit Account(std::mt19937& rng)
-    : m_rng(rng), m_steiner_points(m_constraints)
+    : m_rng(rng), m_ledger(m_constraints)
   {
     for(int i = 0; i < 6; ++i)
       m_input.push_back(m_tr.tds().create_vertex());
@@ -68,8 +70,10 @@ public:
     const std::size_t e = index(number_below(m_chains.size()));
     const std::size_t i = index(number_below(m_chains[e].size() - 1));
     const Vertex_handle v = new_vertex();
-    m_steiner_points.insert_on_edge(e, m_chains[e][i], v);
+    m_ledger.insert_on_edge(e, m_chains[e][i], v);
     m_chains[e].insert(m_chains[e].begin() + static_cast<std::ptrdiff_t>(i) + 1, v);
+    m_on_constraints.push_back(v);
+    ++m_numbers[0];
   }
 
   void insert_in_facet()
@@ -78,30 +82,66 @@ public:
       return;
     const std::size_t f = index(number_below(m_interiors.size()));
     const Vertex_handle v = new_vertex();
-    m_steiner_points.insert_in_facet(f, v);
+    m_ledger.insert_in_facet(f, v);
     m_interiors[f].push_back(v);
+    m_on_constraints.push_back(v);
+    ++m_numbers[0];
   }
 
+  void insert_free()
+  {
+    const Vertex_handle v = new_vertex();
+    m_origins[v] = Carrier{ 1 + number_below(2), index(number_below(9)) };
+    m_ledger.insert_free(v, m_origins[v]);
+    m_free.push_back(v);
+    ++m_numbers[1];
+  }
+
+  // Any of those that may be erased.
   void erase()
   {
-    if(m_vertices.empty())
-      return;
-    const Vertex_handle v = m_vertices[index(number_below(m_vertices.size()))];
-    m_steiner_points.erase(v);
-    assert(! m_steiner_points.positions().contains(v) && ! m_steiner_points.is_steiner(v));
-    for(auto* lists : { &m_chains, &m_interiors })
-      for(Vertices& list : *lists)
-        list.erase(std::remove(list.begin(), list.end(), v), list.end());
-    m_vertices.erase(std::find(m_vertices.begin(), m_vertices.end(), v));
+    Vertices candidates = m_on_constraints;
+    candidates.insert(candidates.end(), m_free.begin(), m_free.end());
+    if(! candidates.empty())
+      erase(candidates[index(number_below(candidates.size()))]);
+  }
+
+  void settle()
+  {
+    while(! m_on_constraints.empty())
+      erase(m_on_constraints.back());
+    m_ledger.settle();
+    m_settled.swap(m_free);
+    m_settled_numbers = m_numbers;
+    m_new_vertices.clear();
+  }
+
+  void unsettle()
+  {
+    m_ledger.unsettle();
+    m_free.insert(m_free.begin(), m_settled.begin(), m_settled.end());
+    m_settled.clear();
+  }
+
+  void take_back()
+  {
+    new_vertex(); // one that did not get into the mesh
+    m_ledger.take_back(m_new_vertices);
+    for(const Vertex_handle v : m_new_vertices)
+    {
+      assert(! m_ledger.positions().contains(v) && ! m_ledger.is_free(v));
+      forget(v);
+    }
+    m_numbers = m_settled_numbers;
   }
 
   void check() const
   {
-    assert(m_steiner_points.vertices() == m_vertices);
+    check_points();
     Indices split_edges, split_facets;
     for(std::size_t e = 0; e < m_chains.size(); ++e)
     {
-      assert(m_steiner_points.vertices_on_edge(e) == m_chains[e]);
+      assert(m_ledger.vertices_on_edge(e) == m_chains[e]);
       if(m_chains[e].size() > 2)
         split_edges.push_back(e);
       for(std::size_t i = 1; i + 1 < m_chains[e].size(); ++i)
@@ -109,14 +149,14 @@ public:
     }
     for(std::size_t f = 0; f < m_interiors.size(); ++f)
     {
-      const Vertices found = m_steiner_points.vertices_on_facet(f);
+      const Vertices found = m_ledger.vertices_on_facet(f);
       assert(set_of(found) == vertices_on_facet(f) && set_of(found).size() == found.size());
       if(found.size() > 3)
         split_facets.push_back(f);
       for(const Vertex_handle v : m_interiors[f])
-        assert(m_steiner_points.carrier(v).dimension == 2 && m_steiner_points.carrier(v).index == f);
+        assert(m_ledger.carrier(v).dimension == 2 && m_ledger.carrier(v).index == f);
     }
-    assert(m_steiner_points.split_edges() == split_edges && m_steiner_points.split_facets() == split_facets);
+    assert(m_ledger.split_edges() == split_edges && m_ledger.split_facets() == split_facets);
     check_parts();
   }
 
@@ -129,9 +169,44 @@ private:
   Vertex_handle new_vertex()
   {
     const Vertex_handle v = m_tr.tds().create_vertex();
-    m_steiner_points.positions().set(v, Steiner_points::Positions::Exact_point_3(1, 2, 3));
-    m_vertices.push_back(v);
+    m_ledger.positions().set(v, Ledger::Positions::Exact_point_3(1, 2, 3));
+    m_new_vertices.push_back(v);
     return v;
+  }
+
+  void erase(const Vertex_handle v)
+  {
+    m_ledger.erase(v);
+    assert(! m_ledger.positions().contains(v) && ! m_ledger.is_on_constraint(v) && ! m_ledger.is_free(v));
+    forget(v);
+  }
+
+  void forget(const Vertex_handle v)
+  {
+    for(auto* lists : { &m_chains, &m_interiors })
+      for(Vertices& list : *lists)
+        list.erase(std::remove(list.begin(), list.end(), v), list.end());
+    for(Vertices* list : { &m_on_constraints, &m_free })
+      list->erase(std::remove(list->begin(), list->end(), v), list->end());
+  }
+
+  void check_points() const
+  {
+    assert(m_ledger.points_on_constraints() == m_on_constraints && m_ledger.free_points() == m_free);
+    assert(m_ledger.number_of_constraint_points() == m_numbers[0] && m_ledger.number_of_free_points() == m_numbers[1]);
+    Vertices all = m_on_constraints;
+    all.insert(all.end(), m_settled.begin(), m_settled.end());
+    all.insert(all.end(), m_free.begin(), m_free.end());
+    assert(m_ledger.points() == all);
+    for(const Vertex_handle v : all)
+    {
+      const bool is_on_constraint = internal::contains(m_on_constraints, v);
+      assert(m_ledger.is_on_constraint(v) == is_on_constraint && m_ledger.is_free(v) != is_on_constraint);
+      assert(m_ledger.positions().contains(v));
+    }
+    for(const Vertex_handle v : m_free)
+      assert(m_ledger.origin(v).dimension == m_origins.at(v).dimension
+             && m_ledger.origin(v).index == m_origins.at(v).index);
   }
 
   // Those on the closed facet.
@@ -146,33 +221,35 @@ private:
   void check_point_on_edge(const std::size_t e, const std::size_t i) const
   {
     const Vertex_handle v = m_chains[e][i];
-    assert(m_steiner_points.carrier(v).dimension == 1 && m_steiner_points.carrier(v).index == e);
-    assert((m_steiner_points.neighbors_on_edge(v)
+    assert(m_ledger.carrier(v).dimension == 1 && m_ledger.carrier(v).index == e);
+    assert((m_ledger.neighbors_on_edge(v)
             == std::array<Vertex_handle, 2>{{ m_chains[e][i - 1], m_chains[e][i + 1] }}));
     Indices facets;
     for(std::size_t f = 0; f < m_interiors.size(); ++f)
       if(internal::contains(m_constraints.edges_of_facet(f), e))
         facets.push_back(f);
-    assert(m_steiner_points.facets_at_edge(e) == facets);
+    assert(m_ledger.facets_at_edge(e) == facets);
   }
 
   // All edges and triangles between the vertices, but for triangles with three vertices on one edge.
   void check_parts() const
   {
     Vertices all = m_input;
-    all.insert(all.end(), m_vertices.begin(), m_vertices.end());
+    all.insert(all.end(), m_on_constraints.begin(), m_on_constraints.end());
+    if(! m_free.empty())
+      all.push_back(m_free.back());
     for(const Vertex_handle u : all)
     {
-      assert(m_steiner_points.is_steiner(u) == internal::contains(m_vertices, u));
+      assert(m_ledger.is_on_constraint(u) == internal::contains(m_on_constraints, u));
       for(std::size_t f = 0; f < m_interiors.size(); ++f)
-        assert(m_steiner_points.is_on_facet(u, f) == (vertices_on_facet(f).count(u) == 1));
+        assert(m_ledger.is_on_facet(u, f) == (vertices_on_facet(f).count(u) == 1));
       for(const Vertex_handle v : all)
         if(u != v)
         {
-          assert(m_steiner_points.is_constrained(u, v) == (is_part(u, v) || m_constraints.is_constrained(u, v)));
+          assert(m_ledger.is_constrained(u, v) == (is_part(u, v) || m_constraints.is_constrained(u, v)));
           for(const Vertex_handle w : all)
             if(w != u && w != v && ! are_on_one_edge({ u, v, w }))
-              assert(m_steiner_points.is_constrained(u, v, w) == are_on_one_facet({ u, v, w }));
+              assert(m_ledger.is_constrained(u, v, w) == are_on_one_facet({ u, v, w }));
         }
     }
   }
@@ -209,10 +286,31 @@ private:
   std::mt19937& m_rng;
   Tr m_tr;
   Constraints m_constraints;
-  Steiner_points m_steiner_points;
-  Vertices m_input, m_vertices;             // the Steiner points in the order in which they were inserted
+  Ledger m_ledger;
+  Vertices m_input, m_on_constraints, m_settled, m_free; // the Steiner points in the order in which they were inserted
+  Vertices m_new_vertices;                               // since settle()
   std::vector<Vertices> m_chains, m_interiors;
+  std::map<Vertex_handle, Carrier> m_origins;            // of free points
+  std::array<std::size_t, 2> m_numbers = {{ 0, 0 }};     // of points that were put on constraints, and that came off
+  std::array<std::size_t, 2> m_settled_numbers = {{ 0, 0 }};
 };
+
+void change(Account& account, std::mt19937& rng)
+{
+  for(int step = 0; step < 15; ++step)
+  {
+    const int action = random_int(rng, 6);
+    if(action < 2)
+      account.insert_on_edge();
+    else if(action == 2)
+      account.insert_in_facet();
+    else if(action == 3)
+      account.insert_free();
+    else
+      account.erase();
+    account.check();
+  }
+}
 
 int main()
 {
@@ -221,16 +319,18 @@ int main()
   {
     Account account(rng);
     account.check();
-    for(int step = 0; step < 40; ++step)
+    change(account, rng);
+    for(const bool is_taken_back : { true, false, true })
     {
-      const int action = random_int(rng, 5);
-      if(action < 2)
-        account.insert_on_edge();
-      else if(action == 2)
-        account.insert_in_facet();
-      else
-        account.erase();
+      account.settle();
       account.check();
+      change(account, rng);
+      if(is_taken_back)
+        account.take_back();
+      account.check();
+      account.unsettle();
+      account.check();
+      change(account, rng);
     }
   }
   std::cout << "done" << std::endl;

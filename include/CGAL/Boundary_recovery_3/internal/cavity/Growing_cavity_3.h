@@ -19,7 +19,7 @@
 #include <CGAL/Boundary_recovery_3/internal/cavity/spanned_cavity.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/constraint_queries.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 
 #include <CGAL/Bbox_3.h>
@@ -163,7 +163,7 @@ private:
   {
     std::vector<std::array<Vertex_handle, 2> > edges;
     std::vector<Triangle> facets;
-    m_constraints.collect(m_cavity.cells(), edges, facets);
+    internal::collect_constraints(m_constraints, m_cavity.cells(), edges, facets);
     if(! m_candidates.collect(m_cavity.cells(), edges, facets, points, v, bounds.tetrahedra))
       return GAVE_UP;
     return m_matching(m_candidates.number_of_sides(), m_candidates.tetrahedra(), m_candidates.boundary(),

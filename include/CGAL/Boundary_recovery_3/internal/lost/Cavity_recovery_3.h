@@ -22,6 +22,7 @@
 #include <CGAL/Boundary_recovery_3/internal/mesh/Cell_replacement.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/constraint_queries.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 
 #include <algorithm>
@@ -124,7 +125,7 @@ private:
 
   bool reconnect_cells(std::vector<Edge> edges, std::vector<Facet> facets)
   {
-    m_constraints.collect(m_cavity.cells(), edges, facets);
+    internal::collect_constraints(m_constraints, m_cavity.cells(), edges, facets);
     if(m_reconnection(m_cavity.cells(), edges, facets) != Reconnection::FOUND)
       return false;
     m_replacement(m_tr, m_cavity.cells(), m_reconnection.tetrahedra(), m_visitor);
