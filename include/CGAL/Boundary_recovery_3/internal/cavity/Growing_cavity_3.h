@@ -39,8 +39,7 @@ namespace internal {
  * Reconnection of a cavity around a Steiner point without this point; the cavity grows until that succeeds.
  *
  * It may grow to where it has to: if it cannot be filled, this follows from faces that no vertex of the cavity makes a
- * tetrahedron with, so the next vertices are those that do. (A point that goes with 66 vertices chosen like this took a
- * cavity of 200 of those that touch it most, and others did not go with 300 of these.)
+ * tetrahedron with, so the next vertices are those that do, see "Tuning constants" in the manual.
  */
 template <typename Tr>
 class Growing_cavity_3

@@ -124,7 +124,7 @@ private:
     return typename Positions::Point_3(x[0], x[1], x[2]);
   }
 
-  // Of a ball that is enlarged until its vertex sees all. (Of nine balls, the smallest had 101 to 148.)
+  // Of a ball that is enlarged until its vertex sees all, see "Tuning constants" in the manual.
   static constexpr std::size_t max_number_of_cells = 1000;
 
   Mesh& m_mesh;
