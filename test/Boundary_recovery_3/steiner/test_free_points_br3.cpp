@@ -17,12 +17,10 @@
 #include "stopping_visitor_br3.h"
 #include "tetrahedralizations_br3.h"
 
-#include <CGAL/Boundary_recovery_3/Boundary_recovery_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/cavity/Cavity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Exact_positions_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Cell_replacement.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_editor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_validity.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/star_cavity.h>
@@ -30,8 +28,8 @@
 #include <CGAL/Boundary_recovery_3/internal/steiner/Reduce_ball_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Round_free_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_ledger_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/replace_and_forget.h>
-#include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 
 #include <algorithm>
 #include <cassert>
@@ -46,11 +44,23 @@
 
 typedef BR::internal::Constraints_3<Tr>           Constraints;
 typedef BR::internal::Steiner_ledger_3<Tr>        Ledger;
-typedef br3_test::Cell_mirror<Tr>                 Mirror;
-typedef BR::internal::Mesh_editor_3<Tr, Mirror>   Editor;
 typedef std::vector<Vertex_handle>                Vertices;
 typedef std::set<Vertex_handle>                   Vertex_set;
-using br3_test::Patience;
+
+// Checks what it is told, and says no after so many questions.
+struct Mirror
+  : public br3_test::Cell_mirror<Tr>
+{
+  explicit Mirror(const Tr& tr) : br3_test::Cell_mirror<Tr>(tr) { }
+
+  bool go_further() { return patience.go_further(); }
+
+  br3_test::Patience patience = { 1000000 };
+};
+
+typedef BR::internal::Steiner_mesh_3<Tr, Mirror>  Mesh;
+typedef Mesh::Editor                              Editor;
+typedef Mesh::Context                             Context;
 
 // How often each kind of case was met; main() checks that all of them were.
 std::map<std::string, int> number_of;
@@ -96,7 +106,6 @@ bool is_thin(const Cell_handle c)
 // A point in a layer of slivers has to leave it, through what is no constraint.
 void test_points_without_number()
 {
-  typedef CGAL::Default_boundary_recovery_visitor_3 Visitor;
   std::mt19937 rng(23);
   for(int round = 0; round < 300; ++round)
   {
@@ -120,11 +129,15 @@ void test_points_without_number()
     const std::size_t number_of_vertices = tr.number_of_vertices();
 
     const Predicates predicates(tr, &ledger.positions());
-    Visitor visitor;
-    BR::internal::Mesh_editor_3<Tr, Visitor> editor(tr, visitor);
-    BR::internal::Round_free_point_3<Tr, Visitor> round_point(editor, predicates, constraints, ledger);
-    Patience patience = { round % 3 == 0 ? random_int(rng, 60) : 1000000 };
-    const bool is_done = round_point(v, patience);
+    Mirror mirror(tr);
+    if(round % 3 == 0)
+      mirror.patience = { random_int(rng, 60) };
+    Editor editor(tr, mirror);
+    Context context(mirror);
+    Mesh mesh(editor, predicates, constraints, ledger, context);
+    BR::internal::Round_free_point_3<Tr, Mirror> round_point(mesh);
+    const bool is_done = round_point(v);
+    mirror.check(tr);
     assert(BR::internal::is_mesh_valid(tr, predicates) && tr.number_of_vertices() == number_of_vertices);
     assert(is_done != ledger.positions().contains(v) && ledger.free_points() == Vertices(1, v));
     const Tetrahedra tetrahedra = tetrahedra_of(finite_cells(tr));
@@ -134,7 +147,7 @@ void test_points_without_number()
     for(const Facet& f : constraints.facets())
       assert(number_around(tetrahedra, f) > 0);
     assert(is_done || tr.degree(v) == 4);
-    ++number_of[is_done ? "point that got a number" : patience.number_of_steps < 0 ? "stop" : "point without a number"];
+    ++number_of[is_done ? "point that got a number" : context.is_stopped() ? "stop" : "point without a number"];
   }
 }
 
@@ -198,6 +211,15 @@ public:
     return result;
   }
 
+  void merge(const Vertex_handle v, const int number_of_questions)
+  {
+    mirror.patience = { number_of_questions };
+    Context context(mirror);
+    Mesh mesh(editor, predicates, constraints, ledger, context);
+    BR::internal::Merge_points_3<Tr, Mirror> merge_points(mesh);
+    merge_points(v, ball(v));
+  }
+
   Tr tr;
   Constraints constraints;
   Ledger ledger;
@@ -237,7 +259,6 @@ void test_merge(const unsigned seed)
 {
   std::mt19937 rng(seed);
   Scene scene(random_mesh(rng, 40, seed % 2 == 0), rng);
-  BR::internal::Merge_points_3<Tr, Mirror> merge(scene.editor, scene.predicates, scene.constraints, scene.ledger);
   const Vertices points = scene.ledger.free_points();
   for(const Vertex_handle v : points)
   {
@@ -247,10 +268,9 @@ void test_merge(const unsigned seed)
     const Vertices before = scene.ledger.free_points();
     const Vertex_set neighbors = scene.neighbors(v);
     const Point point = v->point();
-    Patience no_patience = { 0 }, patience = { 1000 };
-    merge(v, scene.ball(v), no_patience);
+    scene.merge(v, 0);
     assert(scene.cells() == cells && v->point() == point);
-    merge(v, scene.ball(v), patience);
+    scene.merge(v, 1000);
     scene.check();
     const Vertices after = scene.ledger.free_points();
     if(after == before)
@@ -276,14 +296,12 @@ void test_merge_of_exact_position()
 {
   std::mt19937 rng(3);
   Scene scene(random_mesh(rng, 40, false), rng);
-  BR::internal::Merge_points_3<Tr, Mirror> merge(scene.editor, scene.predicates, scene.constraints, scene.ledger);
   const std::set<Vertex_set> cells = scene.cells();
   for(const Vertex_handle v : scene.ledger.free_points())
   {
     const Point point = v->point();
     scene.ledger.positions().set(v, scene.ledger.positions()(v));
-    Patience patience = { 1000 };
-    merge(v, scene.ball(v), patience);
+    scene.merge(v, 1000);
     assert(scene.cells() == cells && v->point() == point && scene.ledger.positions().contains(v));
     scene.ledger.positions().erase(v);
   }
@@ -300,7 +318,7 @@ void test_reduction(const unsigned seed)
     const std::size_t wanted = 4 + static_cast<std::size_t>(random_int(rng, 3));
     const std::size_t number_of_transformations = reduce.number_of_transformations();
     Vertex_set neighbors = scene.neighbors(v);
-    Patience patience = { random_int(rng, 4) == 0 ? 0 : 1000 };
+    br3_test::Patience patience = { random_int(rng, 4) == 0 ? 0 : 1000 };
     const bool has_patience = patience.number_of_steps > 0;
     bool is_reached = false;
     const bool is_done = reduce(v, random_int(rng, 4), patience, [&](const Cells& ball)

@@ -36,7 +36,7 @@ namespace internal {
  * Combinatorial only: the caller knows that the new cells, given by four vertices each, are positively oriented
  * (infinite cells: consistently so), and that their outer facets are those of the old cells.
  *
- * If memory is lacking, the triangulation stays as it is: new cells are glued to others only when all of them are there.
+ * If memory is lacking, the triangulation stays as it is: new cells are glued only when all of them are there.
  */
 template <typename Tr>
 class Cell_replacement

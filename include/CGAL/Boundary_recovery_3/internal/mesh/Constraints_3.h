@@ -14,8 +14,12 @@
 
 #include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
 
+#include <CGAL/assertions.h>
+
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <unordered_set>
 #include <vector>
 
 namespace CGAL {
@@ -27,6 +31,9 @@ namespace internal {
  *
  * The edges of constrained facets are constrained, too. What is constrained is never destroyed once it is in the mesh,
  * so asking whether a mesh simplex is a constraint is all that the flips have to do.
+ *
+ * Constraints can be erased, and split by a vertex on them. The others keep their numbers then; what is erased leaves a
+ * gap in them, and is found by no question any more. (The searches for lost constraints take a gap for a lost one.)
  */
 template <typename Tr>
 class Constraints_3
@@ -47,16 +54,81 @@ public:
   }
 
   // Adds an edge, unless it is there already, and returns its index.
-  std::size_t insert(const Vertex_handle u, const Vertex_handle v) { return m_edges.insert({{ u, v }}).first; }
+  std::size_t insert(const Vertex_handle u, const Vertex_handle v)
+  {
+    const std::size_t e = insert_edge(u, v);
+    m_given_edges.insert(e);
+    return e;
+  }
 
   // Adds a facet with its edges, unless it is there already, and returns its index.
   std::size_t insert(const Vertex_handle u, const Vertex_handle v, const Vertex_handle w)
   {
     const auto inserted = m_facets.insert({{ u, v, w }});
-    if(inserted.second)
-      m_edges_of_facets.push_back({{ insert(u, v), insert(v, w), insert(w, u) }});
+    if(! inserted.second)
+      return inserted.first;
+    m_edges_of_facets.push_back({{ insert_edge(u, v), insert_edge(v, w), insert_edge(w, u) }});
+    if(m_is_adjacency_known)
+      add_to_edges(inserted.first);
     return inserted.first;
   }
+
+  // Erases an edge with all the facets at it.
+  void erase(const Vertex_handle u, const Vertex_handle v)
+  {
+    const std::size_t e = index(u, v);
+    if(e == none)
+      return;
+    m_given_edges.erase(e);
+    if(facets_at_edge(e).empty())
+      m_edges.erase({{ u, v }});
+    for(const std::size_t f : std::vector<std::size_t>(facets_at_edge(e)))
+      erase_facet(f); // with the last one, the edge goes
+  }
+
+  // Erases a facet, and those of its edges that no other facet has, and that were not given by themselves.
+  void erase(const Vertex_handle u, const Vertex_handle v, const Vertex_handle w)
+  {
+    const std::size_t f = index(u, v, w);
+    if(f != none)
+      erase_facet(f);
+  }
+
+  // The edge uv becomes uw and wv, and each facet at it two, in its orientation; w is a vertex of none of these.
+  void split(const Vertex_handle u, const Vertex_handle v, const Vertex_handle w)
+  {
+    const std::size_t e = index(u, v);
+    CGAL_precondition(e != none);
+    const std::vector<std::size_t> facets = facets_at_edge(e);
+    const bool is_given = m_given_edges.count(e) != 0;
+    for(const std::size_t f : facets)
+    {
+      const Facet facet = m_facets.keys()[f];
+      insert(with_exchanged(facet, u, w));
+      insert(with_exchanged(facet, v, w));
+    }
+    erase(u, v);
+    if(is_given)
+    {
+      insert(u, w);
+      insert(w, v);
+    }
+  }
+
+  // The facet uvw becomes three, in its orientation.
+  void split(const Vertex_handle u, const Vertex_handle v, const Vertex_handle w, const Vertex_handle x)
+  {
+    const std::size_t f = index(u, v, w);
+    CGAL_precondition(f != none);
+    const Facet facet = m_facets.keys()[f];
+    for(const Vertex_handle replaced : facet)
+      insert(with_exchanged(facet, replaced, x));
+    erase_facet(f);
+  }
+
+  // Whether the number is that of a constraint that is erased.
+  bool is_edge_erased(const std::size_t e) const { return m_edges.is_erased(e); }
+  bool is_facet_erased(const std::size_t f) const { return m_facets.is_erased(f); }
 
   const std::vector<Edge>& edges() const { return m_edges.keys(); }
   const std::vector<Facet>& facets() const { return m_facets.keys(); }
@@ -91,9 +163,54 @@ public:
   }
 
 private:
+  std::size_t insert_edge(const Vertex_handle u, const Vertex_handle v) { return m_edges.insert({{ u, v }}).first; }
+
+  std::size_t insert(const Facet& f) { return insert(f[0], f[1], f[2]); }
+
+  static Facet with_exchanged(Facet facet, const Vertex_handle replaced, const Vertex_handle v)
+  {
+    std::replace(facet.begin(), facet.end(), replaced, v);
+    return facet;
+  }
+
+  void erase_facet(const std::size_t f)
+  {
+    for(const std::size_t e : m_edges_of_facets[f])
+    {
+      std::vector<std::size_t>& facets = facets_at_edge(e);
+      facets.erase(std::find(facets.begin(), facets.end(), f));
+      if(facets.empty() && m_given_edges.count(e) == 0)
+        m_edges.erase(m_edges.keys()[e]);
+    }
+    m_facets.erase(m_facets.keys()[f]);
+  }
+
+  // Only where something is erased or split has it to be known which facets are at an edge.
+  std::vector<std::size_t>& facets_at_edge(const std::size_t e)
+  {
+    if(! m_is_adjacency_known)
+    {
+      m_is_adjacency_known = true;
+      for(std::size_t f = 0; f < m_edges_of_facets.size(); ++f)
+        add_to_edges(f);
+    }
+    m_facets_at_edges.resize(m_edges.size());
+    return m_facets_at_edges[e];
+  }
+
+  void add_to_edges(const std::size_t f)
+  {
+    m_facets_at_edges.resize(m_edges.size());
+    for(const std::size_t e : m_edges_of_facets[f])
+      m_facets_at_edges[e].push_back(f);
+  }
+
   Simplex_index_3<Vertex_handle, 2> m_edges;
   Simplex_index_3<Vertex_handle, 3> m_facets;
   std::vector<std::array<std::size_t, 3> > m_edges_of_facets;
+  std::unordered_set<std::size_t> m_given_edges; // those that were given by themselves; look-up only
+  bool m_is_adjacency_known = false;
+  std::vector<std::vector<std::size_t> > m_facets_at_edges; // by edge, if it is known
 };
 
 // The constraints that are not in the mesh, by their indices in increasing order.

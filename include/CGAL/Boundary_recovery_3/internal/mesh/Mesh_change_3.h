@@ -65,10 +65,10 @@ public:
   void make_room_for_cells(const std::size_t number_of_old_cells, const std::size_t number_of_new_cells)
   {
     make_room(m_removed_cells, number_of_old_cells);
-    make_room(m_new_cells, number_of_new_cells);
+    make_room_for_handles(m_new_cells, number_of_new_cells);
   }
 
-  void make_room_for_new_vertices(const std::size_t n) { make_room(m_new_vertices, n); }
+  void make_room_for_new_vertices(const std::size_t n) { make_room_for_handles(m_new_vertices, n); }
   void make_room_for_removed_vertices(const std::size_t n) { make_room(m_removed_vertices, n); }
 
   void make_room_for_moved_vertices(const std::size_t n)
@@ -156,14 +156,13 @@ private:
       items.reserve((std::max)(items.size() + n, 2 * items.size()));
   }
 
-  // Those that went again are dropped before they are more than the others.
+  // The same, and those that went again are dropped, if they are more than the others.
   template <typename Handle>
-  static void make_room(Simplex_index_3<Handle, 1>& index, const std::size_t n)
+  static void make_room_for_handles(Simplex_index_3<Handle, 1>& index, const std::size_t n)
   {
     if(index.capacity() < index.size() + n && 2 * index.number_of_erased_keys() > index.size())
       index.renumber();
-    if(index.capacity() < index.size() + n)
-      index.reserve((std::max)(index.size() + n, 2 * index.size()));
+    make_room(index, n);
   }
 
   template <typename Handle>

@@ -57,8 +57,8 @@ public:
 
   // --- changes ------------------------------------------------------------------------------------------------------
 
-  // Puts cells with the given vertices in the place of others, see `Cell_replacement`. The vertices in `dropped` go with
-  // the old cells. If memory is lacking, or the visitor throws when it is told what goes, nothing changes.
+  // Puts cells with the given vertices in the place of others, see `Cell_replacement`. The vertices in `dropped` go
+  // with the old cells. If memory is lacking, or the visitor throws when it is told what goes, nothing changes.
   template <typename CellRange, typename TetrahedronRange, typename VertexRange = std::array<Vertex_handle, 0> >
   const Cells& replace(const CellRange& old_cells, const TetrahedronRange& tetrahedra,
                        const VertexRange& dropped = VertexRange())

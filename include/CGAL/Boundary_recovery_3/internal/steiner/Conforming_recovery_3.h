@@ -16,15 +16,12 @@
 #include <CGAL/Boundary_recovery_3/Shell_quality_3.h>
 #include <CGAL/Boundary_recovery_3/Shell_validity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Segment_walk_3.h>
-#include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/lost/Constraint_recovery_3.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_editor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_validity.h>
 #include <CGAL/Boundary_recovery_3/internal/numbers/nearest_integer.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/split_edge.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/split_facet.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_ledger_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_mesh_3.h>
 #include <CGAL/Shell_transformation_3.h>
 
 #include <CGAL/Kernel/global_functions_3.h>
@@ -62,38 +59,34 @@ template <typename Tr, typename Visitor>
 class Conforming_recovery_3
 {
 public:
-  typedef typename Tr::Vertex_handle           Vertex_handle;
-  typedef typename Tr::Cell_handle             Cell_handle;
-  typedef Vertex_predicates_3<Tr>              Predicates;
-  typedef Constraints_3<Tr>                    Constraints;
-  typedef Steiner_ledger_3<Tr>                 Ledger;
-  typedef Mesh_editor_3<Tr, Visitor>           Editor;
+  typedef Steiner_mesh_3<Tr, Visitor>          Mesh;
+  typedef typename Mesh::Vertex_handle         Vertex_handle;
+  typedef typename Mesh::Cell_handle           Cell_handle;
+  typedef typename Mesh::Vertex_pair           Vertex_pair;
+  typedef typename Mesh::Vertex_triple         Vertex_triple;
 
-  // `predicates` know of the positions in `ledger`.
-  Conforming_recovery_3(Editor& editor, const Predicates& predicates, const Constraints& constraints, Ledger& ledger)
-    : m_editor(editor), m_tr(editor.triangulation()), m_predicates(predicates), m_constraints(constraints),
-      m_ledger(ledger), m_walk(m_tr, predicates), m_edge_recovery(m_tr, predicates),
-      m_edge_transformation(editor.triangulation(), Quality(m_tr), editor, predicates),
-      m_facet_transformation(editor.triangulation(), Quality(m_tr), editor, predicates)
+  explicit Conforming_recovery_3(Mesh& mesh)
+    : m_mesh(mesh), m_walk(mesh.tr, mesh.predicates), m_edge_recovery(mesh.tr, mesh.predicates),
+      m_edge_transformation(mesh.editor.triangulation(), Quality(mesh.tr), mesh.editor, mesh.predicates),
+      m_facet_transformation(mesh.editor.triangulation(), Quality(mesh.tr), mesh.editor, mesh.predicates)
   { }
 
   // Makes the edge e a chain of mesh edges: what flips cannot recover is split at a crossing, and both parts are tried
   // again. Returns false if a foreign vertex is on it, or if the context wants to stop.
-  template <typename Context>
-  bool recover_edge(const std::size_t e, const int l_max, Context& context)
+  bool recover_edge(const std::size_t e, const int l_max)
   {
-    const std::array<Vertex_handle, 2>& edge = m_constraints.edges()[e];
-    std::vector<std::array<Vertex_handle, 2> > parts(1, edge);
+    const Vertex_pair& edge = m_mesh.constraints.edges()[e];
+    std::vector<Vertex_pair > parts(1, edge);
     std::size_t number_of_splits = 0;
     while(! parts.empty())
     {
-      const std::array<Vertex_handle, 2> part = parts.back();
-      if(! context.go_further())
+      const Vertex_pair part = parts.back();
+      if(! m_mesh.context.go_further())
         return false;
       parts.pop_back();
-      const Edge_validity validity(Kept(m_ledger), BRC1<Tr>(m_predicates, part[0], part[1]));
+      const Edge_validity validity(Kept(m_mesh.ledger), BRC1<Tr>(m_mesh.predicates, part[0], part[1]));
       if(number_of_splits < max_number_of_splits_with_flips
-         && m_edge_recovery(m_edge_transformation, part, validity, l_max, context))
+         && m_edge_recovery(m_edge_transformation, part, validity, l_max, m_mesh.context))
         continue;
       const typename Walk::Outcome outcome = m_walk(part[0], part[1]);
       if(outcome == Walk::IS_EDGE)
@@ -105,12 +98,12 @@ public:
       const FT t = parameter_on_edge(edge, crossing);
       const Vertex_handle v = create_vertex(point_on_edge(edge, t));
       if(crossing.dimension == 1)
-        internal::split_edge(m_editor, crossing.cell, crossing.vertices[0], crossing.vertices[1], v);
+        internal::split_edge(m_mesh.editor, crossing.cell, crossing.vertices[0], crossing.vertices[1], v);
       else
-        internal::split_facet(m_editor, crossing.cell, crossing.vertices, v);
+        internal::split_facet(m_mesh.editor, crossing.cell, crossing.vertices, v);
       simplify_position(v, [&](const int bits) { return point_on_edge(edge, rounded(t, bits)); });
-      m_ledger.insert_on_edge(e, part[0], v);
-      CGAL_expensive_assertion(internal::is_mesh_valid(m_tr, m_predicates));
+      m_mesh.ledger.insert_on_edge(e, part[0], v);
+      CGAL_expensive_assertion(internal::is_mesh_valid(m_mesh.tr, m_mesh.predicates));
       parts.push_back({{ v, part[1] }});
       parts.push_back({{ part[0], v }});
     }
@@ -119,32 +112,31 @@ public:
 
   // Makes the facet f, whose edges are chains of mesh edges, a union of mesh facets.
   // Returns false if the context wants to stop.
-  template <typename Context>
-  bool recover_facet(const std::size_t f, const int l_max, Context& context)
+  bool recover_facet(const std::size_t f, const int l_max)
   {
-    const std::array<Vertex_handle, 3>& facet = m_constraints.facets()[f];
-    const Facet_validity validity(Kept(m_ledger), BRC2<Tr>(m_predicates, facet[0], facet[1], facet[2]));
+    const Vertex_triple& facet = m_mesh.constraints.facets()[f];
+    const Facet_validity validity(Kept(m_mesh.ledger), BRC2<Tr>(m_mesh.predicates, facet[0], facet[1], facet[2]));
     for(find_piercing_edges(f); ! m_piercing_edges.empty(); find_piercing_edges(f))
-      for(const Piercing_edge& e : m_piercing_edges)
+      for(const Vertex_pair& e : m_piercing_edges)
       {
-        if(! context.go_further())
+        if(! m_mesh.context.go_further())
           return false;
         Cell_handle c;
         int i, j;
-        if(! m_tr.is_edge(e[0], e[1], c, i, j) || m_facet_transformation.remove_edge(Edge(c, i, j), l_max,
+        if(! m_mesh.tr.is_edge(e[0], e[1], c, i, j) || m_facet_transformation.remove_edge(Edge(c, i, j), l_max,
                                                                                           validity))
           continue;
-        if(! m_tr.is_edge(e[0], e[1], c, i, j))
+        if(! m_mesh.tr.is_edge(e[0], e[1], c, i, j))
           continue;
         const std::array<FT, 2> weights = weights_in_facet(facet, e);
         const Vertex_handle v = create_vertex(point_in_facet(facet, weights));
-        internal::split_edge(m_editor, c, e[0], e[1], v);
+        internal::split_edge(m_mesh.editor, c, e[0], e[1], v);
         simplify_position(v, [&](const int bits)
         {
           return point_in_facet(facet, {{ rounded(weights[0], bits), rounded(weights[1], bits) }});
         });
-        m_ledger.insert_in_facet(f, v);
-        CGAL_expensive_assertion(internal::is_mesh_valid(m_tr, m_predicates));
+        m_mesh.ledger.insert_in_facet(f, v);
+        CGAL_expensive_assertion(internal::is_mesh_valid(m_mesh.tr, m_mesh.predicates));
       }
     return true;
   }
@@ -156,26 +148,27 @@ public:
 
 private:
   typedef typename Tr::Edge                             Edge;
-  typedef std::array<Vertex_handle, 2>                  Piercing_edge;
+  typedef typename Mesh::Ledger                         Ledger;
+  typedef typename Mesh::Editor                         Editor;
   typedef Kept_constraints_3<Ledger>                    Kept;
   typedef Worst_element_quality_3<Tr>                   Quality;
   typedef Shell_validity_conjunction_3<Kept, BRC1<Tr> > Edge_validity;
   typedef Shell_validity_conjunction_3<Kept, BRC2<Tr> > Facet_validity;
   typedef Segment_walk_3<Tr>                            Walk;
   typedef typename Walk::Crossing                       Crossing;
-  typedef typename Ledger::Positions                    Positions;
+  typedef typename Mesh::Positions                      Positions;
   typedef typename Positions::Exact_point_3             Exact_point;
   typedef typename Positions::Exact_FT                  FT;
 
-  Exact_point position(const Vertex_handle v) const { return m_ledger.positions()(v); }
+  Exact_point position(const Vertex_handle v) const { return m_mesh.positions(v); }
 
-  Exact_point point_on_edge(const std::array<Vertex_handle, 2>& edge, const FT& t) const
+  Exact_point point_on_edge(const Vertex_pair& edge, const FT& t) const
   {
     const Exact_point u = position(edge[0]);
     return u + t * (position(edge[1]) - u);
   }
 
-  Exact_point point_in_facet(const std::array<Vertex_handle, 3>& facet, const std::array<FT, 2>& weights) const
+  Exact_point point_in_facet(const Vertex_triple& facet, const std::array<FT, 2>& weights) const
   {
     const Exact_point u = position(facet[0]);
     return u + weights[0] * (position(facet[1]) - u) + weights[1] * (position(facet[2]) - u);
@@ -191,23 +184,23 @@ private:
     return at_u / (at_u - at_v);
   }
 
-  FT parameter_on_edge(const std::array<Vertex_handle, 2>& edge, const Crossing& crossing) const
+  FT parameter_on_edge(const Vertex_pair& edge, const Crossing& crossing) const
   {
     const Vertex_handle p = crossing.vertices[0], q = crossing.vertices[1];
     Vertex_handle r = crossing.vertices[2];
     if(crossing.dimension == 1) // any plane through pq, but not the one that contains the edge
     {
-      const Shell_3<Tr> shell(m_tr, crossing.cell, crossing.cell->index(p), crossing.cell->index(q));
+      const Shell_3<Tr> shell(m_mesh.tr, crossing.cell, crossing.cell->index(p), crossing.cell->index(q));
       for(int i = 0; i < shell.degree(); ++i)
-        if(i != shell.infinite_index() && m_predicates.orientation(p, q, edge[0], shell.vertex(i)) != COPLANAR)
+        if(i != shell.infinite_index() && m_mesh.predicates.orientation(p, q, edge[0], shell.vertex(i)) != COPLANAR)
           r = shell.vertex(i);
     }
     return parameter_in_plane(position(edge[0]), position(edge[1]), position(p), position(q), position(r));
   }
 
   // The (s, t) for which u + s (v - u) + t (w - u) is on the line of the edge.
-  std::array<FT, 2> weights_in_facet(const std::array<Vertex_handle, 3>& facet,
-                                     const std::array<Vertex_handle, 2>& edge) const
+  std::array<FT, 2> weights_in_facet(const Vertex_triple& facet,
+                                     const Vertex_pair& edge) const
   {
     const Exact_point u = position(facet[0]), v = position(facet[1]), w = position(facet[2]);
     const Exact_point a = position(edge[0]), b = position(edge[1]);
@@ -222,37 +215,37 @@ private:
   // at all, for then mesh facets tile it around these vertices, and therefore everywhere.
   void find_piercing_edges(const std::size_t f)
   {
-    const std::array<Vertex_handle, 3>& facet = m_constraints.facets()[f];
+    const Vertex_triple& facet = m_mesh.constraints.facets()[f];
     m_piercing_edges.clear();
-    for(const Vertex_handle v : m_ledger.vertices_on_facet(f))
+    for(const Vertex_handle v : m_mesh.ledger.vertices_on_facet(f))
     {
       m_star.clear();
-      m_tr.incident_cells(v, std::back_inserter(m_star));
+      m_mesh.tr.incident_cells(v, std::back_inserter(m_star));
       for(const Cell_handle c : m_star)
-        if(! m_tr.is_infinite(c))
+        if(! m_mesh.tr.is_infinite(c))
           add_piercing_edges(c, facet);
     }
   }
 
-  void add_piercing_edges(const Cell_handle c, const std::array<Vertex_handle, 3>& facet)
+  void add_piercing_edges(const Cell_handle c, const Vertex_triple& facet)
   {
     std::array<Orientation, 4> side;
     for(int i = 0; i < 4; ++i)
-      side[i] = m_predicates.orientation(facet[0], facet[1], facet[2], c->vertex(i));
+      side[i] = m_mesh.predicates.orientation(facet[0], facet[1], facet[2], c->vertex(i));
     for(int i = 0; i < 4; ++i)
       for(int j = i + 1; j < 4; ++j)
       {
         const Vertex_handle p = c->vertex(i), q = c->vertex(j);
         if(side[i] * side[j] != NEGATIVE || is_listed(p, q))
           continue;
-        if(m_predicates.segment_pierces_triangle(p, q, facet[0], facet[1], facet[2]))
+        if(m_mesh.predicates.segment_pierces_triangle(p, q, facet[0], facet[1], facet[2]))
           m_piercing_edges.push_back({{ p, q }});
       }
   }
 
   bool is_listed(const Vertex_handle p, const Vertex_handle q) const
   {
-    return std::any_of(m_piercing_edges.begin(), m_piercing_edges.end(), [&](const Piercing_edge& e)
+    return std::any_of(m_piercing_edges.begin(), m_piercing_edges.end(), [&](const Vertex_pair& e)
     {
       return (e[0] == p && e[1] == q) || (e[0] == q && e[1] == p);
     });
@@ -262,8 +255,8 @@ private:
 
   Vertex_handle create_vertex(const Exact_point& p)
   {
-    const Vertex_handle v = m_editor.create_vertex();
-    m_ledger.positions().set(v, p);
+    const Vertex_handle v = m_mesh.editor.create_vertex();
+    m_mesh.positions.set(v, p);
     return v;
   }
 
@@ -288,33 +281,29 @@ private:
     for(const int bits : numbers_of_bits)
       if(move(s, candidate(bits)))
         return;
-    m_ledger.positions().set(s, exact);
+    m_mesh.positions.set(s, exact);
   }
 
   // Gives s a position, and returns whether all the cells around it are positively oriented so.
   // They fill the same polyhedron whatever the position is, so it is inside then.
   bool move(const Vertex_handle s, const Exact_point& p)
   {
-    m_ledger.positions().set(s, p);
+    m_mesh.positions.set(s, p);
     m_star.clear();
-    m_tr.incident_cells(s, std::back_inserter(m_star));
+    m_mesh.tr.incident_cells(s, std::back_inserter(m_star));
     return std::all_of(m_star.begin(), m_star.end(), [this](const Cell_handle c)
     {
-      return m_tr.is_infinite(c) || internal::is_positive(m_predicates, c);
+      return m_mesh.tr.is_infinite(c) || internal::is_positive(m_mesh.predicates, c);
     });
   }
 
-  Editor& m_editor;
-  const Tr& m_tr;
-  const Predicates& m_predicates;
-  const Constraints& m_constraints;
-  Ledger& m_ledger;
+  Mesh& m_mesh;
   Walk m_walk;
   Constraint_recovery_3<Tr, 2> m_edge_recovery;
   Shell_transformation_3<Tr, Quality, Edge_validity, Editor> m_edge_transformation;
   Shell_transformation_3<Tr, Quality, Facet_validity, Editor> m_facet_transformation;
   std::vector<Cell_handle> m_star;
-  std::vector<Piercing_edge> m_piercing_edges;
+  std::vector<Vertex_pair> m_piercing_edges;
 };
 
 } // namespace internal

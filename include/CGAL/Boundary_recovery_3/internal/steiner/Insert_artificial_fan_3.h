@@ -12,12 +12,10 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/internal/geometry/Exact_positions_3.h>
-#include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_editor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/split_facet.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Facet_fans_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Half_facet_star_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_mesh_3.h>
 
 #include <CGAL/Kernel/global_functions_3.h>
 #include <CGAL/assertions.h>
@@ -41,18 +39,14 @@ template <typename Tr, typename Visitor>
 class Insert_artificial_fan_3
 {
 public:
-  typedef typename Tr::Vertex_handle     Vertex_handle;
-  typedef typename Tr::Cell_handle       Cell_handle;
-  typedef Vertex_predicates_3<Tr>        Predicates;
-  typedef Exact_positions_3<Tr>          Positions;
-  typedef Mesh_editor_3<Tr, Visitor>     Editor;
+  typedef Steiner_mesh_3<Tr, Visitor>    Mesh;
+  typedef typename Mesh::Vertex_handle   Vertex_handle;
+  typedef typename Mesh::Cell_handle     Cell_handle;
+  typedef typename Mesh::Vertices        Vertices;
   typedef Half_facet_star_3<Tr>          Star;
   typedef Facet_fans_3<Tr>               Fans;
-  typedef std::vector<Vertex_handle>     Vertices;
 
-  Insert_artificial_fan_3(Editor& editor, const Predicates& predicates, Positions& positions)
-    : m_editor(editor), m_tr(editor.triangulation()), m_predicates(predicates), m_positions(positions)
-  { }
+  explicit Insert_artificial_fan_3(Mesh& mesh) : m_mesh(mesh) { }
 
   // Adds the fan to those between the neighbors of s on its edge, and brings the star up to date. The points that come
   // into the mesh are appended to `points`. Returns false if there is no place for a fan.
@@ -65,7 +59,7 @@ public:
     for(const Half_facet& h : star.half_facets())
     {
       const Vertex_handle x = h.v;
-      if(m_tr.is_infinite(x) || x == m_p || x == m_q || x == best || fans.has_vertex(x))
+      if(m_mesh.tr.is_infinite(x) || x == m_p || x == m_q || x == best || fans.has_vertex(x))
         continue;
       std::vector<Cut> cuts = facets_cut_by_half_plane(star, x);
       if(best == Vertex_handle() || cuts.size() < fewest.size())
@@ -78,10 +72,10 @@ public:
   }
 
 private:
-  typedef typename Positions::Exact_point_3    Exact_point;
-  typedef typename Positions::Exact_FT         FT;
+  typedef typename Mesh::Exact_point           Exact_point;
+  typedef typename Mesh::Positions::Exact_FT   FT;
   typedef typename Star::Half_facet            Half_facet;
-  typedef std::array<Vertex_handle, 3>         Vertex_triple;
+  typedef typename Mesh::Vertex_triple         Vertex_triple;
 
   // A mesh facet s v w that is cut by a half plane through the edge.
   typedef Half_facet Cut;
@@ -91,10 +85,10 @@ private:
   {
     std::vector<Cut> cuts;
     for(const Half_facet& h : star.half_facets())
-      if(! m_tr.is_infinite(h.v) && ! m_tr.is_infinite(h.w)
-         && m_predicates.orientation(m_p, m_q, x, h.v) == NEGATIVE
-         && m_predicates.orientation(m_p, m_q, x, h.w) == POSITIVE
-         && m_predicates.orientation(m_p, m_q, h.v, h.w) == POSITIVE)
+      if(! m_mesh.tr.is_infinite(h.v) && ! m_mesh.tr.is_infinite(h.w)
+         && m_mesh.predicates.orientation(m_p, m_q, x, h.v) == NEGATIVE
+         && m_mesh.predicates.orientation(m_p, m_q, x, h.w) == POSITIVE
+         && m_mesh.predicates.orientation(m_p, m_q, h.v, h.w) == POSITIVE)
         cuts.push_back(h);
     return cuts;
   }
@@ -102,10 +96,10 @@ private:
   // Whether v is in the half plane through p, q and x, but not on the line pq.
   bool is_in_half_plane(const Vertex_handle v, const Vertex_handle x) const
   {
-    if(v == m_p || v == m_q || m_tr.is_infinite(v))
+    if(v == m_p || v == m_q || m_mesh.tr.is_infinite(v))
       return false;
-    return v == x || (m_predicates.orientation(m_p, m_q, x, v) == COPLANAR
-                      && m_predicates.side_of_line(m_p, m_q, x, v) == POSITIVE);
+    return v == x || (m_mesh.predicates.orientation(m_p, m_q, x, v) == COPLANAR
+                      && m_mesh.predicates.side_of_line(m_p, m_q, x, v) == POSITIVE);
   }
 
   bool insert(Star& star, Fans& fans, const Vertex_handle x, const std::vector<Cut>& cuts, Vertices& points)
@@ -127,26 +121,23 @@ private:
   // Puts a point on the facet s v w, halfway between s and the point where vw meets the plane of p, q and x.
   Vertex_handle split(const Vertex_handle s, const Cut& cut, const Vertex_handle x)
   {
-    const Exact_point p = m_positions(m_p), q = m_positions(m_q), r = m_positions(x);
-    const Exact_point v = m_positions(cut.v), w = m_positions(cut.w);
+    const Exact_point p = m_mesh.positions(m_p), q = m_mesh.positions(m_q), r = m_mesh.positions(x);
+    const Exact_point v = m_mesh.positions(cut.v), w = m_mesh.positions(cut.w);
     const FT at_v = CGAL::volume(p, q, r, v), at_w = CGAL::volume(p, q, r, w);
     const Exact_point end = v + (at_v / (at_v - at_w)) * (w - v);
-    const Vertex_handle point = m_editor.create_vertex();
-    m_positions.set(point, CGAL::midpoint(m_positions(s), end));
+    const Vertex_handle point = m_mesh.editor.create_vertex();
+    m_mesh.positions.set(point, CGAL::midpoint(m_mesh.positions(s), end));
     // cells have changed since the cut was found
     Cell_handle c;
     int i = 0, j = 0, k = 0;
     CGAL_assertion_code(const bool is_facet =)
-    m_tr.is_facet(s, cut.v, cut.w, c, i, j, k);
+    m_mesh.tr.is_facet(s, cut.v, cut.w, c, i, j, k);
     CGAL_assertion(is_facet);
-    internal::split_facet(m_editor, c, Vertex_triple{{ s, cut.v, cut.w }}, point);
+    internal::split_facet(m_mesh.editor, c, Vertex_triple{{ s, cut.v, cut.w }}, point);
     return point;
   }
 
-  Editor& m_editor;
-  const Tr& m_tr;
-  const Predicates& m_predicates;
-  Positions& m_positions;
+  Mesh& m_mesh;
   Vertex_handle m_p, m_q; // the neighbors of s on its edge
 };
 

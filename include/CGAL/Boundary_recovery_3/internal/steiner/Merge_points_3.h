@@ -13,12 +13,9 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/cavity/Cavity_3.h>
-#include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_editor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/Move_into_kernel_3.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_ledger_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/replace_and_forget.h>
 
 #include <iterator>
@@ -35,37 +32,31 @@ template <typename Tr, typename Visitor>
 class Merge_points_3
 {
 public:
-  typedef typename Tr::Vertex_handle           Vertex_handle;
-  typedef typename Tr::Cell_handle             Cell_handle;
-  typedef Vertex_predicates_3<Tr>              Predicates;
-  typedef Constraints_3<Tr>                    Constraints;
-  typedef Steiner_ledger_3<Tr>                 Ledger;
-  typedef Mesh_editor_3<Tr, Visitor>           Editor;
+  typedef Steiner_mesh_3<Tr, Visitor>          Mesh;
+  typedef typename Mesh::Vertex_handle         Vertex_handle;
+  typedef typename Mesh::Cell_handle           Cell_handle;
 
-  Merge_points_3(Editor& editor, const Predicates& predicates, const Constraints& constraints, Ledger& ledger)
-    : m_editor(editor), m_constraints(constraints), m_ledger(ledger), m_move_into_kernel(predicates, ledger.positions())
-  { }
+  explicit Merge_points_3(Mesh& mesh) : m_mesh(mesh), m_move_into_kernel(mesh.predicates, mesh.positions) { }
 
   // Merges v, of which `ball` are the cells around it, with the first neighbor for which this is possible.
-  template <typename Context>
-  void operator()(const Vertex_handle v, const std::vector<Cell_handle>& ball, Context& context)
+  void operator()(const Vertex_handle v, const std::vector<Cell_handle>& ball)
   {
-    const typename Ledger::Positions::Point_3 before = v->point();
+    const auto before = v->point();
     for(const Vertex_handle w : internal::vertices_without(ball, v))
     {
-      if(! m_ledger.is_free(w) || ! internal::collect_ball(m_editor.triangulation(), w, m_ball))
+      if(! m_mesh.ledger.is_free(w) || ! internal::collect_ball(m_mesh.tr, w, m_ball))
         continue;
-      if(! context.go_further())
+      if(! m_mesh.context.go_further())
         return;
-      Cavity_3<Tr> cavity(m_editor.triangulation(), m_constraints, ball);
+      Cavity_3<Tr> cavity(m_mesh.tr, m_mesh.constraints, ball);
       for(const Cell_handle c : m_ball)
         cavity.add(c);
       std::vector<Vertex_triple> faces;
       std::vector<Vertex_handle> inner_points;
-      if(! m_ledger.positions().contains(v) && cavity.collect_boundary(m_ledger.free_points(), faces, inner_points)
+      if(! m_mesh.positions.contains(v) && cavity.collect_boundary(m_mesh.ledger.free_points(), faces, inner_points)
          && m_move_into_kernel(v, faces))
       {
-        internal::star_and_forget(m_editor, m_ledger, cavity, v);
+        internal::star_and_forget(m_mesh.editor, m_mesh.ledger, cavity, v);
         return;
       }
       v->set_point(before);
@@ -73,11 +64,9 @@ public:
   }
 
 private:
-  typedef typename Move_into_kernel_3<Tr>::Vertex_triple Vertex_triple;
+  typedef typename Mesh::Vertex_triple Vertex_triple;
 
-  Editor& m_editor;
-  const Constraints& m_constraints;
-  Ledger& m_ledger;
+  Mesh& m_mesh;
   Move_into_kernel_3<Tr> m_move_into_kernel;
   std::vector<Cell_handle> m_ball;
 };

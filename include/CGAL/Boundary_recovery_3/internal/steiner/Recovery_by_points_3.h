@@ -20,6 +20,7 @@
 #include <CGAL/Boundary_recovery_3/internal/steiner/Conforming_recovery_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Constraint_parts_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_ledger_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_rounding_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_splitting_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_suppression_3.h>
@@ -55,7 +56,8 @@ public:
 
   // `state` has predicates that know the exact positions of the ledger. Both have to outlive this object.
   Recovery_by_points_3(State& state, Ledger& ledger)
-    : m_state(state), m_ledger(ledger), m_parts(state.tr, ledger), m_editor(state.tr, state.context.visitor())
+    : m_state(state), m_ledger(ledger), m_parts(state.tr, ledger), m_editor(state.tr, state.context.visitor()),
+      m_mesh(m_editor, state.predicates, state.constraints, ledger, state.context)
   { }
 
   const Constraint_parts_3<Tr>& parts() const { return m_parts; }
@@ -104,12 +106,12 @@ public:
   // facets.
   void recover_conforming(const int l_max)
   {
-    Conforming_recovery_3<Tr, Visitor> conform(m_editor, m_state.predicates, m_state.constraints, m_ledger);
+    Conforming_recovery_3<Tr, Visitor> conform(m_mesh);
     m_state.run(Phase::conforming_edge_recovery, [&]
     {
       take_out_recovered(Phase::conforming_edge_recovery, m_state.lost.edges, [&](const std::size_t e)
       {
-        return conform.recover_edge(e, l_max, m_state.context);
+        return conform.recover_edge(e, l_max);
       });
     });
     if(m_state.lost.edges.empty())
@@ -117,7 +119,7 @@ public:
       {
         take_out_recovered(Phase::conforming_facet_recovery, m_state.lost.facets, [&](const std::size_t f)
         {
-          return conform.recover_facet(f, l_max, m_state.context);
+          return conform.recover_facet(f, l_max);
         });
       });
     m_state.number_of_transformations += conform.number_of_transformations();
@@ -142,7 +144,7 @@ public:
   // none is left there.
   bool split_points()
   {
-    Steiner_splitting_3<Tr, Visitor> split(m_editor, m_state.predicates, m_state.constraints, m_ledger);
+    Steiner_splitting_3<Tr, Visitor> split(m_mesh);
     m_state.run(Phase::steiner_splitting, [&]
     {
       for(std::size_t before = 0; before != m_ledger.points_on_constraints().size(); )
@@ -166,8 +168,7 @@ public:
   bool suppress_points(const int max_recursion_level)
   {
     CGAL_precondition(m_ledger.points_on_constraints().empty());
-    Steiner_suppression_3<Tr, Visitor>
-      suppress(m_editor, m_state.predicates, m_state.constraints, m_ledger, m_state.context);
+    Steiner_suppression_3<Tr, Visitor> suppress(m_mesh);
     m_state.run(Phase::steiner_suppression, [&] { suppress(max_recursion_level); });
     const bool is_storable = suppress.round_points(); // also if the recovery was stopped before
     m_state.number_of_transformations += suppress.number_of_transformations();
@@ -257,6 +258,7 @@ private:
   Ledger& m_ledger;
   Constraint_parts_3<Tr> m_parts;
   Mesh_editor_3<Tr, Visitor> m_editor;
+  Steiner_mesh_3<Tr, Visitor> m_mesh;
   Lost_constraints m_unrepresentable;
 };
 

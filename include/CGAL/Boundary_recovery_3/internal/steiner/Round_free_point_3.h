@@ -14,13 +14,10 @@
 
 #include <CGAL/Boundary_recovery_3/internal/cavity/Cavity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/cavity/grow_cavity.h>
-#include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_editor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/Move_into_kernel_3.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/star_cavity.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_ledger_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/replace_and_forget.h>
 
 #include <array>
@@ -42,56 +39,48 @@ template <typename Tr, typename Visitor>
 class Round_free_point_3
 {
 public:
-  typedef typename Tr::Vertex_handle           Vertex_handle;
-  typedef typename Tr::Cell_handle             Cell_handle;
-  typedef Vertex_predicates_3<Tr>              Predicates;
-  typedef Constraints_3<Tr>                    Constraints;
-  typedef Steiner_ledger_3<Tr>                 Ledger;
-  typedef Mesh_editor_3<Tr, Visitor>           Editor;
+  typedef Steiner_mesh_3<Tr, Visitor>          Mesh;
+  typedef typename Mesh::Vertex_handle         Vertex_handle;
+  typedef typename Mesh::Cell_handle           Cell_handle;
 
-  Round_free_point_3(Editor& editor, const Predicates& predicates, const Constraints& constraints, Ledger& ledger)
-    : m_editor(editor), m_tr(editor.triangulation()), m_predicates(predicates), m_constraints(constraints),
-      m_ledger(ledger), m_move_into_kernel(predicates, ledger.positions())
-  { }
+  explicit Round_free_point_3(Mesh& mesh) : m_mesh(mesh), m_move_into_kernel(mesh.predicates, mesh.positions) { }
 
   // Returns whether v has such a position then. Once stopped, only what is quick is tried.
-  template <typename Context>
-  bool operator()(const Vertex_handle v, Context& context)
+  bool operator()(const Vertex_handle v)
   {
-    if(! m_ledger.positions().contains(v))
+    if(! m_mesh.positions.contains(v))
       return true;
-    internal::collect_ball(m_tr, v, m_ball);
+    internal::collect_ball(m_mesh.tr, v, m_ball);
     const auto faces = internal::faces_of_ball(m_ball, v);
-    const typename Positions::Exact_point_3 exact = m_ledger.positions()(v);
-    m_ledger.positions().erase(v);
+    const typename Mesh::Exact_point exact = m_mesh.positions(v);
+    m_mesh.positions.erase(v);
     if(m_move_into_kernel.is_in_kernel(v, faces) || m_move_into_kernel(v, faces)
-       || (context.go_further() && m_move_into_kernel.move_near(v, faces, exact)) || star_from_nearby(v, context))
+       || (m_mesh.context.go_further() && m_move_into_kernel.move_near(v, faces, exact)) || star_from_nearby(v))
       return true;
-    m_ledger.positions().set(v, exact);
+    m_mesh.positions.set(v, exact);
     return false;
   }
 
 private:
-  typedef typename Ledger::Positions Positions;
+  typedef typename Mesh::Positions   Positions;
   typedef Cavity_3<Tr>               Cavity;
 
   // Where no number fits into the kernel of the ball of v: moves v to the center of a cell nearby, and adds the cells
   // behind the faces of the ball that it does not see from there, and so on. Of the centers for which this ends, that
   // with the fewest cells is taken. Returns whether there is one; all the cells around v are new then. If not, v is
   // somewhere.
-  template <typename Context>
-  bool star_from_nearby(const Vertex_handle v, Context& context)
+  bool star_from_nearby(const Vertex_handle v)
   {
     typename Positions::Point_3 best_center;
     std::optional<Cavity> best;
     for(const Cell_handle c : cells_near_ball(v))
     {
-      if(! context.go_further())
+      if(! m_mesh.context.go_further())
         break;
       v->set_point(center(c));
-      Cavity cavity(m_tr, m_constraints, m_ball);
+      Cavity cavity(m_mesh.tr, m_mesh.constraints, m_ball);
       const std::size_t max_number = best ? best->cells().size() - 1 : max_number_of_cells;
-      if(! internal::grow_until_seen(cavity, v, m_predicates, max_number) || ! can_be_starred(cavity))
+      if(! internal::grow_until_seen(cavity, v, m_mesh.predicates, max_number) || ! can_be_starred(cavity))
         continue;
       best.emplace(std::move(cavity));
       best_center = v->point();
@@ -99,7 +88,7 @@ private:
     if(! best)
       return false;
     v->set_point(best_center);
-    internal::star_and_forget(m_editor, m_ledger, *best, v);
+    internal::star_and_forget(m_mesh.editor, m_mesh.ledger, *best, v);
     return true;
   }
 
@@ -108,18 +97,18 @@ private:
   {
     std::vector<typename Cavity::Triangle> faces;
     std::vector<Vertex_handle> inner_points;
-    return cavity.collect_boundary(m_ledger.free_points(), faces, inner_points);
+    return cavity.collect_boundary(m_mesh.ledger.free_points(), faces, inner_points);
   }
 
   // The finite cells that share a vertex with the ball of v.
   std::vector<Cell_handle> cells_near_ball(const Vertex_handle v) const
   {
-    Cavity result(m_tr, m_constraints); // it takes finite cells only, and each once
+    Cavity result(m_mesh.tr, m_mesh.constraints); // it takes finite cells only, and each once
     std::vector<Cell_handle> star;
     for(const Vertex_handle w : internal::vertices_without(m_ball, v))
     {
       star.clear();
-      m_tr.incident_cells(w, std::back_inserter(star));
+      m_mesh.tr.incident_cells(w, std::back_inserter(star));
       for(const Cell_handle c : star)
         result.add(c);
     }
@@ -131,18 +120,14 @@ private:
     std::array<double, 3> x = {{ 0, 0, 0 }};
     for(int i = 0; i < 4; ++i)
       for(int k = 0; k < 3; ++k)
-        x[k] += m_predicates.approximate_point(c->vertex(i))[k] / 4; // a sum may be out of range
+        x[k] += m_mesh.predicates.approximate_point(c->vertex(i))[k] / 4; // a sum may be out of range
     return typename Positions::Point_3(x[0], x[1], x[2]);
   }
 
   // Of a ball that is enlarged until its vertex sees all. (Of nine balls, the smallest had 101 to 148.)
   static constexpr std::size_t max_number_of_cells = 1000;
 
-  Editor& m_editor;
-  const Tr& m_tr;
-  const Predicates& m_predicates;
-  const Constraints& m_constraints;
-  Ledger& m_ledger;
+  Mesh& m_mesh;
   Move_into_kernel_3<Tr> m_move_into_kernel;
   std::vector<Cell_handle> m_ball;
 };

@@ -12,14 +12,12 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/internal/geometry/Exact_positions_3.h>
-#include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_editor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/Move_into_kernel_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Ball_sectors_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Facet_fans_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Half_facet_star_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_mesh_3.h>
 
 #include <CGAL/Kernel/global_functions_3.h>
 #include <CGAL/Origin.h>
@@ -42,20 +40,16 @@ template <typename Tr, typename Visitor>
 class Sector_points_3
 {
 public:
-  typedef typename Tr::Vertex_handle                 Vertex_handle;
-  typedef typename Tr::Cell_handle                   Cell_handle;
-  typedef Vertex_predicates_3<Tr>                    Predicates;
-  typedef Exact_positions_3<Tr>                      Positions;
+  typedef Steiner_mesh_3<Tr, Visitor>                Mesh;
+  typedef typename Mesh::Vertex_handle               Vertex_handle;
+  typedef typename Mesh::Cell_handle                 Cell_handle;
+  typedef typename Mesh::Vertices                    Vertices;
+  typedef typename Mesh::Editor::Tetrahedron         Tetrahedron;
   typedef Half_facet_star_3<Tr>                      Star;
   typedef Facet_fans_3<Tr>                           Fans;
   typedef Ball_sectors_3<Tr>                         Sectors;
-  typedef Mesh_editor_3<Tr, Visitor>                 Editor;
-  typedef typename Editor::Tetrahedron               Tetrahedron;
-  typedef std::vector<Vertex_handle>                 Vertices;
 
-  Sector_points_3(Editor& editor, const Predicates& predicates, Positions& positions)
-    : m_editor(editor), m_positions(positions), m_move_into_kernel(predicates, positions)
-  { }
+  explicit Sector_points_3(Mesh& mesh) : m_mesh(mesh), m_move_into_kernel(mesh.predicates, mesh.positions) { }
 
   // Creates the vertices, and finds positions for them, which may be exact ones. The fans are triangulated. Returns
   // false if there is no position for one of them; then no vertex was created.
@@ -92,8 +86,8 @@ public:
   }
 
 private:
-  typedef typename Positions::Exact_point_3             Exact_point;
-  typedef typename Positions::Exact_kernel::Vector_3    Exact_vector;
+  typedef typename Mesh::Exact_point                    Exact_point;
+  typedef typename Mesh::Positions::Exact_kernel::Vector_3    Exact_vector;
   typedef typename Fans::Fan                            Fan;
   typedef typename Fan::Vertex_triple                   Vertex_triple;
 
@@ -109,7 +103,7 @@ private:
 
   Vertex_handle apex(const Sector& sector) const
   {
-    return sector.is_infinite ? m_editor.triangulation().infinite_vertex() : sector.vertex;
+    return sector.is_infinite ? m_mesh.tr.infinite_vertex() : sector.vertex;
   }
 
   void collect_faces(const Star& star, const Fans& fans, const Sectors& sectors)
@@ -130,7 +124,7 @@ private:
     {
       const std::array<std::size_t, 2> sides = sectors.sides(fan);
       add_faces(fan, m_sectors[sides[0]], m_sectors[sides[1]]);
-      add_directions(fan, m_positions(star.center()), m_sectors[sides[0]], m_sectors[sides[1]]);
+      add_directions(fan, m_mesh.positions(star.center()), m_sectors[sides[0]], m_sectors[sides[1]]);
     }
   }
 
@@ -153,7 +147,7 @@ private:
       below.normal = below.normal - unit_normal;
     }
     const Vertex_triple& t = fan.triangles.front();
-    const Exact_point p = m_positions(t[0]), q = m_positions(t[1]), r = m_positions(t[2]);
+    const Exact_point p = m_mesh.positions(t[0]), q = m_mesh.positions(t[1]), r = m_mesh.positions(t[2]);
     const Exact_vector normal = CGAL::cross_product(q - p, r - p), middle = CGAL::centroid(p, q, r) - s;
     above.normals.push_back(normal);
     below.normals.push_back(- normal);
@@ -169,7 +163,7 @@ private:
     directions.insert(directions.end(), sector.normals.begin(), sector.normals.end());
     directions.push_back(sector.middle);
     directions.push_back(- sector.middle);
-    sector.vertex = m_editor.create_vertex();
+    sector.vertex = m_mesh.editor.create_vertex();
     return m_move_into_kernel(sector.vertex, sector.faces, s, directions);
   }
 
@@ -177,13 +171,12 @@ private:
   {
     for(const Vertex_handle v : vertices())
     {
-      m_positions.erase(v);
-      m_editor.delete_vertex(v);
+      m_mesh.positions.erase(v);
+      m_mesh.editor.delete_vertex(v);
     }
   }
 
-  Editor& m_editor;
-  Positions& m_positions;
+  Mesh& m_mesh;
   Move_into_kernel_3<Tr> m_move_into_kernel;
   std::vector<Sector> m_sectors;
 };

@@ -12,9 +12,6 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_editor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_validity.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/Move_into_kernel_3.h>
@@ -23,7 +20,7 @@
 #include <CGAL/Boundary_recovery_3/internal/steiner/Half_facet_star_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Insert_artificial_fan_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Sector_points_3.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_ledger_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Triangulate_fan_3.h>
 
 #include <CGAL/assertions.h>
@@ -52,20 +49,15 @@ template <typename Tr, typename Visitor>
 class Steiner_splitting_3
 {
 public:
-  typedef typename Tr::Vertex_handle           Vertex_handle;
-  typedef typename Tr::Cell_handle             Cell_handle;
-  typedef Vertex_predicates_3<Tr>              Predicates;
-  typedef Constraints_3<Tr>                    Constraints;
-  typedef Steiner_ledger_3<Tr>                 Ledger;
-  typedef Mesh_editor_3<Tr, Visitor>           Editor;
+  typedef Steiner_mesh_3<Tr, Visitor>          Mesh;
+  typedef typename Mesh::Vertex_handle         Vertex_handle;
+  typedef typename Mesh::Cell_handle           Cell_handle;
 
-  // `predicates` know of the positions in `ledger`. All constraints are unions of mesh simplices.
-  Steiner_splitting_3(Editor& editor, const Predicates& predicates, const Constraints& constraints, Ledger& ledger)
-    : m_editor(editor), m_tr(editor.triangulation()), m_predicates(predicates), m_constraints(constraints),
-      m_ledger(ledger), m_star(m_tr), m_fans(m_tr, predicates),
-      m_insert_artificial_fan(editor, predicates, ledger.positions()), m_sectors(m_tr),
-      m_triangulate_fan(m_tr, predicates), m_sector_points(editor, predicates, ledger.positions()),
-      m_move_into_kernel(predicates, ledger.positions())
+  // All constraints are unions of mesh simplices.
+  explicit Steiner_splitting_3(Mesh& mesh)
+    : m_mesh(mesh), m_star(mesh.tr), m_fans(mesh.tr, mesh.predicates), m_insert_artificial_fan(mesh),
+      m_sectors(mesh.tr), m_triangulate_fan(mesh.tr, mesh.predicates), m_sector_points(mesh),
+      m_move_into_kernel(mesh.predicates, mesh.positions)
   { }
 
   // Takes s off its constraint. The points that come in its place are free points of the ledger, and may have exact
@@ -74,7 +66,7 @@ public:
   {
     m_free_points.clear();
     m_star.collect(s);
-    const Carrier origin = m_ledger.carrier(s);
+    const Carrier origin = m_mesh.ledger.carrier(s);
     const bool is_possible = collect_fans() && label_sectors() && triangulate_fans()
                           && m_sector_points(m_star, m_fans, m_sectors);
     if(is_possible)
@@ -84,28 +76,27 @@ public:
         release(v);
     }
     for(const Vertex_handle v : m_free_points) // they are in the mesh anyway
-      m_ledger.insert_free(v, origin);
-    CGAL_expensive_postcondition(internal::is_mesh_valid(m_tr, m_predicates));
+      m_mesh.ledger.insert_free(v, origin);
+    CGAL_expensive_postcondition(internal::is_mesh_valid(m_mesh.tr, m_mesh.predicates));
     return is_possible;
   }
 
 private:
-  typedef typename Ledger::Positions           Positions;
-  typedef typename Ledger::Carrier             Carrier;
+  typedef typename Mesh::Ledger::Carrier       Carrier;
   typedef Facet_fans_3<Tr>                     Fans;
   typedef typename Fans::Fan                   Fan;
 
   bool collect_fans()
   {
     const Vertex_handle s = m_star.center();
-    const Carrier carrier = m_ledger.carrier(s);
+    const Carrier carrier = m_mesh.ledger.carrier(s);
     if(carrier.dimension == 2)
     {
       m_fans.clear();
       return add_fan_of_constraint(carrier.index, true);
     }
-    m_fans.clear(m_ledger.neighbors_on_edge(s));
-    for(const std::size_t f : m_ledger.facets_at_edge(carrier.index))
+    m_fans.clear(m_mesh.ledger.neighbors_on_edge(s));
+    for(const std::size_t f : m_mesh.ledger.facets_at_edge(carrier.index))
       if(! add_fan_of_constraint(f, false))
         return false;
     if(! m_fans.add_hull_fans(m_star))
@@ -118,7 +109,7 @@ private:
 
   bool add_fan_of_constraint(const std::size_t f, const bool is_closed)
   {
-    return m_fans.add_planar_fan(m_star, m_ledger.vertices_on_facet(f), m_constraints.facets()[f], is_closed);
+    return m_fans.add_planar_fan(m_star, m_mesh.ledger.vertices_on_facet(f), m_mesh.constraints.facets()[f], is_closed);
   }
 
   // Returns false if there are not as many sectors as expected.
@@ -137,30 +128,25 @@ private:
   void replace_ball(const Carrier& origin)
   {
     const Vertex_handle s = m_star.center();
-    m_ledger.erase(s);
-    m_editor.replace(m_star.cells(), m_sector_points.tetrahedra(), std::array<Vertex_handle, 1>{{ s }});
+    m_mesh.ledger.erase(s);
+    m_mesh.editor.replace(m_star.cells(), m_sector_points.tetrahedra(), std::array<Vertex_handle, 1>{{ s }});
     for(const Vertex_handle v : m_sector_points.vertices())
-      m_ledger.insert_free(v, origin);
+      m_mesh.ledger.insert_free(v, origin);
   }
 
   // A point of an artificial fan need not be exactly where it is any more.
   void release(const Vertex_handle v)
   {
-    Positions& positions = m_ledger.positions();
     std::vector<Cell_handle> star;
-    m_tr.incident_cells(v, std::back_inserter(star));
+    m_mesh.tr.incident_cells(v, std::back_inserter(star));
     const auto faces = internal::faces_of_ball(star, v);
-    const typename Positions::Exact_point_3 exact = positions(v);
-    positions.erase(v);
+    const typename Mesh::Exact_point exact = m_mesh.positions(v);
+    m_mesh.positions.erase(v);
     if(! m_move_into_kernel.is_in_kernel(v, faces) && ! m_move_into_kernel(v, faces))
-      positions.set(v, exact);
+      m_mesh.positions.set(v, exact);
   }
 
-  Editor& m_editor;
-  const Tr& m_tr;
-  const Predicates& m_predicates;
-  const Constraints& m_constraints;
-  Ledger& m_ledger;
+  Mesh& m_mesh;
   Half_facet_star_3<Tr> m_star; // of the Steiner point
   Fans m_fans;
   Insert_artificial_fan_3<Tr, Visitor> m_insert_artificial_fan;

@@ -14,10 +14,7 @@
 
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
 #include <CGAL/Boundary_recovery_3/internal/cavity/Growing_cavity_3.h>
-#include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Exterior_3.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_editor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_validity.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/Move_into_kernel_3.h>
@@ -25,9 +22,8 @@
 #include <CGAL/Boundary_recovery_3/internal/steiner/Merge_points_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Reduce_ball_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Round_free_point_3.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_ledger_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/replace_and_forget.h>
-#include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 
 #include <CGAL/assertions.h>
@@ -59,23 +55,16 @@ template <typename Tr, typename Visitor>
 class Steiner_suppression_3
 {
 public:
-  typedef typename Tr::Vertex_handle           Vertex_handle;
-  typedef typename Tr::Cell_handle             Cell_handle;
-  typedef Vertex_predicates_3<Tr>              Predicates;
-  typedef Constraints_3<Tr>                    Constraints;
-  typedef Steiner_ledger_3<Tr>                 Ledger;
-  typedef Mesh_editor_3<Tr, Visitor>           Editor;
-  typedef Recovery_context<Visitor>            Context;
+  typedef Steiner_mesh_3<Tr, Visitor>          Mesh;
+  typedef typename Mesh::Vertex_handle         Vertex_handle;
+  typedef typename Mesh::Cell_handle           Cell_handle;
   typedef Growing_cavity_3<Tr>                 Growing_cavity;
 
-  // `predicates` know of the positions in `ledger`, whose free points are removed.
-  Steiner_suppression_3(Editor& editor, const Predicates& predicates, const Constraints& constraints, Ledger& ledger,
-                        Context& context)
-    : m_editor(editor), m_tr(editor.triangulation()), m_predicates(predicates), m_constraints(constraints),
-      m_ledger(ledger), m_context(context), m_remove(editor, predicates, constraints),
-      m_reduce_ball(editor, predicates, constraints), m_merge(editor, predicates, constraints, ledger),
-      m_round(editor, predicates, constraints, ledger), m_growing_cavity(m_tr, predicates, constraints),
-      m_move_into_kernel(predicates, ledger.positions())
+  explicit Steiner_suppression_3(Mesh& mesh)
+    : m_mesh(mesh), m_remove(mesh.editor, mesh.predicates, mesh.constraints),
+      m_reduce_ball(mesh.editor, mesh.predicates, mesh.constraints), m_merge(mesh), m_round(mesh),
+      m_growing_cavity(mesh.tr, mesh.predicates, mesh.constraints),
+      m_move_into_kernel(mesh.predicates, mesh.positions)
   { }
 
   // Removes as many points as it can. The recursion level of the flips is low first, for most points need no more. (On
@@ -94,10 +83,10 @@ public:
   // Once stopped, only what is quick is tried.
   bool round_points()
   {
-    const std::vector<Vertex_handle> points = m_ledger.free_points();
+    const std::vector<Vertex_handle> points = m_mesh.ledger.free_points();
     return std::count_if(points.begin(), points.end(), [this](const Vertex_handle v)
     {
-      return m_ledger.is_free(v) && ! m_round(v, m_context);
+      return m_mesh.ledger.is_free(v) && ! m_round(v);
     }) == 0;
   }
 
@@ -124,7 +113,7 @@ private:
     while(is_worthwhile(before));
   }
 
-  std::size_t number_of_points() const { return m_ledger.free_points().size(); }
+  std::size_t number_of_points() const { return m_mesh.ledger.free_points().size(); }
 
   // Whether more than one in a hundred of the points is gone. Where there are hundreds, every round finds one more.
   bool is_worthwhile(const std::size_t before) const { return 100 * (before - number_of_points()) > before; }
@@ -147,16 +136,16 @@ private:
   {
     if(which == POINTS_OF_DOMAIN && ! m_exterior_points)
       m_exterior_points = find_exterior_points();
-    const std::vector<Vertex_handle> points = m_ledger.free_points();
+    const std::vector<Vertex_handle> points = m_mesh.ledger.free_points();
     for(const Vertex_handle v : points)
     {
-      if(! m_context.go_further())
+      if(! m_mesh.context.go_further())
         break;
       m_remove.forget(); // work moves points
-      if(m_ledger.is_free(v) && (which == ALL_POINTS || ! internal::contains(*m_exterior_points, v)))
+      if(m_mesh.ledger.is_free(v) && (which == ALL_POINTS || ! internal::contains(*m_exterior_points, v)))
         work(v);
-      CGAL_expensive_assertion(internal::is_mesh_valid(m_tr, m_predicates));
-      m_context.visitor().on_progress(Recovery_phase::steiner_suppression, points.size() - number_of_points(),
+      CGAL_expensive_assertion(internal::is_mesh_valid(m_mesh.tr, m_mesh.predicates));
+      m_mesh.context.visitor().on_progress(Recovery_phase::steiner_suppression, points.size() - number_of_points(),
                                       points.size());
     }
   }
@@ -165,10 +154,10 @@ private:
   std::vector<Vertex_handle> find_exterior_points() const
   {
     std::vector<Vertex_handle> result;
-    const std::vector<Vertex_handle>& points = m_ledger.free_points();
+    const std::vector<Vertex_handle>& points = m_mesh.ledger.free_points();
     if(points.empty())
       return result;
-    const Exterior_3<Tr> exterior(m_tr, m_constraints);
+    const Exterior_3<Tr> exterior(m_mesh.tr, m_mesh.constraints);
     if(! exterior.is_everything())
       std::copy_if(points.begin(), points.end(), std::back_inserter(result),
                    [&](const Vertex_handle v) { return exterior.contains(v->cell()); });
@@ -181,8 +170,8 @@ private:
   {
     if(! collect_ball(v) || try_to_remove(v, m_ball))
       return;
-    if(m_reduce_ball(v, l_max, m_context, [&](const std::vector<Cell_handle>& b) { return try_to_remove(v, b); })
-       || ! m_context.go_further())
+    const auto try_again = [&](const std::vector<Cell_handle>& ball) { return this->try_to_remove(v, ball); };
+    if(m_reduce_ball(v, l_max, m_mesh.context, try_again) || ! m_mesh.context.go_further())
       return;
     collect_ball(v);
     if(m_remove.find_with_layer(m_ball, v))
@@ -199,7 +188,7 @@ private:
 
   void drop(const Vertex_handle v)
   {
-    m_ledger.erase(v);
+    m_mesh.ledger.erase(v);
     m_remove(v);
   }
 
@@ -217,11 +206,11 @@ private:
          || internal::contains(hopeless, v) || ! collect_ball(v))
         return;
       const auto& bounds = growth == Growing_cavity::AROUND ? around_bounds : dead_ends_bounds;
-      const auto outcome = m_growing_cavity(m_ball, v, m_ledger.free_points(), growth, bounds, m_context);
+      const auto outcome = m_growing_cavity(m_ball, v, m_mesh.ledger.free_points(), growth, bounds, m_mesh.context);
       if(outcome == Growing_cavity::FOUND)
       {
-        internal::replace_and_forget(m_editor, m_ledger, m_growing_cavity.cells(), m_growing_cavity.tetrahedra(),
-                                     m_growing_cavity.dropped_points());
+        internal::replace_and_forget(m_mesh.editor, m_mesh.ledger, m_growing_cavity.cells(),
+                                     m_growing_cavity.tetrahedra(), m_growing_cavity.dropped_points());
         hopeless.clear();
         return;
       }
@@ -237,7 +226,7 @@ private:
     for_each_point(ALL_POINTS, [this](const Vertex_handle v)
     {
       if(collect_ball(v))
-        m_merge(v, m_ball, m_context);
+        m_merge(v, m_ball);
     });
   }
 
@@ -253,20 +242,19 @@ private:
     if(! collect_ball(v))
       return;
     const auto faces = internal::faces_of_ball(m_ball, v);
-    auto& positions = m_ledger.positions();
-    const auto exact = positions(v);
+    const auto exact = m_mesh.positions(v);
     const auto before = v->point();
-    const bool is_exact = positions.contains(v);
-    positions.erase(v);
+    const bool is_exact = m_mesh.positions.contains(v);
+    m_mesh.positions.erase(v);
     if(m_move_into_kernel(v, faces))
       return;
     v->set_point(before);
     if(is_exact)
-      positions.set(v, exact);
+      m_mesh.positions.set(v, exact);
   }
 
   // Returns false if v is on the hull.
-  bool collect_ball(const Vertex_handle v) { return internal::collect_ball(m_tr, v, m_ball); }
+  bool collect_ball(const Vertex_handle v) { return internal::collect_ball(m_mesh.tr, v, m_ball); }
 
   // Raising the level from 0, as for lost edges, left a few more points in twice the time.
   static constexpr int low_recursion_level = 4;
@@ -281,14 +269,9 @@ private:
   static constexpr std::size_t max_number_of_failures = 40;
   static constexpr std::size_t failures_per_removed_point = 10;
 
-  Editor& m_editor;
-  const Tr& m_tr;
-  const Predicates& m_predicates;
-  const Constraints& m_constraints;
-  Ledger& m_ledger;
-  Context& m_context;
-  Remove_vertex_3<Tr, Visitor, Constraints> m_remove;
-  Reduce_ball_3<Tr, Visitor, Constraints> m_reduce_ball;
+  Mesh& m_mesh;
+  Remove_vertex_3<Tr, Visitor, typename Mesh::Constraints> m_remove;
+  Reduce_ball_3<Tr, Visitor, typename Mesh::Constraints> m_reduce_ball;
   Merge_points_3<Tr, Visitor> m_merge;
   Round_free_point_3<Tr, Visitor> m_round;
   Growing_cavity m_growing_cavity;

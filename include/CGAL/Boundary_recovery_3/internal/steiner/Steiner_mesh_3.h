@@ -1,0 +1,70 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_STEINER_MESH_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_STEINER_MESH_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/internal/geometry/Exact_positions_3.h>
+#include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_editor_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_ledger_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
+
+#include <array>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * What all that deals with Steiner points shares: the mesh and who changes it, the predicates, which know the exact
+ * positions in the ledger, the constraints, the ledger, and the context of the run.
+ */
+template <typename Tr_, typename Visitor_>
+struct Steiner_mesh_3
+{
+  typedef Tr_                              Tr;
+  typedef Visitor_                         Visitor;
+  typedef typename Tr::Vertex_handle       Vertex_handle;
+  typedef typename Tr::Cell_handle         Cell_handle;
+  typedef std::array<Vertex_handle, 2>     Vertex_pair;
+  typedef std::array<Vertex_handle, 3>     Vertex_triple;
+  typedef std::vector<Vertex_handle>       Vertices;
+  typedef Mesh_editor_3<Tr, Visitor>       Editor;
+  typedef Vertex_predicates_3<Tr>          Predicates;
+  typedef Constraints_3<Tr>                Constraints;
+  typedef Steiner_ledger_3<Tr>             Ledger;
+  typedef Recovery_context<Visitor>        Context;
+  typedef Exact_positions_3<Tr>            Positions;
+  typedef typename Positions::Exact_point_3 Exact_point;
+
+  Steiner_mesh_3(Editor& editor, const Predicates& predicates, const Constraints& constraints, Ledger& ledger,
+                 Context& context)
+    : editor(editor), tr(editor.triangulation()), predicates(predicates), constraints(constraints), ledger(ledger),
+      positions(ledger.positions()), context(context)
+  { }
+
+  Editor& editor;
+  const Tr& tr;
+  const Predicates& predicates;
+  const Constraints& constraints;
+  Ledger& ledger;
+  Positions& positions; // those in the ledger
+  Context& context;
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_STEINER_MESH_3_H
