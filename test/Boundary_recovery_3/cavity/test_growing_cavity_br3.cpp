@@ -11,6 +11,7 @@
 #include <CGAL/Boundary_recovery_3/internal/cavity/Face_matching.h>
 #include <CGAL/Boundary_recovery_3/internal/cavity/Growing_cavity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/cavity/Small_polyhedron_reconnection_3.h>
+#include <CGAL/Boundary_recovery_3/internal/cavity/Tetrahedralization_search.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Cell_replacement.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
@@ -35,6 +36,7 @@ typedef BR::internal::Face_matching                           Face_matching;
 typedef BR::internal::Growing_cavity_3<Tr>                    Growing_cavity;
 typedef BR::internal::Constraints_3<Tr>                       Constraints;
 typedef BR::internal::Small_polyhedron_reconnection_3<Tr>     Reconnection;
+typedef BR::internal::Tetrahedralization_search::Outcome      Outcome;
 typedef std::vector<Vertex_handle>                            Vertices;
 using br3_test::Patience;
 
@@ -61,7 +63,7 @@ struct Search
   Predicates predicates;
   Candidates candidates;
   Face_matching matching;
-  Face_matching::Outcome outcome;
+  Outcome outcome;
   Tetrahedra tetrahedra;
 };
 
@@ -93,24 +95,23 @@ void check_cells_are_candidates(const Candidates& candidates, const Cells& cells
 }
 
 // The answer of the other search is the same, and what was found fills the cells and has all that was required.
-Face_matching::Outcome check(const Tr& tr, const Cells& cells, const Edges& edges, const Facets& facets)
+Outcome check(const Tr& tr, const Cells& cells, const Edges& edges, const Facets& facets)
 {
   const Search search(tr, cells, edges, facets);
   check_nothing_is_outside(search.candidates);
   const Predicates predicates(tr);
   Reconnection reconnection(predicates);
-  const Reconnection::Outcome outcome = reconnection(cells, edges, facets);
-  assert(outcome != Reconnection::GAVE_UP && search.outcome != Face_matching::GAVE_UP);
-  assert((outcome == Reconnection::FOUND) == (search.outcome == Face_matching::FOUND));
-  if(search.outcome == Face_matching::NONE)
+  const Outcome outcome = reconnection(cells, edges, facets);
+  assert(outcome != Outcome::GAVE_UP && outcome == search.outcome);
+  if(outcome == Outcome::NONE)
   {
     assert(! search.matching.dead_ends().empty());
     for(const Face_matching::Side s : search.matching.dead_ends())
       check_dead_end(search.candidates, s);
-    return search.outcome;
+    return outcome;
   }
   check_tetrahedralization(search.tetrahedra, cells, edges, facets);
-  return search.outcome;
+  return outcome;
 }
 
 void test_cavities(const bool on_grid)

@@ -19,6 +19,7 @@
 #include <CGAL/Boundary_recovery_3/internal/geometry/Orientation_table_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/numbers/Homogeneous_point_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/bits.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -279,7 +280,6 @@ private:
     for(int i = 0; i < n; ++i)
     {
       assert(m_table.position(m_vertices[static_cast<std::size_t>(i)]) == i);
-      assert(Table::before(i) == set_of([&](const int j) { return j < i; }));
       for(int j = 0; j < n; ++j)
         for(int k = 0; k < n; ++k)
           if(i != j && j != k && k != i)
@@ -296,9 +296,9 @@ private:
     const auto negative = set_of([&](const int x) { return volume(f[0], f[1], f[2], x) < 0; });
     assert(m_table.sides(f).positive == positive && m_table.sides(f).negative == negative);
     int number_of_positive = 0;
-    Table::for_each(positive, [&](const int a)
+    internal::for_each_bit(positive, [&](const int a)
     {
-      assert(number_of_positive++ > 0 || Table::first(positive) == a);
+      assert(number_of_positive++ > 0 || internal::lowest_bit(positive) == a);
       assert(m_table.ends_of_piercing_edges(f, a) == set_of([&](const int b)
       {
         return br3_test::does_pierce(point(a), point(b), point(f[0]), point(f[1]), point(f[2]));
@@ -310,7 +310,7 @@ private:
       });
       assert(m_table.contains_vertex(f, a) == (inside != 0));
     });
-    assert(number_of_positive == Table::number_of_elements(positive));
+    assert(number_of_positive == internal::number_of_bits(positive));
   }
 
   // Edges that start at k, and faces that have it.

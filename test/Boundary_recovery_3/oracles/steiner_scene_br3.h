@@ -1,4 +1,4 @@
-// The Delaunay triangulation of the points of an input, its constraints, and what a recovery with Steiner points shares.
+// The Delaunay triangulation of the points of an input, its constraints, and what recoveries with Steiner points share.
 
 #ifndef BR3_TEST_STEINER_SCENE_H
 #define BR3_TEST_STEINER_SCENE_H

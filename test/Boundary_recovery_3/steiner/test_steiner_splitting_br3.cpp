@@ -24,6 +24,7 @@
 #include <CGAL/Boundary_recovery_3/internal/steiner/Insert_artificial_fan_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Recovery_by_points_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Sector_points_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Triangulate_fan_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 
@@ -71,10 +72,10 @@ class Splitter
 {
 public:
   explicit Splitter(Scene& scene)
-    : m_scene(scene), m_tr(scene.tr), m_editor(scene.tr, scene.visitor), m_star(m_tr), m_fans(m_tr, scene.predicates),
-      m_sectors(m_tr), m_triangulate_fan(m_tr, scene.predicates),
-      m_insert_artificial_fan(m_editor, scene.predicates, scene.ledger.positions()),
-      m_sector_points(m_editor, scene.predicates, scene.ledger.positions())
+    : m_scene(scene), m_tr(scene.tr), m_editor(scene.tr, scene.visitor),
+      m_mesh(m_editor, scene.predicates, scene.constraints, scene.ledger, scene.context), m_star(m_tr),
+      m_fans(m_tr, scene.predicates), m_sectors(m_tr), m_triangulate_fan(m_tr, scene.predicates),
+      m_insert_artificial_fan(m_mesh), m_sector_points(m_mesh)
   { }
 
   // Takes all the points off their constraints.
@@ -434,6 +435,7 @@ private:
   Scene& m_scene;
   const Tr& m_tr;
   Editor m_editor;
+  internal::Steiner_mesh_3<Tr, Visitor> m_mesh;
   Star m_star;
   Fans m_fans;
   Sectors m_sectors;
