@@ -15,7 +15,11 @@
 #include "steiner_inputs_br3.h"
 
 #include <CGAL/Boundary_recovery_3/internal/geometry/Exact_positions_3.h>
+#include <CGAL/Boundary_recovery_3/internal/geometry/Is_in_kernel_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
+#include <CGAL/Boundary_recovery_3/internal/geometry/Visibility_kernel_3.h>
+#include <CGAL/Boundary_recovery_3/internal/geometry/exact_point_on_ray.h>
+#include <CGAL/Boundary_recovery_3/internal/geometry/representable_point_in_kernel.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/Move_into_kernel_3.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -104,6 +108,53 @@ std::vector<br3_test::Coordinates> scaled(std::vector<br3_test::Coordinates> poi
 
 const std::vector<br3_test::Simplex> tetrahedron = { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } };
 
+// The geometry alone, in the corner of a cube: what is proposed, and what is decided.
+void test_kernel_alone()
+{
+  typedef internal::Exact_positions_3<Tr>    Positions;
+  typedef Positions::Exact_point_3           Exact_point;
+  typedef Positions::Exact_kernel::Vector_3  Exact_vector;
+  Tr tr;
+  const Positions positions;
+  const internal::Vertex_predicates_3<Tr> predicates(tr, &positions);
+  std::vector<Vertex_handle> v;
+  for(const Point_3& p : { Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, 0, 1), Point_3(0, 0, 0) })
+  {
+    v.push_back(tr.tds().create_vertex());
+    v.back()->set_point(p);
+  }
+  std::vector<std::array<Vertex_handle, 3> > faces;
+  for(const br3_test::Simplex& t : tetrahedron)
+    faces.push_back({{ v[t[0]], v[t[2]], v[t[1]] }});
+
+  const internal::Visibility_kernel_3<Tr> kernel(predicates, faces, predicates.approximate_point(v[0]));
+  int number_of_questions = 0;
+  const auto answer = [&](const bool a) { return [&, a](const auto&) { ++number_of_questions; return a; }; };
+  const auto deepest = kernel.deepest_point(answer(true));
+  assert(number_of_questions == 1 && deepest && std::abs(deepest->x() * (3 + std::sqrt(3.)) - 1) < 1e-9);
+  const auto on_ray = kernel.point_on_ray({ 1, 1, 1 }, answer(true));
+  assert(number_of_questions == 2 && on_ray && on_ray->x() > 0 && on_ray->x() == on_ray->y() && on_ray->x() < 1. / 3);
+  assert(! kernel.point_on_ray({ 1, 1, 1 }, answer(false)) && number_of_questions > 10);
+  assert(! kernel.point_on_ray({ 0, 0, 0 }, answer(true)));
+
+  const internal::Is_in_kernel_3<Tr> is_in_kernel(predicates);
+  for(int x = -1; x <= 8; ++x)
+    for(int y = -1; y <= 8; ++y)
+      for(int z = -1; z <= 8; ++z)
+      {
+        v[4]->set_point(Point_3(x / 8., y / 8., z / 8.));
+        assert(is_in_kernel(v[4], faces) == (x > 0 && y > 0 && z > 0 && x + y + z < 8));
+      }
+
+  const auto exact = internal::exact_point_on_ray(positions, faces, positions(v[0]), Exact_vector(1, 2, 3), 1.);
+  assert(exact && exact->x() > 0 && exact->y() == 2 * exact->x() && exact->z() == 3 * exact->x() && 6 * exact->x() < 1);
+  assert(! internal::exact_point_on_ray(positions, faces, positions(v[0]), Exact_vector(-1, 0, 0), 1.));
+  const auto near = internal::representable_point_in_kernel(positions, faces, Exact_point(.25, .25, .25), .125);
+  assert(near);
+  for(const double x : *near)
+    assert(x >= .125 && x <= .375);
+}
+
 // The center and the radius of the ball in a corner of a cube, at all the scales.
 void test_deepest_point()
 {
@@ -151,6 +202,7 @@ void test_ray()
 
 int main()
 {
+  test_kernel_alone();
   test_deepest_point();
   test_empty_kernel();
   test_ray();

@@ -43,8 +43,8 @@ void split_facet(Editor& editor, const typename Editor::Tr::Cell_handle c,
   editor.replace(cells, tetrahedra);
 }
 
-// As above; a facet that is constrained is split among the constraints, too. Those that are marked in cells know a facet
-// only as long as it is in the mesh.
+// As above; a facet that is constrained is split among the constraints, too. Those that are marked in cells know a
+// facet only as long as it is in the mesh.
 template <typename Editor, typename Constraints>
 void split_facet(Editor& editor, Constraints& constraints, const typename Editor::Tr::Cell_handle c,
                  const std::array<typename Editor::Tr::Vertex_handle, 3>& facet,
