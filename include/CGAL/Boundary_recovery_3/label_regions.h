@@ -38,12 +38,12 @@ class Region_labeller_3
   typedef typename Tr::Vertex_handle         Vertex_handle;
   typedef typename Tr::Cell_handle           Cell_handle;
   typedef typename Tr::Facet                 Facet;
-  typedef std::array<Vertex_handle, 3>       Triple;
+  typedef std::array<Vertex_handle, 3>       Vertex_triple;
 
   // a facet that separates: where it is in the triangulation, and how often it was given, with signs
   struct Wall
   {
-    Triple vertices;     // as it was given first
+    Vertex_triple vertices;     // as it was given first
     Facet facet;         // seen from this cell the three vertices turn as in `Tr::vertex_triple_index()`
     bool found = false;  // whether it is a facet of the triangulation
     long weight = 0;     // number of given facets that turn like it minus those that turn the other way; until it is
@@ -74,7 +74,7 @@ public:
     : m_tr(tr)
   {
     for(const auto& facet : facets)
-      add_wall(Triple{{facet[0], facet[1], facet[2]}});
+      add_wall(Vertex_triple{{facet[0], facet[1], facet[2]}});
     index_cells();
     find_walls();
     find_components();
@@ -93,13 +93,13 @@ public:
 
 private:
   // whether two triples of the same vertices turn alike
-  static bool turn_alike(const Triple& s, const Triple& t)
+  static bool turn_alike(const Vertex_triple& s, const Vertex_triple& t)
   {
     const int i = s[0] == t[0] ? 0 : s[0] == t[1] ? 1 : 2;
     return s[1] == t[(i + 1) % 3];
   }
 
-  void add_wall(const Triple& triple)
+  void add_wall(const Vertex_triple& triple)
   {
     const auto inserted = m_wall_index.insert(triple);
     if(inserted.second)
@@ -134,7 +134,7 @@ private:
     for(auto it = m_tr.finite_facets_begin(); it != m_tr.finite_facets_end(); ++it)
     {
       const Facet f = *it;
-      const Triple triple = internal::facet_vertices(f.first, f.second);
+      const Vertex_triple triple = internal::facet_vertices(f.first, f.second);
       const std::size_t index = m_wall_index[triple];
       if(index == Simplex_index_3<Vertex_handle, 3>::none)
         continue;

@@ -73,14 +73,14 @@ public:
     m_lost_facets = lost<3>();
   }
 
-  bool is_lost(const Constraints::Edge& e) const
+  bool is_lost(const Constraints::Vertex_pair& e) const
   {
     Tr::Cell_handle c;
     int i, j;
     return ! tr.is_edge(e[0], e[1], c, i, j);
   }
 
-  bool is_lost(const Constraints::Facet& f) const
+  bool is_lost(const Constraints::Vertex_triple& f) const
   {
     Tr::Cell_handle c;
     int i, j, k;

@@ -41,6 +41,11 @@ FLOORS = [
 ]
 # Internal headers that no file of test/ has to include, by their path below include/CGAL, with the reason.
 UNTESTED_HEADERS = {}
+# The developer page of the manual; where the files are that it names; the floors of which it names each header.
+DEVELOPER_PAGE = "doc/%s/Developers.txt" % PACKAGE
+FOLDERS_OF_DEVELOPER_PAGE = ["include/CGAL/", "include/CGAL/%s/internal/" % PACKAGE, "test/%s/" % PACKAGE,
+                             "test/%s/oracles/" % PACKAGE, "benchmark/%s/" % PACKAGE, "doc/%s/fig/" % PACKAGE, ""]
+LISTED_FLOORS = ["shell", "operations", "lost", "steiner"]
 FORBIDDEN_IN_HEADERS = {
     r"\bstd::(cout|cerr|clog)\b|\b(printf|fprintf|puts)\s*\(": "prints",
     r"\b(exit|abort|_Exit|quick_exit|terminate)\s*\(": "ends the program",
@@ -64,6 +69,35 @@ def read(root, path):
 
 def without_comments_and_strings(code):
     return re.sub(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"', " ", code, flags=re.S)
+
+
+def in_backticks(text):
+    return re.findall(r"`([^`\n]+)`", text)
+
+
+def is_file_name(name):
+    """Whether a name in the developer page is that of a file or folder."""
+    return re.fullmatch(r"[\w./]+\.(h|cpp|py|svg|md)|[\w.]+/|scripts/\w+", name) is not None
+
+
+def rows_of_tables(page):
+    """The rows of all tables in Markdown, each with the header of its table, as lists of cells."""
+    header = None
+    for line in page.split("\n"):
+        if not line.startswith("|"):
+            header = None
+            continue
+        cells = [cell.strip() for cell in line.strip("|").split("|")]
+        if header is None:
+            header = cells
+        elif not set(line) <= set("|-: "):
+            yield header, cells
+
+
+def constants_of(code):
+    """The names of the constants of a header that are numbers, or lists of such."""
+    found = re.findall(r"\bconstexpr (?:int|double|(?:std::)?(?:size_t|ptrdiff_t|array<[^>]*>)|[\w: ]*Bounds)\s+(\w+)(?:\[\])?\s*=\s*([^;]+);", code)
+    return [name for name, value in found if re.match(r"[1-9{]|N ==", value)]
 
 
 def floor(name):
@@ -95,6 +129,7 @@ class Checker:
         self.check_programs()
         self.check_package_info()
         self.check_readme()
+        self.check_developer_page(headers)
         self.check_sizes()
         return self.complaints
 
@@ -249,6 +284,56 @@ class Checker:
         for link in re.findall(r"\]\((?!https?:)([^)#]+)\)", read(self.root, "README.md")):
             self.require(os.path.exists(os.path.join(self.root, link)), "README.md", "links to %s, which does not exist" % link)
 
+    def check_developer_page(self, headers):
+        """What the developer page names is there; it names each floor, the headers of some, and all constants."""
+        if DEVELOPER_PAGE not in self.paths:
+            self.require(False, DEVELOPER_PAGE, "does not exist")
+            return
+        page = read(self.root, DEVELOPER_PAGE)
+        names = set(in_backticks(page))
+        for name in sorted(n for n in names if is_file_name(n)):
+            self.require(self.find(name), DEVELOPER_PAGE, "names %s, which does not exist" % name)
+        for path in headers:
+            internal = re.fullmatch(r"include/CGAL/%s/internal/((\w+/)\w+\.h)" % PACKAGE, path)
+            for name in internal.groups() if internal else ():
+                self.require(name in names or (name.endswith(".h") and internal.group(2)[:-1] not in LISTED_FLOORS),
+                             DEVELOPER_PAGE, "does not name %s" % name)
+        constants = set()
+        for header, cells in rows_of_tables(page):
+            self.check_row_of_developer_page(header, cells, constants)
+        for path in headers:
+            for name in constants_of(without_comments_and_strings(read(self.root, path))):
+                self.require((name, path) in constants, path, "%s is not in the tables of %s" % (name, DEVELOPER_PAGE))
+
+    def check_row_of_developer_page(self, header, cells, constants):
+        """A constant, which is added to the set, or a piece of code, or names of classes and functions: they are in the
+        files of the row."""
+        names = [name for cell in cells for name in in_backticks(cell)]
+        files = [f for f in map(self.find, filter(is_file_name, names)) if f in self.paths]
+        code = without_comments_and_strings("\n".join(read(self.root, f) for f in files))
+        first = "".join(in_backticks(cells[0]))
+        if header[:2] == ["name", "value"]:
+            value = "".join(in_backticks(cells[1]))
+            constants.update((first, f) for f in files)
+            self.require(re.search(r"\b%s(\[\])?\s*=\s*%s\s*;" % (first, re.escape(value)), code), DEVELOPER_PAGE,
+                         "%s is not %s in %s" % (first, value, cells[2]))
+        elif header[0] == "code":
+            self.require(first in code, DEVELOPER_PAGE, "%s is not in %s" % (first, cells[1]))
+        elif files:
+            for name in names:
+                if not is_file_name(name) and not name.startswith("-"):
+                    for word in re.findall(r"\w+", name):
+                        self.require(re.search(r"\b%s\b" % word, code), DEVELOPER_PAGE,
+                                     "%s is not in the files of: %s" % (word, " | ".join(cells)))
+
+    def find(self, name):
+        """The path of a file or folder that the developer page names, or None."""
+        for folder in FOLDERS_OF_DEVELOPER_PAGE:
+            path = folder + name
+            if path in self.paths or (name.endswith("/") and any(p.startswith(path) for p in self.paths)):
+                return path
+        return None
+
     def check_sizes(self):
         def size(prefix):
             return sum(os.path.getsize(os.path.join(self.root, p)) for p in self.paths if p.startswith(prefix))
@@ -260,6 +345,7 @@ def self_test(scratch, root):
     """Applies one defect after the other to a copy of the package."""
     header = "include/CGAL/%s/parameters.h" % PACKAGE
     util = "include/CGAL/%s/internal/util/Hash_index.h" % PACKAGE
+    lost = "include/CGAL/%s/internal/lost/Constraint_recovery_3.h" % PACKAGE
 
     def replace(path, old, new):
         def defect(copy):
@@ -305,6 +391,13 @@ def self_test(scratch, root):
         "wrong licence": append("package_info/%s/license.txt" % PACKAGE, "or not\n"),
         "not sorted": append("package_info/%s/dependencies" % PACKAGE, "AABB_tree\n"),
         "does not show": append(examples + "recover_boundary_minimal.cpp", "// more\n"),
+        "names lost/Constraint_recovery_3.h, which does not exist": lambda copy: os.remove(os.path.join(copy, lost)),
+        "does not name lost/x.h": lambda copy: write(copy, os.path.dirname(lost) + "/x.h", read(copy, lost)),
+        "max_number_of_shells is not 256 in": replace(lost, "max_number_of_shells = 256;", "max_number_of_shells = 257;"),
+        "max_number_of_thoughts is not in the tables": replace(
+            lost, "private:", "private:\n  static constexpr int max_number_of_thoughts = 3;"),
+        "N == 2 && crossings.size() > 2 is not in": replace(lost, "crossings.size() > 2", "crossings.size() > 3"),
+        "is not in the files of: pickRecursiveLinkEdge": replace(DEVELOPER_PAGE, "`is_recursable_link_edge()`", "`pick_link_edge()`"),
         "more than 100 KB": lambda copy: write(copy, "data/meshes/x.off", 11000 * "123456789\n"),
     }
     unnoticed = []

@@ -49,7 +49,7 @@ public:
   typedef typename Tr::Vertex_handle    Vertex_handle;
   typedef typename Tr::Cell_handle      Cell_handle;
   typedef Vertex_predicates_3<Tr>       Predicates;
-  typedef std::array<Vertex_handle, 3>  Triangle;
+  typedef std::array<Vertex_handle, 3>  Vertex_triple;
   typedef std::array<Vertex_handle, 4>  Tetrahedron;
   typedef Face_matching::Side           Side;
   typedef Face_matching::Sides          Sides;
@@ -88,15 +88,15 @@ public:
   // The vertices of a tetrahedron, positively oriented.
   Tetrahedron vertices_of_tetrahedron(const std::size_t t) const
   {
-    const Triangle f = vertices_of_side(m_tetrahedra[t][3]);
+    const Vertex_triple f = vertices_of_side(m_tetrahedra[t][3]);
     return {{ f[0], f[1], f[2], vertices()[m_last_vertices[t]] }};
   }
 
   // The vertices of a face such that the tetrahedra at that side are on the positive side.
-  Triangle vertices_of_side(const Side s) const
+  Vertex_triple vertices_of_side(const Side s) const
   {
     const Face f = m_faces[s / 2];
-    Triangle result = {{ vertices()[f[0]], vertices()[f[1]], vertices()[f[2]] }};
+    Vertex_triple result = {{ vertices()[f[0]], vertices()[f[1]], vertices()[f[2]] }};
     if(s % 2 != 0)
       std::swap(result[0], result[1]);
     return result;

@@ -40,14 +40,14 @@ public:
   typedef Constraints_                         Constraints;
   typedef typename Tr::Vertex_handle           Vertex_handle;
   typedef typename Tr::Cell_handle             Cell_handle;
-  typedef std::array<Vertex_handle, 3>         Triangle;
+  typedef std::array<Vertex_handle, 3>         Vertex_triple;
   typedef std::vector<Vertex_handle>           Vertices;
 
   // A face of the boundary, seen from inside, and the vertex of the cell behind it; none if it is closed: constrained,
   // or on the hull.
   struct Boundary_face
   {
-    Triangle face;
+    Vertex_triple face;
     Vertex_handle vertex_behind;
     Cell_handle cell, cell_behind;
   };
@@ -148,7 +148,7 @@ public:
 
   // The faces, seen from inside, and the vertices inside. Returns false if there is a constraint inside, or a vertex
   // that is none of the `points`.
-  bool collect_boundary(const Vertices& points, std::vector<Triangle>& faces, Vertices& inner_points)
+  bool collect_boundary(const Vertices& points, std::vector<Vertex_triple>& faces, Vertices& inner_points)
   {
     if(has_constraint_inside())
       return false;
@@ -160,7 +160,7 @@ public:
   }
 
 private:
-  bool is_constrained(const Triangle& f) const { return m_constraints.is_constrained(f[0], f[1], f[2]); }
+  bool is_constrained(const Vertex_triple& f) const { return m_constraints.is_constrained(f[0], f[1], f[2]); }
 
   void forget_surroundings()
   {

@@ -39,8 +39,7 @@ namespace internal {
  * Reconnection of a cavity around a Steiner point without this point; the cavity grows until that succeeds.
  *
  * It may grow to where it has to: if it cannot be filled, this follows from faces that no vertex of the cavity makes a
- * tetrahedron with, so the next vertices are those that do. (A point that goes with 66 vertices chosen like this took a
- * cavity of 200 of those that touch it most, and others did not go with 300 of these.)
+ * tetrahedron with, so the next vertices are those that do, see "Tuning constants" in the manual.
  */
 template <typename Tr>
 class Growing_cavity_3
@@ -94,7 +93,7 @@ public:
   const Vertices& dropped_points() const { return m_dropped_points; }
 
 private:
-  typedef typename Candidates::Triangle        Triangle;
+  typedef typename Candidates::Vertex_triple   Vertex_triple;
 
   // What hides the vertices behind the boundary of the cavity from its faces.
   class Obstacles
@@ -110,7 +109,7 @@ private:
 
     // For each of the faces, whether x is on its positive side, and neither a constraint nor, if `with_open_faces`,
     // another face than those that x is behind of is between x and one of its vertices.
-    std::vector<char> are_seen(const Vertex_handle x, const std::vector<Triangle>& faces,
+    std::vector<char> are_seen(const Vertex_handle x, const std::vector<Vertex_triple>& faces,
                                const bool with_open_faces) const
     {
       std::vector<std::pair<Vertex_handle, bool> > known; // many of the faces share vertices
@@ -123,7 +122,7 @@ private:
         return known.back().second;
       };
       std::vector<char> result;
-      for(const Triangle& f : faces)
+      for(const Vertex_triple& f : faces)
         result.push_back(m_predicates.orientation(f[0], f[1], f[2], x) == POSITIVE
                          && std::all_of(f.begin(), f.end(), is_seen));
       return result;
@@ -136,7 +135,7 @@ private:
       for(std::size_t i = 0; i < m_faces.size(); ++i)
       {
         const Vertex_handle behind = m_faces[i].vertex_behind;
-        const Triangle& f = m_faces[i].face;
+        const Vertex_triple& f = m_faces[i].face;
         if((behind == Vertex_handle() || (with_open_faces && behind != x)) && CGAL::do_overlap(box, m_boxes[i])
            && m_predicates.segment_pierces_triangle(w, x, f[0], f[1], f[2]))
           return false;
@@ -163,7 +162,7 @@ private:
   Outcome reconnect(const Vertex_handle v, const Vertices& points, const Bounds& bounds)
   {
     std::vector<std::array<Vertex_handle, 2> > edges;
-    std::vector<Triangle> facets;
+    std::vector<Vertex_triple> facets;
     internal::collect_constraints(m_constraints, m_cavity.cells(), edges, facets);
     if(! m_candidates.collect(m_cavity.cells(), edges, facets, points, v, bounds.tetrahedra))
       return GAVE_UP;
@@ -195,7 +194,7 @@ private:
     const std::size_t wanted = (std::min)(growth == AROUND ? 2 * before : before + before / 3 + 1, bounds.vertices);
     if(m_candidates.tetrahedra().size() * wanted / before * wanted / before > bounds.tetrahedra)
       return false;
-    std::vector<Triangle> faces;
+    std::vector<Vertex_triple> faces;
     if(growth == TOWARD_DEAD_ENDS)
       faces = dead_ends();
     while(number_of_vertices() < wanted && context.go_further())
@@ -208,9 +207,9 @@ private:
     return number_of_vertices() > before;
   }
 
-  std::vector<Triangle> dead_ends() const
+  std::vector<Vertex_triple> dead_ends() const
   {
-    std::vector<Triangle> result;
+    std::vector<Vertex_triple> result;
     for(const Face_matching::Side s : m_matching.dead_ends())
       result.push_back(m_candidates.vertices_of_side(s));
     return result;
@@ -219,7 +218,7 @@ private:
   // A vertex behind the boundary that makes tetrahedra with some of the faces, which are then taken out. First choice
   // is one that will, most likely, with the cells that it brings; then one that may when the cavity is larger; then the
   // one that touches the cavity most.
-  Vertex_handle next_vertex(std::vector<Triangle>& faces)
+  Vertex_handle next_vertex(std::vector<Vertex_triple>& faces)
   {
     const Vertices vertices = internal::vertices_behind(m_cavity);
     if(vertices.empty() || faces.empty())
@@ -249,9 +248,9 @@ private:
     return vertices.front();
   }
 
-  static void take_out(const std::vector<char>& marks, std::vector<Triangle>& faces)
+  static void take_out(const std::vector<char>& marks, std::vector<Vertex_triple>& faces)
   {
-    std::vector<Triangle> result;
+    std::vector<Vertex_triple> result;
     for(std::size_t i = 0; i < faces.size(); ++i)
       if(! marks[i])
         result.push_back(faces[i]);

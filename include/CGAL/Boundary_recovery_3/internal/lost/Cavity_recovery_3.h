@@ -50,8 +50,8 @@ public:
   typedef Vertex_predicates_3<Tr>              Predicates;
   typedef Constraints_3<Tr>                    Constraints;
   typedef Small_polyhedron_reconnection_3<Tr>  Reconnection;
-  typedef std::array<Vertex_handle, 2>         Edge;
-  typedef std::array<Vertex_handle, 3>         Facet;
+  typedef std::array<Vertex_handle, 2>         Vertex_pair;
+  typedef std::array<Vertex_handle, 3>         Vertex_triple;
 
   static constexpr int number_of_layers = 3;
 
@@ -62,7 +62,7 @@ public:
   { }
 
   // Returns whether uv is a mesh edge in the end.
-  bool operator()(const Edge& e)
+  bool operator()(const Vertex_pair& e)
   {
     typedef Segment_walk_3<Tr> Walk;
     const typename Walk::Outcome outcome = m_segment_walk(e[0], e[1]);
@@ -73,11 +73,11 @@ public:
       if(! (crossing.dimension == 1 ? add_shell(crossing.cell, crossing.vertices[0], crossing.vertices[1])
                                     : add_both_cells(crossing.cell, crossing.vertices)))
         return false;
-    return reconnect(std::vector<Edge>(1, e), std::vector<Facet>());
+    return reconnect(std::vector<Vertex_pair>(1, e), std::vector<Vertex_triple>());
   }
 
   // Returns whether the facet, whose edges are mesh edges, is a mesh facet in the end.
-  bool operator()(const Facet& f)
+  bool operator()(const Vertex_triple& f)
   {
     typedef Facet_walk_3<Tr> Walk;
     int i, j;
@@ -91,7 +91,7 @@ public:
     for(const typename Walk::Crossing& crossing : m_facet_walk.crossings())
       if(! add_shell(crossing.cell, crossing.vertices[0], crossing.vertices[1]))
         return false;
-    return reconnect(std::vector<Edge>(), std::vector<Facet>(1, f));
+    return reconnect(std::vector<Vertex_pair>(), std::vector<Vertex_triple>(1, f));
   }
 
   std::size_t number_of_replacements() const { return m_number_of_replacements; }
@@ -105,12 +105,12 @@ private:
                        [this](const Cell_handle cell) { return m_cavity.add(cell); });
   }
 
-  bool add_both_cells(const Cell_handle c, const Facet& f)
+  bool add_both_cells(const Cell_handle c, const Vertex_triple& f)
   {
     return m_cavity.add(c) && m_cavity.add(c->neighbor(internal::index_of_opposite_vertex(c, f)));
   }
 
-  bool reconnect(const std::vector<Edge>& edges, const std::vector<Facet>& facets)
+  bool reconnect(const std::vector<Vertex_pair>& edges, const std::vector<Vertex_triple>& facets)
   {
     if(m_cavity.vertices().size() > max_number_of_vertices)
       return false;
@@ -123,7 +123,7 @@ private:
     return m_cavity.cells().size() != before && reconnect_cells(edges, facets);
   }
 
-  bool reconnect_cells(std::vector<Edge> edges, std::vector<Facet> facets)
+  bool reconnect_cells(std::vector<Vertex_pair> edges, std::vector<Vertex_triple> facets)
   {
     internal::collect_constraints(m_constraints, m_cavity.cells(), edges, facets);
     if(m_reconnection(m_cavity.cells(), edges, facets) != Reconnection::FOUND)

@@ -35,8 +35,8 @@ namespace internal {
  *
  * The mesh entities that cross the constraint are removed one after the other, and collected again after each change.
  * Of those that cross an edge, only the first and the last are tried: in a planar fan no other can be flipped away, and
- * elsewhere attempts in the middle make more mess than progress (on 24 telling surfaces, trying all left 23 % more
- * edges lost in four times the time). Those that pierce a facet have no order; all are tried.
+ * elsewhere attempts in the middle make more mess than progress, see "Tuning constants" in the manual. Those that
+ * pierce a facet have no order; all are tried.
  */
 template <typename Tr, std::size_t N>
 class Constraint_recovery_3
@@ -137,7 +137,7 @@ private:
     return true;
   }
 
-  // Bound on the shells that are visited. (19 of 20 successes need fewer; what needs more usually fails.)
+  // Bound on the shells that are visited.
   static constexpr std::size_t max_number_of_shells = 256;
 
   // Entities tried between two decreases of the number of crossings.

@@ -82,7 +82,7 @@ public:
   typedef Constraints_3<Tr>                  Constraints;
   typedef typename Tr::Vertex_handle         Vertex_handle;
   typedef typename Tr::Cell_handle           Cell_handle;
-  typedef typename Constraints::Facet        Facet;
+  typedef typename Constraints::Vertex_triple Vertex_triple;
 
   Constraint_search_3(const Tr& tr, const Constraints& constraints) : m_tr(tr), m_constraints(constraints) { }
 
@@ -153,7 +153,7 @@ private:
     Facet_filter_3<Vertex_handle> filter(candidates.size());
     for(const std::size_t f : candidates)
       filter.insert(m_constraints.facets()[f]);
-    std::vector<Facet> facets; // looked up some at a time
+    std::vector<Vertex_triple> facets; // looked up some at a time
     std::vector<Cell_handle> cells;
     for(auto c = m_tr.all_cells_begin(); c != m_tr.all_cells_end(); ++c)
     {
@@ -191,7 +191,7 @@ private:
     return result;
   }
 
-  void put_in_place(const std::vector<Facet>& facets, const std::vector<Cell_handle>& cells)
+  void put_in_place(const std::vector<Vertex_triple>& facets, const std::vector<Cell_handle>& cells)
   {
     std::vector<std::size_t> indices;
     m_constraints.look_up(facets, indices);

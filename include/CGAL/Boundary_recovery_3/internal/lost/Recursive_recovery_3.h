@@ -64,8 +64,7 @@ public:
   // These three return the number of covering meshes that were replaced.
 
   // Complete removals of single shells, as long as a pass halves what is lost: what is left then needs recursion, and
-  // further passes would churn the mesh. (Passes as long as one edge comes back: 4 % more time on 128 surfaces, 18 %
-  // where these are stretched by 1024 in one direction, and as many points up to chance.)
+  // further passes would churn the mesh, see "Tuning constants" in the manual.
   std::size_t remove_plainly(const Phase phase)
   {
     typedef Shell_transformation_3<Tr, No_shell_quality_3, Target_validity, Visitor> Transformation;
@@ -120,12 +119,10 @@ private:
   typedef Shell_validity_conjunction_3<Kept, Target_condition> Target_validity;
 
   // The recursion level is multiplied by this from pass to pass: passes at low levels change the mesh without much use.
-  // (On 50 surfaces where flips lose edges, 698 of them lost instead of 1167 with steps of one or two as in the paper,
-  // which also took twice the time. In the end 757 points are left on 256 inputs, 796 with a factor of 5.)
   static constexpr int recursion_level_factor = 6;
 
-  // Bound on the shells that one calling of Alg. 5 visits, for each constraint that is lost at its start. Only few
-  // surfaces come near it: they have planar fans of hundreds of triangles, where recursion goes astray.
+  // Bound on the shells that one calling of Alg. 5 visits, for each constraint that is lost at its start: in planar
+  // fans of hundreds of triangles, recursion goes astray.
   static constexpr std::size_t max_number_of_shells_per_constraint = 1000;
 
   static constexpr std::size_t never = std::size_t(-1);
@@ -195,7 +192,7 @@ private:
   // that they cross, each once.
   //
   // Edges with few crossings come first: they are back after a few flips, and are then out of the way of the others.
-  // (On 112 surfaces: three more without any loss than in input order.) Facets are treated in input order.
+  // Facets are treated in input order.
   Report report()
   {
     Report result;

@@ -40,8 +40,8 @@ class Constraints_3
 {
 public:
   typedef typename Tr::Vertex_handle    Vertex_handle;
-  typedef std::array<Vertex_handle, 2>  Edge;
-  typedef std::array<Vertex_handle, 3>  Facet;
+  typedef std::array<Vertex_handle, 2>  Vertex_pair;
+  typedef std::array<Vertex_handle, 3>  Vertex_triple;
 
   static constexpr std::size_t none = std::size_t(-1);
 
@@ -103,7 +103,7 @@ public:
     const bool is_given = m_given_edges.count(e) != 0;
     for(const std::size_t f : facets)
     {
-      const Facet facet = m_facets.keys()[f];
+      const Vertex_triple facet = m_facets.keys()[f];
       insert(with_exchanged(facet, u, w));
       insert(with_exchanged(facet, v, w));
     }
@@ -120,7 +120,7 @@ public:
   {
     const std::size_t f = index(u, v, w);
     CGAL_precondition(f != none);
-    const Facet facet = m_facets.keys()[f];
+    const Vertex_triple facet = m_facets.keys()[f];
     for(const Vertex_handle replaced : facet)
       insert(with_exchanged(facet, replaced, x));
     erase_facet(f);
@@ -130,8 +130,8 @@ public:
   bool is_edge_erased(const std::size_t e) const { return m_edges.is_erased(e); }
   bool is_facet_erased(const std::size_t f) const { return m_facets.is_erased(f); }
 
-  const std::vector<Edge>& edges() const { return m_edges.keys(); }
-  const std::vector<Facet>& facets() const { return m_facets.keys(); }
+  const std::vector<Vertex_pair>& edges() const { return m_edges.keys(); }
+  const std::vector<Vertex_triple>& facets() const { return m_facets.keys(); }
 
   // The indices of the edges of a facet.
   const std::array<std::size_t, 3>& edges_of_facet(const std::size_t f) const { return m_edges_of_facets[f]; }
@@ -147,7 +147,7 @@ public:
   }
 
   // For each of the facets its index, or none.
-  void look_up(const std::vector<Facet>& facets, std::vector<std::size_t>& indices) const
+  void look_up(const std::vector<Vertex_triple>& facets, std::vector<std::size_t>& indices) const
   {
     m_facets.look_up(facets, indices);
   }
@@ -165,9 +165,9 @@ public:
 private:
   std::size_t insert_edge(const Vertex_handle u, const Vertex_handle v) { return m_edges.insert({{ u, v }}).first; }
 
-  std::size_t insert(const Facet& f) { return insert(f[0], f[1], f[2]); }
+  std::size_t insert(const Vertex_triple& f) { return insert(f[0], f[1], f[2]); }
 
-  static Facet with_exchanged(Facet facet, const Vertex_handle replaced, const Vertex_handle v)
+  static Vertex_triple with_exchanged(Vertex_triple facet, const Vertex_handle replaced, const Vertex_handle v)
   {
     std::replace(facet.begin(), facet.end(), replaced, v);
     return facet;

@@ -47,14 +47,16 @@ void split_edge(Editor& editor, const typename Editor::Tr::Cell_handle c, const 
   editor.replace(shell.cells(), tetrahedra);
 }
 
-// As above; an edge that is constrained is split among the constraints, too.
+// As above; an edge that is constrained is split among the constraints, too. Those that are marked in cells know an edge
+// only as long as it is in the mesh.
 template <typename Editor, typename Constraints>
 void split_edge(Editor& editor, Constraints& constraints, const typename Editor::Tr::Cell_handle c,
                 const typename Editor::Tr::Vertex_handle a, const typename Editor::Tr::Vertex_handle b,
                 const typename Editor::Tr::Vertex_handle v)
 {
+  const bool is_constrained = constraints.is_constrained(a, b);
   internal::split_edge(editor, c, a, b, v);
-  if(constraints.is_constrained(a, b))
+  if(is_constrained)
     constraints.split(a, b, v);
 }
 

@@ -43,14 +43,16 @@ void split_facet(Editor& editor, const typename Editor::Tr::Cell_handle c,
   editor.replace(cells, tetrahedra);
 }
 
-// As above; a facet that is constrained is split among the constraints, too.
+// As above; a facet that is constrained is split among the constraints, too. Those that are marked in cells know a facet
+// only as long as it is in the mesh.
 template <typename Editor, typename Constraints>
 void split_facet(Editor& editor, Constraints& constraints, const typename Editor::Tr::Cell_handle c,
                  const std::array<typename Editor::Tr::Vertex_handle, 3>& facet,
                  const typename Editor::Tr::Vertex_handle v)
 {
+  const bool is_constrained = constraints.is_constrained(facet[0], facet[1], facet[2]);
   internal::split_facet(editor, c, facet, v);
-  if(constraints.is_constrained(facet[0], facet[1], facet[2]))
+  if(is_constrained)
     constraints.split(facet[0], facet[1], facet[2], v);
 }
 

@@ -76,7 +76,7 @@ std::vector<std::array<Vertex_handle, 4> > star(const std::vector<std::array<Ver
 template <typename Editor, typename Cavity>
 void star_cavity(Editor& editor, Cavity& cavity, const typename Cavity::Vertex_handle v)
 {
-  std::vector<typename Cavity::Triangle> faces;
+  std::vector<typename Cavity::Vertex_triple> faces;
   for(const auto& f : cavity.boundary())
     faces.push_back(f.face);
   typename Cavity::Vertices dropped = cavity.inner_vertices();

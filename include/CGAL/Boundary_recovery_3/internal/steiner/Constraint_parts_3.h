@@ -38,41 +38,41 @@ public:
   typedef typename Tr::Vertex_handle     Vertex_handle;
   typedef typename Tr::Cell_handle       Cell_handle;
   typedef Steiner_ledger_3<Tr>           Ledger;
-  typedef std::array<Vertex_handle, 2>   Edge;
-  typedef std::array<Vertex_handle, 3>   Facet;
+  typedef std::array<Vertex_handle, 2>   Vertex_pair;
+  typedef std::array<Vertex_handle, 3>   Vertex_triple;
 
   Constraint_parts_3(const Tr& tr, const Ledger& ledger)
     : m_tr(tr), m_ledger(ledger)
   { }
 
   // From one end to the other; none if some part is not a mesh edge.
-  std::vector<Edge> of_edge(const std::size_t e) const
+  std::vector<Vertex_pair> of_edge(const std::size_t e) const
   {
-    const std::vector<Edge> parts = chain(e);
-    for(const Edge& part : parts)
+    const std::vector<Vertex_pair> parts = chain(e);
+    for(const Vertex_pair& part : parts)
     {
       Cell_handle c;
       int i, j;
       if(! m_tr.is_edge(part[0], part[1], c, i, j))
-        return std::vector<Edge>();
+        return std::vector<Vertex_pair>();
     }
     return parts;
   }
 
   // In the orientation of the facet; none if they do not tile it. They do if, and only if, their boundary is that of
   // the facet: mesh facets do not overlap.
-  std::vector<Facet> of_facet(const std::size_t f) const
+  std::vector<Vertex_triple> of_facet(const std::size_t f) const
   {
-    std::vector<Facet> parts = facets_on(f);
+    std::vector<Vertex_triple> parts = facets_on(f);
     Odd_edges open;
-    for(const Facet& part : parts)
+    for(const Vertex_triple& part : parts)
       for(int i = 0; i < 3; ++i)
         open.toggle({{ part[i], part[(i + 1) % 3] }});
     for(const std::size_t e : m_ledger.constraints().edges_of_facet(f))
-      for(const Edge& part : chain(e))
+      for(const Vertex_pair& part : chain(e))
         open.toggle(part);
     if(! open.empty())
-      return std::vector<Facet>();
+      return std::vector<Vertex_triple>();
     orient(parts, f);
     return parts;
   }
@@ -95,7 +95,7 @@ private:
   public:
     bool empty() const { return m_size == 0; }
 
-    void toggle(const Edge& e)
+    void toggle(const Vertex_pair& e)
     {
       const std::size_t i = m_index.insert(e).first;
       m_is_odd.resize(m_index.size(), false);
@@ -112,10 +112,10 @@ private:
     std::size_t m_size = 0;
   };
 
-  std::vector<Edge> chain(const std::size_t e) const
+  std::vector<Vertex_pair> chain(const std::size_t e) const
   {
     const std::vector<Vertex_handle> vertices = m_ledger.vertices_on_edge(e);
-    std::vector<Edge> parts;
+    std::vector<Vertex_pair> parts;
     for(std::size_t i = 1; i < vertices.size(); ++i)
       parts.push_back({{ vertices[i - 1], vertices[i] }});
     return parts;
@@ -123,17 +123,17 @@ private:
 
   // The edges of the facet have a direction, and neighboring parts run through their common edge in opposite
   // directions.
-  void orient(std::vector<Facet>& parts, const std::size_t f) const
+  void orient(std::vector<Vertex_triple>& parts, const std::size_t f) const
   {
-    std::vector<Edge> directed = boundary(f);
+    std::vector<Vertex_pair> directed = boundary(f);
     std::vector<bool> is_done(parts.size(), false);
     while(! directed.empty())
     {
-      const Edge e = directed.back();
+      const Vertex_pair e = directed.back();
       directed.pop_back();
       for(std::size_t i = 0; i < parts.size(); ++i)
       {
-        Facet& p = parts[i];
+        Vertex_triple& p = parts[i];
         const auto end = p.end();
         if(is_done[i] || std::find(p.begin(), end, e[0]) == end || std::find(p.begin(), end, e[1]) == end)
           continue;
@@ -149,15 +149,15 @@ private:
   }
 
   // The mesh edges around the facet f, in its direction.
-  std::vector<Edge> boundary(const std::size_t f) const
+  std::vector<Vertex_pair> boundary(const std::size_t f) const
   {
-    const Facet& facet = m_ledger.constraints().facets()[f];
-    std::vector<Edge> edges;
+    const Vertex_triple& facet = m_ledger.constraints().facets()[f];
+    std::vector<Vertex_pair> edges;
     for(int i = 0; i < 3; ++i)
     {
-      std::vector<Edge> parts = chain(m_ledger.constraints().edges_of_facet(f)[i]);
+      std::vector<Vertex_pair> parts = chain(m_ledger.constraints().edges_of_facet(f)[i]);
       if(parts.front()[0] != facet[i])
-        for(Edge& part : parts)
+        for(Vertex_pair& part : parts)
           std::swap(part[0], part[1]);
       edges.insert(edges.end(), parts.begin(), parts.end());
     }
@@ -165,7 +165,7 @@ private:
   }
 
   // The mesh facets whose vertices are all on the facet f.
-  std::vector<Facet> facets_on(const std::size_t f) const
+  std::vector<Vertex_triple> facets_on(const std::size_t f) const
   {
     Simplex_index_3<Vertex_handle, 3> facets;
     std::vector<Cell_handle> star;
@@ -176,7 +176,7 @@ private:
       for(const Cell_handle c : star)
         for(int i = 0; i < 4; ++i)
         {
-          const Facet facet = internal::facet_vertices(c, i);
+          const Vertex_triple facet = internal::facet_vertices(c, i);
           if(is_on(facet, f))
             facets.insert(facet);
         }
@@ -184,7 +184,7 @@ private:
     return facets.keys();
   }
 
-  bool is_on(const Facet& facet, const std::size_t f) const
+  bool is_on(const Vertex_triple& facet, const std::size_t f) const
   {
     return m_ledger.is_on_facet(facet[0], f) && m_ledger.is_on_facet(facet[1], f)
         && m_ledger.is_on_facet(facet[2], f);

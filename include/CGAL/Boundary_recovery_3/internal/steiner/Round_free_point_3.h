@@ -95,7 +95,7 @@ private:
   // Of a cavity of which all faces are seen.
   bool can_be_starred(Cavity& cavity) const
   {
-    std::vector<typename Cavity::Triangle> faces;
+    std::vector<typename Cavity::Vertex_triple> faces;
     std::vector<Vertex_handle> inner_points;
     return cavity.collect_boundary(m_mesh.ledger.free_points(), faces, inner_points);
   }
@@ -124,7 +124,7 @@ private:
     return typename Positions::Point_3(x[0], x[1], x[2]);
   }
 
-  // Of a ball that is enlarged until its vertex sees all. (Of nine balls, the smallest had 101 to 148.)
+  // Of a ball that is enlarged until its vertex sees all, see "Tuning constants" in the manual.
   static constexpr std::size_t max_number_of_cells = 1000;
 
   Mesh& m_mesh;

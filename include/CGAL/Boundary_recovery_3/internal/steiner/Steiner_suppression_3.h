@@ -67,8 +67,7 @@ public:
       m_move_into_kernel(mesh.predicates, mesh.positions)
   { }
 
-  // Removes as many points as it can. The recursion level of the flips is low first, for most points need no more. (On
-  // 256 inputs, the other level leaves 4 % fewer points in the domain, in 5 % more time.)
+  // Removes as many points as it can. The recursion level of the flips is low first, for most points need no more.
   void operator()(const int max_recursion_level)
   {
     const int low = (std::min)(low_recursion_level, max_recursion_level);
@@ -193,8 +192,8 @@ private:
   }
 
   // Tries to remove each of the points by reconnection of a growing cavity around it, as long as this does not fail too
-  // often. Those in the exterior are left alone: on 200 surfaces, that helped one of 781. Adds the points that no
-  // growth helps to the `hopeless` ones, and does not try these; the list is empty again once one is removed.
+  // often. Those in the exterior are left alone: that hardly ever helped one. Adds the points that no growth helps to
+  // the `hopeless` ones, and does not try these; the list is empty again once one is removed.
   void reconnect_points(const typename Growing_cavity::Growth growth, std::vector<Vertex_handle>& hopeless)
   {
     const std::size_t before = number_of_points();
@@ -256,12 +255,10 @@ private:
   // Returns false if v is on the hull.
   bool collect_ball(const Vertex_handle v) { return internal::collect_ball(m_mesh.tr, v, m_ball); }
 
-  // Raising the level from 0, as for lost edges, left a few more points in twice the time.
+  // See "Tuning constants" in the manual. The level is not raised from 0, as it is for lost edges.
   static constexpr int low_recursion_level = 4;
 
-  // For the points that nothing else removes. (On 35 surfaces that keep points, 99 stay. With cavities of up to 40
-  // vertices that grow around alone, 122 do; with those that grow toward dead ends alone, 103. With half as many
-  // tetrahedra, 105. The search is over after 160 steps, mostly.)
+  // For the points that nothing else removes.
   static constexpr typename Growing_cavity::Bounds around_bounds = { 40, 100000, 400 };
   static constexpr typename Growing_cavity::Bounds dead_ends_bounds = { 128, 100000, 400 };
 
