@@ -164,10 +164,10 @@ public:
       if(random_int(rng, 2) == 0 && BR::internal::collect_ball(tr, v, ball))
         ledger.insert_free(v, { 1, 0 });
     }
-    for(const auto& f : tr.finite_facets())
+    for(const Cell_handle c : tr.finite_cell_handles())
     {
-      const Facet v = BR::internal::facet_vertices(f.first, f.second);
-      if(random_int(rng, 4) == 0 && std::none_of(v.begin(), v.end(), [&](const auto w) { return ledger.is_free(w); }))
+      const Facet v = BR::internal::facet_vertices(c, random_int(rng, 4));
+      if(random_int(rng, 2) == 0 && std::none_of(v.begin(), v.end(), [&](const auto w) { return ledger.is_free(w); }))
         constraints.insert(v[0], v[1], v[2]);
     }
     m_number_of_other_vertices = tr.number_of_vertices() - ledger.free_points().size();

@@ -199,11 +199,11 @@ private:
       recover_conforming(l_max);
       const bool is_conforming = m_state.is_nothing_lost();
       const bool is_done = is_conforming && finish_points(mode, max_recursion_level);
+      if(! is_done)
+        take_back(m_state.context.visitor());
+      recount(); // the visitor may still throw
       if(is_done)
         m_editor.commit();
-      else
-        take_back(m_state.context.visitor());
-      recount();
       if(is_done || ! is_conforming || ! m_state.context.go_further())
         return;
     }
