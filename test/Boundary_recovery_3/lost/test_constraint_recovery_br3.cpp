@@ -16,11 +16,14 @@
 #include "steiner_inputs_br3.h"
 #include "stopping_visitor_br3.h"
 
+#include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
 #include <CGAL/Boundary_recovery_3/Shell_quality_3.h>
 #include <CGAL/Boundary_recovery_3/Shell_validity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/lost/Cavity_recovery_3.h>
 #include <CGAL/Boundary_recovery_3/internal/lost/Constraint_recovery_3.h>
+#include <CGAL/Boundary_recovery_3/internal/lost/Recovery_by_flips_3.h>
+#include <CGAL/Boundary_recovery_3/internal/lost/Recovery_state_3.h>
 #include <CGAL/Boundary_recovery_3/internal/lost/Recursive_recovery_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_validity.h>
@@ -87,6 +90,16 @@ public:
     return ! tr.is_facet(f[0], f[1], f[2], c, i, j, k);
   }
 
+  template <std::size_t N>
+  Indices lost() const
+  {
+    Indices result;
+    for(std::size_t i = 0; i < all<N>().size(); ++i)
+      if(is_lost(all<N>()[i]))
+        result.push_back(i);
+    return result;
+  }
+
   // Edges (N = 2), or facets whose edges are in the mesh (N = 3).
   template <std::size_t N>
   Indices treatable() const
@@ -128,16 +141,6 @@ public:
   Context context;
 
 private:
-  template <std::size_t N>
-  Indices lost() const
-  {
-    Indices result;
-    for(std::size_t i = 0; i < all<N>().size(); ++i)
-      if(is_lost(all<N>()[i]))
-        result.push_back(i);
-    return result;
-  }
-
   Indices m_lost_edges, m_lost_facets; // after the last check
 };
 
@@ -250,6 +253,42 @@ void test_stop(const br3_test::Plc& plc)
   assert(scene.visitor.number_of_questions == 1 && scene.treatable<2>() == before);
 }
 
+// All the phases in their order: each knows at its end what is lost, and is in the account if it had anything to do.
+void test_phases(const br3_test::Plc& plc)
+{
+  typedef internal::Recovery_by_flips_3<Tr, Stopping_visitor> Recovery;
+  typedef BR::Recovery_phase Phase;
+  Scene scene(plc);
+  internal::Recovery_state_3<Tr, Stopping_visitor> state(scene.tr, scene.predicates, scene.constraints, scene.context);
+  assert(state.is_nothing_lost());
+  state.run(Phase::search, [&] { state.look_up_all(); });
+  assert(state.lost.edges == scene.lost<2>() && state.lost.facets == scene.lost<3>());
+  Recovery recover(state);
+  const auto run = [&](const Phase phase, const bool is_for_edges, const auto& work)
+  {
+    const std::size_t before = state.phases.size(), number_of_transformations = state.number_of_transformations;
+    const bool has_work = is_for_edges ? ! scene.lost<2>().empty() : ! scene.treatable<3>().empty();
+    const std::size_t number_of_lost = state.lost.edges.size() + state.lost.facets.size();
+    work();
+    scene.check();
+    assert(state.lost.edges == scene.lost<2>() && state.lost.facets == scene.lost<3>());
+    assert(state.phases.size() == before + (has_work ? 1 : 0));
+    assert(number_of_lost == state.lost.edges.size() + state.lost.facets.size()
+           || state.number_of_transformations > number_of_transformations);
+    assert(! has_work || (state.phases.back().phase == phase
+                          && state.phases.back().lost_edges == state.lost.edges.size()
+                          && state.phases.back().lost_facets == state.lost.facets.size()));
+    number_of["phases with work"] += has_work;
+  };
+  run(Phase::plain_removal, true, [&] { recover.remove_plainly(); });
+  run(Phase::edge_recovery_brc1, true, [&] { recover.recover_edges_brc1(5); });
+  run(Phase::edge_recovery_brc3, true, [&] { recover.recover_edges_brc3(5); });
+  run(Phase::edge_reconnection, true, [&] { recover.reconnect_edges(); });
+  run(Phase::facet_recovery_brc2, false, [&] { recover.recover_facets_brc2(5); });
+  run(Phase::facet_recovery_brc4, false, [&] { recover.recover_facets_brc4(5); });
+  run(Phase::facet_reconnection, false, [&] { recover.reconnect_facets(); });
+}
+
 void test(const br3_test::Plc& plc)
 {
   Scene one_by_one(plc), in_cavities(plc);
@@ -266,6 +305,7 @@ void test(const br3_test::Plc& plc)
     test_callings<3>(all_at_once, first);
   }
   test_stop(plc);
+  test_phases(plc);
 }
 
 int main()
@@ -285,5 +325,7 @@ int main()
       std::cout << number_of[what + " recovered " + means] << ' ' << what << " recovered " << means << std::endl;
       assert(number_of[what + " recovered " + means] > 0);
     }
+  std::cout << number_of["phases with work"] << " phases with work" << std::endl;
+  assert(number_of["phases with work"] > 100);
   std::cout << "done" << std::endl;
 }
