@@ -20,6 +20,7 @@ A visitor that is given as `std::ref(v)` is called itself, else a copy of it is.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Default_boundary_recovery_visitor_3}
+\cgalHasModels{CGAL::Boundary_recovery_3::Mesh_indices_keeper_3}
 \cgalHasModelsEnd
 
 \sa `CGAL::recover_boundary()`

@@ -25,6 +25,7 @@ FLOORS = [
     "util",         # ranges, hashing, bits, the context of a run
     "numbers",      # exact numbers, and floating point numbers near them
     "mesh",         # simplices of cells, constraints, replacement of cells and its undo, regions
+    "Boundary_recovery_3/Mesh_indices_keeper_3.h",
     "Boundary_recovery_3/label_regions.h",
     "geometry",     # exact positions, predicates of vertices, visibility, walks
     "Boundary_recovery_3/Shell_quality_3.h",
