@@ -520,7 +520,7 @@ int main()
                            "edge split on the hull", "constrained edge split", "facet split",
                            "facet split on the hull", "facet split from elsewhere", "constrained facet split",
                            "ball seen", "ball not seen", "edge collapsed", "edge collapsed next to a constraint",
-                           "vertex removed by collapse", "vertex removed by reconnection", "vertex not removed",
+                           "vertex removed by collapse", "vertex removed by reconnection",
                            "vertex removed with a layer", "vertex moved", "vertex not moved",
                            "face hidden", "constraint inside", "vertex lost", "no obstacle",
                            "cavity starred from a new vertex", "cavity starred from a vertex inside",

@@ -26,19 +26,21 @@ struct Surroundings
     for(const Cell_handle c : cells)
       for(int i = 0; i < 4; ++i)
       {
-        inner_vertices.insert(c->vertex(i));
+        const Vertex_handle w = c->vertex(i);
+        if(std::count(inner_vertices.begin(), inner_vertices.end(), w) == 0)
+          inner_vertices.push_back(w);
         if(std::count(cells.begin(), cells.end(), c->neighbor(i)) > 0)
           continue;
         Tetrahedron t = Mesh::tetrahedron(c);
         t[static_cast<std::size_t>(i)] = v;
         star.push_back(t);
         Simplex face = Mesh::vertices_of(c);
-        face.erase(c->vertex(i));
+        face.erase(w);
         outer_faces.insert(face);
       }
     for(const Simplex& f : outer_faces)
       for(const Vertex_handle w : f)
-        inner_vertices.erase(w);
+        inner_vertices.erase(std::remove(inner_vertices.begin(), inner_vertices.end(), w), inner_vertices.end());
   }
 
   // The first one that applies.
@@ -68,7 +70,7 @@ struct Surroundings
   const Vertex_handle apex;
   std::set<Simplex> outer_faces;
   typename Mesh::Tetrahedra star; // from the apex to these
-  Simplex inner_vertices;
+  typename Mesh::Vertices inner_vertices; // in the order of the cells
 };
 
 } // namespace br3_test

@@ -110,7 +110,7 @@ struct Changing_mesh
           Simplex s = vertices_of(c);
           s.erase(c->vertex(i));
           if(random_int(rng, 2) == 0)
-            s.erase(s.begin());
+            s.erase(c->vertex((i + 1) % 4));
           constraints.insert(s);
         }
   }

@@ -139,11 +139,11 @@ private:
     const Simplex facet = without(Mesh::vertices_of(c), apex);
     const Cells cells = m.cells_with(facet);
     assert(cells.size() == 2);
-    c = random_item(cells, rng);
     const bool is_on_facet = random_int(rng, 3) > 0;
-    Vertices support(facet.begin(), facet.end());
+    Vertex_triple f = internal::facet_vertices(c, i);
+    Vertices support(f.begin(), f.end());
     if(! is_on_facet)
-      support = { support[0], support[0], support[1], support[1], support[2], support[2], apex };
+      support = { f[0], f[0], f[1], f[1], f[2], f[2], apex };
     const Vertex_handle v = m.create_vertex(support, rng);
     if(v == Vertex_handle())
       return;
@@ -151,8 +151,7 @@ private:
     for(const Cell_handle cell : cells)
       for(const Vertex_handle w : facet)
         thirds.push_back(Mesh::with_exchanged(cell, w, v));
-    Vertex_triple f;
-    std::copy(facet.begin(), facet.end(), f.begin());
+    c = random_item(cells, rng);
     std::rotate(f.begin(), f.begin() + random_int(rng, 3), f.end());
     const bool is_on_hull = m.is_any_infinite(cells), is_constrained = m.constraints.is_constrained(f[0], f[1], f[2]);
     if(! m.are_positive(thirds) || (! is_on_facet && (is_on_hull || is_constrained)))
@@ -378,12 +377,12 @@ private:
     ++number_of[names.at(expected)];
     if(expected != Star_obstacle::NONE)
       return false;
-    Simplex dropped = around.inner_vertices;
-    dropped.erase(v);
+    Vertices dropped = around.inner_vertices;
+    dropped.erase(std::remove(dropped.begin(), dropped.end(), v), dropped.end());
     number_of["cavity starred, and vertices are gone"] += ! dropped.empty();
     ++number_of[is_vertex_new ? "cavity starred from a new vertex" : "cavity starred from a vertex inside"];
     internal::Cavity_3<Tr, Constraints> cavity(m.tr, m.constraints, cells);
-    Expected_change<Mesh>(m, cells, around.star, Vertices(dropped.begin(), dropped.end())).make([&]
+    Expected_change<Mesh>(m, cells, around.star, dropped).make([&]
     {
       internal::star_cavity(m.editor, cavity, v);
     });
