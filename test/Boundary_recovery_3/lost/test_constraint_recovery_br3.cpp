@@ -12,6 +12,7 @@
 
 #undef NDEBUG
 
+#include "cell_mirror_br3.h"
 #include "mesh_validity_br3.h"
 #include "steiner_inputs_br3.h"
 #include "stopping_visitor_br3.h"
@@ -253,40 +254,152 @@ void test_stop(const br3_test::Plc& plc)
   assert(scene.visitor.number_of_questions == 1 && scene.treatable<2>() == before);
 }
 
-// All the phases in their order: each knows at its end what is lost, and is in the account if it had anything to do.
+struct Thrown { };
+
+// Checks what it is told of cells, writes down what it is told of phases, and throws or says no at one of the calls.
+struct Watching_visitor
+  : public br3_test::Cell_mirror<Tr>
+{
+  explicit Watching_visitor(const Tr& tr) : br3_test::Cell_mirror<Tr>(tr) { }
+
+  void on_phase_begin(const BR::Recovery_phase phase) { begun.push_back(phase); }
+
+  void on_phase_end(const BR::Phase_report& report) { ended.push_back(report); }
+
+  void on_progress(const BR::Recovery_phase phase, const std::size_t done, const std::size_t total)
+  {
+    assert(phase == begun.back() && ended.size() + 1 == begun.size() && done <= total);
+  }
+
+  bool go_further() { return number_of_questions++ != last_question; }
+
+  template <typename CellRange>
+  void before_cells_removal(const CellRange& cells)
+  {
+    if(++number_of_replacements == last_replacement)
+      throw Thrown();
+    br3_test::Cell_mirror<Tr>::before_cells_removal(cells);
+  }
+
+  std::vector<BR::Recovery_phase> begun;
+  std::vector<BR::Phase_report> ended;
+  std::size_t number_of_questions = 0, last_question = std::size_t(-1);
+  std::size_t number_of_replacements = 0, last_replacement = std::size_t(-1);
+};
+
+// The phases in their order: each knows at its end what is lost, and is in the account if it had anything to do.
+class Phase_by_phase
+{
+public:
+  typedef internal::Recovery_state_3<Tr, Watching_visitor>     State;
+  typedef internal::Recovery_by_flips_3<Tr, Watching_visitor>  Recovery;
+  typedef BR::Recovery_phase                                   Phase;
+
+  explicit Phase_by_phase(const br3_test::Plc& plc)
+    : m_scene(plc), m_visitor(m_scene.tr), m_context(m_visitor),
+      m_state(m_scene.tr, m_scene.predicates, m_scene.constraints, m_context), m_recovery(m_state)
+  { }
+
+  // Leaves out some of the phases, and returns those that ran.
+  std::vector<Phase> operator()(const std::vector<Phase>& left_out = std::vector<Phase>())
+  {
+    m_left_out = left_out;
+    assert(m_state.is_nothing_lost());
+    m_state.run(Phase::search, [this] { m_state.look_up_all(); });
+    check_state();
+    run<2>(Phase::plain_removal, [this] { m_recovery.remove_plainly(); });
+    run<2>(Phase::edge_recovery_brc1, [this] { m_recovery.recover_edges_brc1(5); });
+    run<2>(Phase::edge_recovery_brc3, [this] { m_recovery.recover_edges_brc3(5); });
+    run<2>(Phase::edge_reconnection, [this] { m_recovery.reconnect_edges(); });
+    run<3>(Phase::facet_recovery_brc2, [this] { m_recovery.recover_facets_brc2(5); });
+    run<3>(Phase::facet_recovery_brc4, [this] { m_recovery.recover_facets_brc4(5); });
+    run<3>(Phase::facet_reconnection, [this] { m_recovery.reconnect_facets(); });
+    m_state.run(Phase::recount, [this] { m_state.look_up_all(); });
+    check_state();
+    assert(m_state.is_nothing_lost() == (m_scene.lost<2>().empty() && m_scene.lost<3>().empty()));
+    return m_visitor.begun;
+  }
+
+  void check_mesh() { m_scene.check(); }
+
+  Watching_visitor& visitor() { return m_visitor; }
+
+private:
+  template <std::size_t N, typename Work>
+  void run(const Phase phase, const Work& work)
+  {
+    if(internal::contains(m_left_out, phase))
+      return;
+    const bool is_expected = ! m_scene.treatable<N>().empty() && ! m_context.is_stopped();
+    const std::size_t number_of_lost = m_scene.lost<N>().size(), number_of_phases = m_state.phases.size();
+    const std::size_t number_of_transformations = m_state.number_of_transformations;
+    const std::size_t number_of_replacements = m_visitor.number_of_replacements;
+    work();
+    const bool has_run = m_state.phases.size() > number_of_phases;
+    assert(has_run == is_expected || m_context.is_stopped());
+    check_state();
+    assert(m_state.number_of_transformations - number_of_transformations
+           == m_visitor.number_of_replacements - number_of_replacements);
+    if(! has_run)
+    {
+      assert(m_visitor.number_of_replacements == number_of_replacements);
+      return;
+    }
+    assert(m_state.phases.back().phase == phase && m_state.phases.size() == number_of_phases + 1);
+    const std::size_t number_of_recovered = number_of_lost - m_scene.lost<N>().size();
+    number_of["recovered in phase " + std::to_string(static_cast<int>(phase))] += number_of_recovered;
+    assert(number_of_recovered == 0 || m_visitor.number_of_replacements > number_of_replacements);
+  }
+
+  // What is said to be lost is lost, and the visitor and the account know what the state knows.
+  void check_state()
+  {
+    m_scene.check();
+    m_visitor.check(m_scene.tr);
+    assert(m_state.lost.edges == m_scene.lost<2>() && m_state.lost.facets == m_scene.lost<3>());
+    assert(m_visitor.begun.size() == m_state.phases.size() && m_visitor.ended.size() == m_state.phases.size());
+    for(std::size_t i = 0; i < m_state.phases.size(); ++i)
+      assert(m_visitor.begun[i] == m_state.phases[i].phase && m_visitor.ended[i].phase == m_state.phases[i].phase);
+    const auto& last = m_state.phases.back();
+    const auto& told = m_visitor.ended.back();
+    assert(told.lost_edges == last.lost_edges && told.lost_facets == last.lost_facets && told.seconds == last.seconds);
+    assert(last.lost_edges == m_state.lost.edges.size() && last.lost_facets == m_state.lost.facets.size());
+    assert(last.seconds >= 0);
+  }
+
+  Scene m_scene;
+  Watching_visitor m_visitor;
+  internal::Recovery_context<Watching_visitor> m_context;
+  State m_state;
+  Recovery m_recovery;
+  std::vector<Phase> m_left_out;
+};
+
+// Undisturbed; without those that do most; stopped from the beginning, when only what decides on the outcome runs; and
+// stopped or thrown in the middle.
 void test_phases(const br3_test::Plc& plc)
 {
-  typedef internal::Recovery_by_flips_3<Tr, Stopping_visitor> Recovery;
   typedef BR::Recovery_phase Phase;
-  Scene scene(plc);
-  internal::Recovery_state_3<Tr, Stopping_visitor> state(scene.tr, scene.predicates, scene.constraints, scene.context);
-  assert(state.is_nothing_lost());
-  state.run(Phase::search, [&] { state.look_up_all(); });
-  assert(state.lost.edges == scene.lost<2>() && state.lost.facets == scene.lost<3>());
-  Recovery recover(state);
-  const auto run = [&](const Phase phase, const bool is_for_edges, const auto& work)
-  {
-    const std::size_t before = state.phases.size(), number_of_transformations = state.number_of_transformations;
-    const bool has_work = is_for_edges ? ! scene.lost<2>().empty() : ! scene.treatable<3>().empty();
-    const std::size_t number_of_lost = state.lost.edges.size() + state.lost.facets.size();
-    work();
-    scene.check();
-    assert(state.lost.edges == scene.lost<2>() && state.lost.facets == scene.lost<3>());
-    assert(state.phases.size() == before + (has_work ? 1 : 0));
-    assert(number_of_lost == state.lost.edges.size() + state.lost.facets.size()
-           || state.number_of_transformations > number_of_transformations);
-    assert(! has_work || (state.phases.back().phase == phase
-                          && state.phases.back().lost_edges == state.lost.edges.size()
-                          && state.phases.back().lost_facets == state.lost.facets.size()));
-    number_of["phases with work"] += has_work;
-  };
-  run(Phase::plain_removal, true, [&] { recover.remove_plainly(); });
-  run(Phase::edge_recovery_brc1, true, [&] { recover.recover_edges_brc1(5); });
-  run(Phase::edge_recovery_brc3, true, [&] { recover.recover_edges_brc3(5); });
-  run(Phase::edge_reconnection, true, [&] { recover.reconnect_edges(); });
-  run(Phase::facet_recovery_brc2, false, [&] { recover.recover_facets_brc2(5); });
-  run(Phase::facet_recovery_brc4, false, [&] { recover.recover_facets_brc4(5); });
-  run(Phase::facet_reconnection, false, [&] { recover.reconnect_facets(); });
+  Phase_by_phase without_first(plc), without_flips(plc);
+  without_first({ Phase::plain_removal, Phase::edge_recovery_brc1, Phase::facet_recovery_brc2 });
+  without_flips({ Phase::plain_removal, Phase::edge_recovery_brc1, Phase::edge_recovery_brc3,
+                  Phase::facet_recovery_brc2, Phase::facet_recovery_brc4 });
+  Phase_by_phase undisturbed(plc), stopped(plc), stopped_later(plc), thrown(plc);
+  undisturbed();
+  stopped.visitor().last_question = 0;
+  assert((stopped() == std::vector<Phase>{ Phase::search, Phase::recount }));
+  stopped_later.visitor().last_question = undisturbed.visitor().number_of_questions / 2;
+  stopped_later();
+  const std::size_t n = undisturbed.visitor().number_of_replacements;
+  if(n == 0)
+    return;
+  thrown.visitor().last_replacement = (n + 1) / 2;
+  try {
+    thrown();
+    assert(false);
+  } catch(const Thrown&) { }
+  thrown.check_mesh();
+  ++number_of["exceptions"];
 }
 
 void test(const br3_test::Plc& plc)
@@ -325,7 +438,16 @@ int main()
       std::cout << number_of[what + " recovered " + means] << ' ' << what << " recovered " << means << std::endl;
       assert(number_of[what + " recovered " + means] > 0);
     }
-  std::cout << number_of["phases with work"] << " phases with work" << std::endl;
-  assert(number_of["phases with work"] > 100);
+  std::cout << number_of["exceptions"] << " exceptions" << std::endl;
+  assert(number_of["exceptions"] > 0);
+  typedef BR::Recovery_phase Phase;
+  for(const Phase phase : { Phase::plain_removal, Phase::edge_recovery_brc1, Phase::edge_recovery_brc3,
+                            Phase::edge_reconnection, Phase::facet_recovery_brc2, Phase::facet_recovery_brc4,
+                            Phase::facet_reconnection })
+  {
+    const std::string kind = "recovered in phase " + std::to_string(static_cast<int>(phase));
+    std::cout << number_of[kind] << ' ' << kind << std::endl;
+    assert(number_of[kind] > 0);
+  }
   std::cout << "done" << std::endl;
 }
