@@ -2,12 +2,13 @@
 #define BOUNDARY_RECOVERY_3_PROGRAM_READ_SURFACE_H
 
 #include "check_ply.h"
+#include "normalize_text.h"
+#include "read_binary_off.h"
 #include "read_faulty_soup.h"
 
 #include <CGAL/IO/polygon_soup_io.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <exception>
@@ -26,6 +27,7 @@ struct Surface
   std::vector<std::vector<std::size_t> > faces;
   std::vector<std::size_t> file_vertices;      // the number in the file of each point, the first one of equal points
   std::size_t number_of_vertices_in_file = 0;
+  std::vector<std::string> notes;              // what the user has to know about the file
 
   // the number in the file of a vertex that a face names, whether it exists or not
   std::size_t file_vertex(const std::size_t v) const
@@ -57,13 +59,11 @@ typedef Bounded_vector<std::size_t> Face;
 inline std::string lower_case_extension(const std::string& file)
 {
   const std::size_t dot = file.rfind('.');
-  std::string extension = dot == std::string::npos ? std::string() : file.substr(dot);
-  for(char& c : extension)
-    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
+  return dot == std::string::npos ? std::string() : lower_case(file.substr(dot));
 }
 
-// the whole file; `false` if it cannot be read, as a directory cannot
+// the whole file; `false` if it cannot be read, as a directory cannot. It is opened once only: what comes through a
+// pipe comes once.
 inline bool read_text(const std::string& file, std::string& text)
 {
   std::ifstream is(file, std::ios::binary);
@@ -108,16 +108,41 @@ std::vector<std::size_t> first_at_same_point(const std::vector<Point>& points)
   return first;
 }
 
-// what CGAL's reader of the format says; without a word on the terminal, and for any content of the file
+// as in a binary OFF file that was cut off, where CGAL takes the numbers of colors for faces
+template <typename PolygonRange>
+bool has_empty_face(const PolygonRange& polygons)
+{
+  return std::any_of(polygons.begin(), polygons.end(), [](const auto& polygon) { return polygon.empty(); });
+}
+
+// what CGAL's reader of the format says, without a word on the terminal
 template <typename PointRange, typename PolygonRange>
-bool read_soup(const std::string& file, const std::string& extension, const std::string& text,
-               PointRange& points, PolygonRange& polygons)
+bool read_soup_of_format(const std::string& extension, const std::string& text,
+                         PointRange& points, PolygonRange& polygons)
+{
+  const auto silent = CGAL::parameters::verbose(false);
+  std::istringstream is(text);
+  if(extension == ".off")
+    return CGAL::IO::read_OFF(is, points, polygons, silent);
+  if(extension == ".obj")
+    return CGAL::IO::read_OBJ(is, points, polygons, silent);
+  CGAL::IO::set_mode(is, CGAL::IO::BINARY); // its readers find out whether it is text
+  return extension == ".ply" ? CGAL::IO::read_PLY(is, points, polygons, silent)
+                             : CGAL::IO::read_STL(is, points, polygons, silent);
+}
+
+// the same for any content of the file
+template <typename PointRange, typename PolygonRange>
+bool read_soup(const std::string& extension, const std::string& text, PointRange& points, PolygonRange& polygons)
 {
   if(extension == ".stl" && text.size() < 84 && text.find("endsolid") == std::string::npos)
     return false; // CGAL takes it for an empty surface
   try
   {
-    return CGAL::IO::read_polygon_soup(file, points, polygons, CGAL::parameters::verbose(false));
+    if(extension != ".off" || ! is_binary(extension, text))
+      return read_soup_of_format(extension, text, points, polygons);
+    return Binary_off_reader(text)(points, polygons) ||
+           (read_soup_of_format(extension, text, points, polygons) && ! has_empty_face(polygons));
   }
   catch(const std::exception&) // an index or a size that the file cannot have
   {
@@ -177,17 +202,21 @@ bool read_surface(const std::string& file, Surface<Point>& surface, std::string&
     return false;
   }
 
+  std::vector<std::string> notes;
+  internal::normalize(extension, text, notes);
+
   internal::Bounded_vector<Point> points;
   internal::Bounded_vector<internal::Face> polygons;
   points.bound = polygons.bound = text.size();
   if((extension == ".ply" && ! Ply_checker(text)()) ||
-     (! internal::read_soup(file, extension, text, points, polygons) &&
+     (! internal::read_soup(extension, text, points, polygons) &&
       ! internal::read_faulty_soup(extension, text, points, polygons)))
   {
     message = "cannot read " + file + ": it is damaged, truncated, or not in the format of its name";
     return false;
   }
   surface = make_surface<Point>(points, polygons);
+  surface.notes = notes;
   return true;
 }
 

@@ -77,6 +77,13 @@ bool is_writable(const std::string& file)
   return opened;
 }
 
+// The same file may have several names, by links. The only copy of a surface must not become a mesh of it.
+bool is_input(const std::string& file, const Options& options)
+{
+  std::error_code ignored; // a file that does not exist yet
+  return ! options.input.empty() && std::filesystem::equivalent(file, options.input, ignored);
+}
+
 int fail(const std::string& message)
 {
   std::cerr << "recover_boundary: " << message << std::endl;
@@ -93,8 +100,8 @@ void print_defects(const Result& result)
     std::cerr << "  and " << n - shown << " more: --report lists all of them\n";
 }
 
-bool write_report(const Options& options, const Result& result, const Domain<Point>& domain,
-                  const std::array<double, 2>& angles, const Seconds& seconds)
+bool write_report(const Options& options, const Surface<Point>& surface, const Result& result,
+                  const Domain<Point>& domain, const std::array<double, 2>& angles, const Seconds& seconds)
 {
   static constexpr const char* modes[] = { "constrained", "conforming", "flips_only" };
   std::ofstream os(options.report);
@@ -104,6 +111,8 @@ bool write_report(const Options& options, const Result& result, const Domain<Poi
   json.entry("version", BOUNDARY_RECOVERY_3_VERSION);
   json.entry("cgal_version", CGAL_VERSION_STR);
   json.entry("input", options.input.empty() ? std::string("default surface") : options.input);
+  json.key("notes");
+  json.list(surface.notes, [&](const std::string& note) { json.value(note); });
   json.entry("mode", modes[static_cast<int>(options.mode)]);
   Report_writer<Result> write_result(json);
   write_result(result);
@@ -124,19 +133,26 @@ bool write_report(const Options& options, const Result& result, const Domain<Poi
 
 int run(const Options& options)
 {
+  std::vector<std::string> files = options.outputs;
+  if(! options.report.empty())
+    files.push_back(options.report);
+  for(const std::string& file : files)
+    if(is_input(file, options))
+      return fail("the input would be overwritten: " + file);
+
   Surface<Point> surface;
   std::string message;
   if(options.input.empty())
     surface = default_surface<Point>();
   else if(! read_surface(options.input, surface, message))
     return fail(message);
-
-  std::vector<std::string> files = options.outputs;
-  if(! options.report.empty())
-    files.push_back(options.report);
   for(const std::string& file : files)
     if(! is_writable(file)) // better said now than after the work
       return fail("cannot write " + file);
+
+  if(! options.quiet)
+    for(const std::string& note : surface.notes)
+      std::cout << "note: " << note << std::endl;
 
   Triangulation tr;
   Progress_printer progress(std::cout, ! options.quiet && stdout_is_terminal());
@@ -152,7 +168,7 @@ int run(const Options& options)
   const std::array<double, 2> angles = range_of_dihedral_angles(domain);
   use_vertex_numbers_of_file(result, surface);
 
-  if(! options.report.empty() && ! write_report(options, result, domain, angles, seconds))
+  if(! options.report.empty() && ! write_report(options, surface, result, domain, angles, seconds))
     return fail("cannot write " + options.report);
   if(result.status == Status::invalid_input)
   {
@@ -182,17 +198,19 @@ int main(int argc, char* argv[])
   Command_line command_line(argc, argv);
   if(! command_line.parse(options))
     return fail(command_line.message());
-  if(options.help)
-  {
-    std::cout << usage;
-    return recovered;
-  }
+  int status = recovered;
   try
   {
-    return run(options);
+    if(options.help)
+      std::cout << usage;
+    else
+      status = run(options);
   }
   catch(const std::exception& e) // such as memory that is exhausted
   {
     return fail(e.what());
   }
+  if(! std::cout.flush())
+    return fail("cannot write to the standard output");
+  return status;
 }

@@ -15,6 +15,7 @@ import struct
 import subprocess
 import sys
 import tempfile
+import threading
 import traceback
 import xml.etree.ElementTree
 from fractions import Fraction
@@ -106,6 +107,14 @@ def stl_text(points, faces):
 def stl_binary(points, faces):
     return (b'\0' * 80 + struct.pack('<I', len(faces))
             + b''.join(struct.pack('<12fH', 0, 0, 0, *[x for v in f for x in points[v]], 0) for f in faces))
+
+
+def off_binary(points, faces, colors_of_faces=b'', colors_of_vertices=b'', keyword=b'OFF'):
+    """big endian; without colors of faces their number is there, as 0; it is not if they are None"""
+    number = b'' if colors_of_faces is None else struct.pack('>i', len(colors_of_faces) // 4) + colors_of_faces
+    return (keyword + b' BINARY\n' + struct.pack('>3i', len(points), len(faces), 0)
+            + b''.join(struct.pack('>3f', *p) + colors_of_vertices for p in points)
+            + b''.join(struct.pack('>%di' % (1 + len(f)), len(f), *f) + number for f in faces))
 
 
 # ---------------------------------------------------------------- reading of outputs
@@ -565,6 +574,141 @@ def test_files():
         check_file_error(good, '--quiet', '-o', 'full.mesh')
     check_file_error('there_is_no.off', '-o', 'untouched.mesh')
     assert not os.path.exists('untouched.mesh')
+
+
+def check_same_mesh(name, content, expected, note=None):
+    """a file is read like another one, whose mesh is there; a note in the summary and the report says what is left out"""
+    process = run(write(name, content), '-o', 'same.mesh', status=RECOVERED)
+    assert read('same.mesh') == read(expected), name
+    notes = re.findall(r'^note: (.*)$', process.out, re.M)
+    assert notes == ([] if note is None else [note]), process.out
+    assert report_of(name, status=RECOVERED)['notes'] == notes
+
+
+BYTE_ORDER_MARK = b'\xef\xbb\xbf'
+
+
+def test_byte_order_mark():
+    for extension, text in (('off', off_text), ('obj', obj_text), ('ply', ply_text), ('stl', stl_text), ('ply', ply_binary)):
+        content = text(*box((0, 0, 0), (1, 2, 4)))
+        content = content if isinstance(content, bytes) else content.encode()
+        run(write('plain.' + extension, content), '-o', 'plain.mesh', status=RECOVERED)
+        check_same_mesh('marked.' + extension, BYTE_ORDER_MARK + content, 'plain.mesh')
+
+
+def test_line_ends():
+    for extension, text in (('off', off_text), ('obj', obj_text), ('ply', ply_text), ('stl', stl_text)):
+        content = text(*box((0, 0, 0), (1, 2, 4)))
+        run(write('plain.' + extension, content), '-o', 'plain.mesh', status=RECOVERED)
+        for end in ('\r', '\r\n'):
+            check_same_mesh('other.' + extension, content.replace('\n', end), 'plain.mesh')
+
+
+def test_obj_statements():
+    content = obj_text(*box((0, 0, 0), (1, 2, 4)))
+    run(write('plain.obj', content), '-o', 'plain.mesh', status=RECOVERED)
+    check_same_mesh('tabs.obj', content.replace(' ', '\t'), 'plain.mesh')
+    check_same_mesh('tabs.obj', re.sub(r'(?m)^f (\d+) (\d+) (\d+)', r'f\t\1/1\t\2/1/1 \t\3//1\t', content), 'plain.mesh')
+    for end in ('\n', '\r\n'):
+        check_same_mesh('continued.obj', re.sub(r'(?m)^(f \d+) ', r'\1 \\' + end, content), 'plain.mesh')
+        check_same_mesh('continued.obj', re.sub(r'(?m)^v ', 'v\\\\' + end, content), 'plain.mesh')
+    check_same_mesh('path.obj', '# C:\\models\\\nmtllib C:\\\n' + content, 'plain.mesh')  # not continued
+    check_same_mesh('lines.obj', 'l 1 2\n' + content + 'l 1 2 \\\n3\n', 'plain.mesh',
+                    'lines of the OBJ file that are left out: 2')
+    check_file_error(write('odd.obj', content + 'fish 1 2 3\n'))
+
+
+def test_stl_keywords():
+    content = stl_text(*box((0, 0, 0), (1, 2, 4)))
+    run(write('plain.stl', content), '-o', 'plain.mesh', status=RECOVERED)
+    check_same_mesh('upper.stl', content.upper(), 'plain.mesh')
+    check_same_mesh('title.stl', content.title().replace('0 0 0', '0.0E+00 0 0'), 'plain.mesh')
+    facets = re.findall(r'facet.*?endfacet\n', content, re.S)
+    middle = len(facets) // 2
+    mixed = 'solid Facet\n' + ''.join(facets[:middle]) + ''.join(facets[middle:]).upper() + 'endsolid Facet\n'
+    check_same_mesh('mixed.stl', mixed, 'plain.mesh')  # half of it was lost without a word
+    solids = 'solid a\n' + ''.join(facets[:middle]) + 'solid b\n' + ''.join(facets[middle:]) + 'endsolid b\n'
+    check_same_mesh('solids.stl', solids, 'plain.mesh')
+    note = 'the STL file has no endsolid: it may have been cut off'
+    check_same_mesh('open.stl', content.replace('endsolid test\n', ''), 'plain.mesh', note)
+    check_same_mesh('open.stl', content.upper().replace('ENDSOLID TEST\n', ''), 'plain.mesh', note)
+    check_file_error(write('cut.stl', content[:content.rindex('endloop')]))
+
+
+def test_stl_number_of_triangles():
+    content = stl_binary(*box((0, 0, 0), (1, 2, 4)))
+    run(write('plain.stl', content), '-o', 'plain.mesh', status=RECOVERED)
+    for number in (0, 1, 11):
+        note = 'triangles that the STL file announces: %d, that it has, and that are read: 12' % number
+        check_same_mesh('few.stl', content[:80] + struct.pack('<I', number) + content[84:], 'plain.mesh', note)
+    for rest in (b'\0' * 50, b'by a program', b'\0'):
+        check_same_mesh('rest.stl', content + rest, 'plain.mesh',
+                        'bytes after the last triangle of the STL file that are left out: %d' % len(rest))
+    check_file_error(write('many.stl', content[:80] + struct.pack('<I', 13) + content[84:]))
+
+
+def test_binary_off():
+    points, faces = box((0, 0, 0), (1, 2, 4))
+    run(write('plain.off', off_text(points, faces)), '-o', 'plain.mesh', status=RECOVERED)
+    color = struct.pack('>4f', 1, 0.5, 0, 1)
+    for content in (off_binary(points, faces), off_binary(points, faces, None), off_binary(points, faces, color),
+                    off_binary(points, faces, color[:12]), off_binary(points, faces, b'', color, b'COFF'),
+                    off_binary(points, faces, color, color[:12], b'COFF'),
+                    off_binary(points, faces, b'', color[:12], b'NOFF')):
+        check_same_mesh('binary.off', content, 'plain.mesh')
+    content = off_binary(points, faces)
+    for cut in (1, 14, 30, len(content) // 2, len(content) - 4, len(content) - 1):
+        check_file_error(write('cut.off', content[:cut]))
+    for position in (11, 15, 23, 23 + 12 * len(points)):  # the numbers of items, a coordinate, a number of vertices
+        for word in (b'\xff\xff\xff\xff', b'\x7f\xff\xff\xff'):
+            process = run(write('odd.off', content[:position] + word + content[position + 4:]))
+            assert process.returncode in (FILE_ERROR, INVALID_INPUT) and process.out == '', process
+    check_invalid(write('odd.off', off_binary(points, faces[1:] + [(0, 1, 8)])), 'index_out_of_range')
+
+
+def test_pipe():
+    if not hasattr(os, 'mkfifo'):
+        return
+    for extension, text in (('off', off_text), ('obj', obj_text), ('ply', ply_binary), ('stl', stl_text)):
+        content = text(*box((0, 0, 0), (1, 2, 4)))
+        run(write('plain.' + extension, content), '-o', 'plain.mesh', status=RECOVERED)
+        os.mkfifo('pipe.' + extension)
+        writer = threading.Thread(target=write, args=('pipe.' + extension, content))
+        writer.start()
+        run('pipe.' + extension, '-o', 'pipe.mesh', status=RECOVERED)
+        writer.join()
+        assert read('pipe.mesh') == read('plain.mesh')
+
+
+def test_input_is_not_overwritten():
+    content = off_text(*box((0, 0, 0), (1, 2, 4)))
+    write('input.off', content)
+    os.mkdir('folder')
+    names = ['input.off', './input.off', 'folder/../input.off', os.path.abspath('input.off'), 'link.mesh', 'link.off',
+             'hard.vtu']
+    os.symlink('input.off', 'link.mesh')
+    os.symlink('link.mesh', 'link.off')
+    os.link('input.off', 'hard.vtu')
+    for source in ('input.off', 'link.off'):
+        for name in names:
+            assert 'overwritten' in check_file_error(source, '--report', name), name
+            if not name.endswith('.off'):
+                assert 'overwritten' in check_file_error(source, '-o', 'other.mesh', '-o', name), name
+    assert read('input.off').decode() == content and not os.path.exists('other.mesh')
+
+
+def test_summary_that_cannot_be_written():
+    surface = write('summary.off', off_text(*box((0, 0, 0), (1, 2, 4))))
+    closed = {'stdout': subprocess.DEVNULL, 'preexec_fn': lambda: os.close(1)}
+    outputs = [closed] + ([{'stdout': open('/dev/full', 'w')}] if os.path.exists('/dev/full') else [])
+    for output in outputs:
+        for arguments in ([surface], [surface, '-o', 'summary.mesh'], ['--help'], [surface, '--quiet', '--timing']):
+            process = subprocess.run([PROGRAM, *arguments], stderr=subprocess.PIPE, timeout=300, **output)
+            assert process.returncode == FILE_ERROR, (arguments, process)
+            assert process.stderr == b'recover_boundary: cannot write to the standard output\n', process
+        check_domain(read_mesh('summary.mesh'), *box((0, 0, 0), (1, 2, 4)))
+        process = subprocess.run([PROGRAM, surface, '--quiet'], stderr=subprocess.PIPE, timeout=300, **output)
+        assert process.returncode == RECOVERED and process.stderr == b''  # nothing is to be written
 
 
 def test_invalid_coordinates():
