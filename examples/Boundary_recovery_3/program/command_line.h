@@ -21,6 +21,8 @@ struct Options
   bool has_mode = false;
   int max_recursion_level = -1;     // -1: the default of the library
   double time_limit = (std::numeric_limits<double>::infinity)();
+  bool repair = false;
+  double tolerance = -1;            // for the repair; -1: that of single precision
   bool keep_exterior = false;
   bool quiet = false;
   bool timing = false;
@@ -34,6 +36,10 @@ constexpr const char* usage =
   "only if there is no other way found, and not on the surface.\n"
   "INPUT is an .off, .ply, .stl or .obj file; without it, the program takes a surface of its own.\n"
   "  -o OUTPUT                  write the tetrahedra of the domain: .mesh, .vtu or .vtk; may be repeated\n"
+  "  --repair                   merge points, and drop, turn and divide triangles, for a surface that is not valid\n"
+  "  --tolerance X              repair: merge points whose coordinates differ by at most X, where that helps; without\n"
+  "                             this option, X is four units in the last place of the largest coordinate in single\n"
+  "                             precision; 0 merges none\n"
   "  --conforming               points may stay on the surface: each triangle is a union of faces\n"
   "  --flips-only               leave no added point\n"
   "  --keep-exterior            write the tetrahedra outside the domain, too, as region 0\n"
@@ -63,6 +69,8 @@ public:
   {
     while(m_message.empty() && m_next < m_arguments.size())
       parse_argument(m_arguments[m_next++], options);
+    if(m_message.empty() && options.tolerance >= 0 && ! options.repair)
+      m_message = "--tolerance is for --repair only";
     return m_message.empty();
   }
 
@@ -85,6 +93,10 @@ private:
       options.time_limit = number_after(argument, false);
     else if(argument == "--report")
       options.report = value_after(argument);
+    else if(argument == "--repair")
+      options.repair = true;
+    else if(argument == "--tolerance")
+      options.tolerance = number_after(argument, false);
     else if(argument == "--keep-exterior")
       options.keep_exterior = true;
     else if(argument == "--table")

@@ -55,18 +55,23 @@ void for_each_line(const std::string& text, const Function& f)
   }
 }
 
-// A statement of an OBJ file goes on in the next line if a backslash ends it. Comments and names do not: they may be
-// paths of Windows.
-inline bool is_continued_statement(const std::string& line)
+inline bool ends_with_backslash(const std::string& line)
 {
   const std::size_t end = line.find_last_not_of('\r');
-  const std::string word = first_word(line);
-  return end != std::string::npos && line[end] == '\\' &&
-         (word[0] == 'v' || word == "f" || word == "l" || word == "p");
+  return end != std::string::npos && line[end] == '\\';
 }
 
-// CGAL's reader of OBJ files stops at lines, knows no continued statements, and blanks only between the vertices of a
-// face: after a tab, it would go on with the next blank, and lose what is between.
+// A statement with numbers goes on in the next line if a backslash ends it. Comments and names do not: they may be
+// paths of Windows.
+inline bool can_be_continued(const std::string& statement)
+{
+  const std::string word = first_word(statement);
+  return word[0] == 'v' || word == "f" || word == "l" || word == "p";
+}
+
+// CGAL's reader of OBJ files stops at lines, before 6.0 knows no continued statements, then continues all of them, and
+// knows blanks only between the vertices of a face: after a tab, it would go on with the next blank, and lose what is
+// between.
 inline std::string normalize_obj(const std::string& text, std::vector<std::string>& notes)
 {
   std::string result, statement;
@@ -75,11 +80,11 @@ inline std::string normalize_obj(const std::string& text, std::vector<std::strin
   const auto add = [&](const std::string& line)
   {
     statement += line;
-    if(is_continued_statement(statement))
-    {
+    const bool has_backslash = ends_with_backslash(line);
+    if(has_backslash)
       statement.replace(statement.rfind('\\'), std::string::npos, " ");
+    if(has_backslash && can_be_continued(statement))
       return;
-    }
     std::replace_if(statement.begin(), statement.end(), is_blank, ' ');
     if(first_word(statement) == "l")
       ++number_of_polylines;

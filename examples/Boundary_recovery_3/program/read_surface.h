@@ -25,9 +25,13 @@ struct Surface
 {
   std::vector<Point> points;
   std::vector<std::vector<std::size_t> > faces;
+  std::vector<std::size_t> file_faces;         // the number in the file of each face, of which it may be a part
   std::vector<std::size_t> file_vertices;      // the number in the file of each point, the first one of equal points
   std::size_t number_of_vertices_in_file = 0;
   std::vector<std::string> notes;              // what the user has to know about the file
+
+  // the number in the file of a face; of a face that does not exist there is none
+  std::size_t file_face(const std::size_t f) const { return f < file_faces.size() ? file_faces[f] : f; }
 
   // the number in the file of a vertex that a face names, whether it exists or not
   std::size_t file_vertex(const std::size_t v) const
@@ -176,6 +180,7 @@ Surface<Point> make_surface(const std::vector<Point>& points, const PolygonRange
   }
   for(const auto& polygon : polygons)
   {
+    surface.file_faces.push_back(surface.faces.size());
     surface.faces.emplace_back();
     for(const std::size_t v : polygon) // an index that is out of range stays so, see `Surface::file_vertex()`
       surface.faces.back().push_back(v < points.size() ? number[first[v]]

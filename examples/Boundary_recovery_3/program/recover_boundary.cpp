@@ -7,6 +7,8 @@
 #include "default_surface.h"
 #include "print_summary.h"
 #include "read_surface.h"
+#include "repair_surface.h"
+#include "report_repair.h"
 #include "write_domain.h"
 #include "write_report.h"
 
@@ -49,13 +51,16 @@ Result recover(Triangulation& tr, const Surface<Point>& surface, const Options& 
                                 CGAL::parameters::max_recursion_level(options.max_recursion_level));
 }
 
-// The surface has each point once and may lack vertices of the file: translates to the numbers of the file.
-void use_vertex_numbers_of_file(Result& result, const Surface<Point>& surface)
+// The surface has each point once and may lack vertices of the file, and its faces may be parts: translates to the
+// numbers of the file.
+void use_numbers_of_file(Result& result, Domain<Point>& domain, const Surface<Point>& surface)
 {
   const auto translate = [&](Result::Input_simplex& simplex)
   {
     if(simplex.dimension == 0 && simplex.index != Result::Input_simplex::no_index)
       simplex.index = surface.file_vertex(simplex.index);
+    if(simplex.dimension == 2 && simplex.index != Result::Input_simplex::no_index)
+      simplex.index = surface.file_face(simplex.index);
     for(std::size_t& v : simplex.vertices)
       v = surface.file_vertex(v);
   };
@@ -64,6 +69,8 @@ void use_vertex_numbers_of_file(Result& result, const Surface<Point>& surface)
   std::for_each(result.unrepresentable_constraints.begin(), result.unrepresentable_constraints.end(), translate);
   for(Result::Input_defect& defect : result.defects)
     std::for_each(defect.simplices.begin(), defect.simplices.end(), translate);
+  for(std::size_t& patch : domain.patches) // these begin with 1
+    patch = surface.file_face(patch - 1) + 1;
 }
 
 // whether a file can be opened for writing; leaves no trace of the trial
@@ -100,8 +107,9 @@ void print_defects(const Result& result)
     std::cerr << "  and " << n - shown << " more: --report lists all of them\n";
 }
 
-bool write_report(const Options& options, const Surface<Point>& surface, const Result& result,
-                  const Domain<Point>& domain, const std::array<double, 2>& angles, const Seconds& seconds)
+bool write_report(const Options& options, const Surface<Point>& surface, const Repair_changes& changes,
+                  const Result& result, const Domain<Point>& domain, const std::array<double, 2>& angles,
+                  const Seconds& seconds)
 {
   static constexpr const char* modes[] = { "constrained", "conforming", "flips_only" };
   std::ofstream os(options.report);
@@ -113,6 +121,8 @@ bool write_report(const Options& options, const Surface<Point>& surface, const R
   json.entry("input", options.input.empty() ? std::string("default surface") : options.input);
   json.key("notes");
   json.list(surface.notes, [&](const std::string& note) { json.value(note); });
+  if(options.repair)
+    write_repair(json, changes, surface);
   json.entry("mode", modes[static_cast<int>(options.mode)]);
   Report_writer<Result> write_result(json);
   write_result(result);
@@ -154,6 +164,12 @@ int run(const Options& options)
     for(const std::string& note : surface.notes)
       std::cout << "note: " << note << std::endl;
 
+  Repair_changes changes;
+  if(options.repair)
+    changes = Surface_repairer<Point>(surface)(options.tolerance);
+  if(options.repair && ! options.quiet)
+    print_repair(std::cout, changes);
+
   Triangulation tr;
   Progress_printer progress(std::cout, ! options.quiet && stdout_is_terminal());
   CGAL::Real_timer timer;
@@ -166,9 +182,9 @@ int run(const Options& options)
   if(result.status != Status::invalid_input)
     domain = Domain_builder<Triangulation>(tr)(result, options.keep_exterior);
   const std::array<double, 2> angles = range_of_dihedral_angles(domain);
-  use_vertex_numbers_of_file(result, surface);
+  use_numbers_of_file(result, domain, surface);
 
-  if(! options.report.empty() && ! write_report(options, surface, result, domain, angles, seconds))
+  if(! options.report.empty() && ! write_report(options, surface, changes, result, domain, angles, seconds))
     return fail("cannot write " + options.report);
   if(result.status == Status::invalid_input)
   {

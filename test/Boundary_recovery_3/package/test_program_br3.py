@@ -261,12 +261,14 @@ def check_invalid(name, kind):
 def test_command_line():
     process = run('--help', status=RECOVERED)
     assert process.out.startswith('usage: recover_boundary') and process.err == ''
-    for option in '-o --conforming --flips-only --keep-exterior --max-recursion-level --time-limit --report --quiet'.split():
+    for option in ('-o --repair --tolerance --conforming --flips-only --keep-exterior --max-recursion-level --time-limit '
+                   '--report --quiet').split():
         assert option in process.out
     surface = write('command_line.off', off_text(*tetrahedron()))
     for wrong in (['--unknown'], ['-x'], ['-o'], ['--report'], ['--time-limit'], ['--time-limit', 'soon'],
                   ['--time-limit', '-1'], ['--time-limit', 'nan'], ['--time-limit', '3s'],
                   ['--max-recursion-level', '1.5'], ['--max-recursion-level', '-2'], [surface], [''],
+                  ['--tolerance', '1'], ['--repair', '--tolerance', '-1'], ['--repair', '--tolerance', 'nan'],
                   ['--conforming', '--flips-only'], ['-o', 'out.stl'], ['-o', 'out']):
         check_file_error(surface, *wrong)
     run(surface, '--max-recursion-level', '2', '--time-limit', '60', '--flips-only', '--flips-only', status=RECOVERED)
@@ -766,6 +768,164 @@ def test_intersections():
     lines = process.err.splitlines()
     assert number == len(defects) > 10 and len(lines) == 12, process.err
     assert lines[-1] == '  and %d more: --report lists all of them' % (number - 10)
+
+
+# ---------------------------------------------------------------- repair
+
+def soup_of(points, faces):
+    """the same surface with vertices of its own for each face, as in an STL file"""
+    return [points[v] for f in faces for v in f], [(3 * i, 3 * i + 1, 3 * i + 2) for i in range(len(faces))]
+
+
+def shaken(soup, amount):
+    """moves each coordinate by up to the amount, never the same way twice"""
+    points, faces = soup
+    return [tuple(x + amount * ((7 * i + 3 * j) % 11 - 5) / 5 for j, x in enumerate(p)) for i, p in enumerate(points)], faces
+
+
+def repair(points, faces, *arguments, status=RECOVERED):
+    """the mesh, if there is one, and the report of the repair; the summary says as much"""
+    name = write('repair.off', off_text(points, faces))
+    process = run(name, '--repair', '-o', 'repair.mesh', *arguments, status=status)
+    assert 'repair, with tolerance' in process.out or 'repair: nothing is done' in process.out
+    report = report_of(name, '--repair', *arguments, status=status)
+    changes = report['repair']
+    for key, words in (('merged_vertices', 'merged with another one'), ('degenerate_facets', 'without area dropped'),
+                       ('duplicate_facets', 'dropped that'), ('reversed_facets', 'turned over'),
+                       ('divided_facets', 'divided, into')):
+        number = re.search(r'^  (\d+) \w+ ' + words, process.out, re.M)
+        assert changes['number_of_' + key] == len(changes[key]) == (int(number.group(1)) if number else 0), (key, process.out)
+    return read_mesh('repair.mesh') if status == RECOVERED else None, report
+
+
+def is_unchanged(changes):
+    return not any(changes['number_of_' + key] for key in (
+        'merged_vertices', 'flattened_vertices', 'degenerate_facets', 'duplicate_facets', 'reversed_facets',
+        'divided_facets', 'new_points'))
+
+
+def check_sources(mesh, report, points, faces):
+    """each triangle of the boundary is in the plane of the face that it came from"""
+    assert len(report['repair']['source_facets']) == len(mesh.triangles)
+    assert mesh.patches == [source + 1 for source in report['repair']['source_facets']]
+    for triangle, patch in zip(mesh.triangles, mesh.patches):
+        plane = [points[v] for v in faces[patch - 1]]
+        assert all(determinant(plane + [mesh.points[v]]) == 0 for v in triangle)
+
+
+def test_repair_leaves_valid_surfaces():
+    void = join(box((0, 0, 0), (3, 3, 3)), box((1, 1, 1), (2, 2, 2), outward=False))
+    two = join(box((0, 0, 0), (3, 3, 3)), box((1, 1, 1), (2, 2, 2)))
+    small = box((1, 1, 1), (1 + 2 ** -40, 1 + 2 ** -40, 1 + 2 ** -40))  # much smaller than the tolerance
+    for points, faces in (void, two, small, box((0, 0, 0), (1, 1, 1))):
+        run(write('valid.off', off_text(points, faces)), '-o', 'valid.mesh', status=RECOVERED)
+        mesh, report = repair(points, faces)
+        assert read('repair.mesh') == read('valid.mesh') and is_unchanged(report['repair'])
+        check_sources(mesh, report, points, faces)
+    assert 'repair' not in report_of('valid.off', status=RECOVERED)
+
+
+def test_repair_merges_points():
+    surface = box((0, 0, 0), (1, 2, 4))
+    for scale in (1, 2.0 ** -300, 2.0 ** 300):
+        points, faces = shaken(soup_of(*surface), 2.0 ** -24)  # as far apart as single precision does it
+        points = [tuple(scale * x for x in p) for p in points]
+        soup = write('shaken.off', off_text(points, faces))
+        assert run(soup).returncode == INVALID_INPUT or report_of(soup, status=RECOVERED)['domain'] == 'convex_hull'
+        mesh, report = repair(points, faces)
+        check_tetrahedra(mesh)
+        changes = report['repair']
+        assert report['domain'] == 'regions' and report['number_of_regions'] == 1 and len(mesh.points) == 8
+        assert changes['is_tolerance_used'] and changes['tolerance'] == 4 * 2.0 ** -23 * max(max(map(abs, p)) for p in points)
+        assert changes['number_of_open_edges_before'] == 36 and changes['number_of_open_edges_after'] == 0
+        assert changes['number_of_merged_vertices'] == len(set(points)) - 8 and mesh.patches == list(range(1, 13))
+        for vertex, into in changes['merged_vertices']:
+            assert into < vertex and all(abs(x - y) <= changes['tolerance'] for x, y in zip(points[vertex], points[into]))
+        corners = [[tuple(abs(round(x / scale)) for x in mesh.points[v]) for v in t] for t in mesh.triangles]
+        assert corners == [[surface[0][v] for v in f] for f in surface[1]]
+    for arguments in (['--tolerance', '0'], ['--tolerance', '1e-12']):
+        changes = report_of(write('apart.off', off_text(*shaken(soup_of(*surface), 1e-3))), '--repair', *arguments,
+                            status=run('apart.off', '--repair', *arguments).returncode)['repair']
+        assert changes['number_of_merged_vertices'] == 0 and not changes['is_tolerance_used']
+    mesh, report = repair(*shaken(soup_of(*surface), 1e-3), '--tolerance', '0.01')
+    assert report['number_of_regions'] == 1 and report['repair']['tolerance'] == 0.01 and len(mesh.points) == 8
+    repair(*surface, '--tolerance', '1e300')  # a valid surface does not become a point
+
+
+def test_repair_removes_noise_beside_zero():
+    points, faces = soup_of(*box((0, 0, 0), (1, 1, 1)))
+    points = [tuple(x or 1e-33 * (i % 3 - 1) for x in p) for i, p in enumerate(points)]
+    mesh, report = repair(points, faces)
+    assert sorted(mesh.points) == sorted(map(lambda p: tuple(map(float, p)), box((0, 0, 0), (1, 1, 1))[0]))
+    assert report['repair']['number_of_flattened_vertices'] > 0 and report['number_of_regions'] == 1
+    check_tetrahedra(mesh)
+
+
+def test_repair_drops_degenerate_triangles():
+    points, faces = box((0, 0, 0), (4, 4, 4))
+    middle, quarter = len(points), len(points) + 1  # on the edge between the vertices 0 and 1
+    points = points + [(2, 0, 0), (1, 0, 0)]
+    other = [f for f in faces if {0, 1} <= set(f)]
+    assert len(other) == 2
+    one = next(i for i, f in enumerate(faces) if (0, 1) in zip(f, f[1:] + f[:1]))
+    halves = [tuple(middle if v == w else v for v in faces[one]) for w in (0, 1)]
+    soup = faces[:one] + faces[one + 1:] + halves + [(0, middle, 1)]  # closed by a triangle without area
+    check_invalid(write('cap.off', off_text(points, soup)), 'degenerate_facet')
+    mesh, report = repair(points, soup)
+    changes = report['repair']
+    assert changes['degenerate_facets'] == [len(soup) - 1] and changes['number_of_open_edges_after'] == 0
+    divided, = changes['divided_facets']
+    assert {0, 1} <= set(soup[divided]) and changes['number_of_parts_of_divided_facets'] == 2
+    assert not changes['is_tolerance_used'] and changes['number_of_new_points'] == 0
+    check_tetrahedra(mesh)
+    check_sources(mesh, report, points, soup)
+    assert report['number_of_regions'] == 1 and volume_of_regions(mesh) == {1: 6 * 64}
+
+    # a fan of them along the edge, one with equal corners, one that stands alone
+    fan = soup[:-1] + [(0, quarter, 1), (quarter, middle, 1), (0, quarter, middle), (3, 3, 5), (6, 7, 6)]
+    mesh, report = repair(points, fan)
+    assert report['number_of_regions'] == 1 and volume_of_regions(mesh) == {1: 6 * 64}
+    assert set(report['repair']['degenerate_facets']) == set(range(len(soup) - 1, len(fan)))
+    check_sources(mesh, report, points, fan)
+
+
+def test_repair_drops_duplicates_and_turns():
+    points, faces = box((0, 0, 0), (1, 2, 4))
+    for turned in ([0], [3, 7, 8]):
+        soup = [f[::-1] if i in turned else f for i, f in enumerate(faces)]
+        soup += [soup[5][1:] + soup[5][:1], soup[2][::-1]]
+        check_invalid(write('twice.off', off_text(points, soup)), 'duplicate_facet')
+        mesh, report = repair(points, soup)
+        assert report['repair']['duplicate_facets'] == [12, 13] and report['repair']['reversed_facets'] == turned
+        check_domain(mesh, points, faces)
+
+
+def test_repair_of_intersections():
+    surface = join(box((0, 0, 0), (4, 4, 4)), box((2, 2, 2), (6, 6, 6)))
+    check_invalid(write('boxes.off', off_text(*surface)), 'intersecting_constraints')
+    can = report_of('boxes.off', '--repair', status=run('boxes.off', '--repair').returncode)['repair']['can_resolve_intersections']
+    mesh, report = repair(*surface, status=RECOVERED if can else INVALID_INPUT)
+    before, after = [report['repair']['number_of_intersections_' + key] for key in ('before', 'after')]
+    if not can:
+        assert before == after > 0 and report['status'] == 'invalid_input'
+        assert 'cannot resolve intersections' in run('repair.off', '--repair', status=INVALID_INPUT).out
+        return
+    assert before > after == 0 and report['repair']['number_of_new_points'] > 0
+    check_tetrahedra(mesh)
+    assert sorted(volume_of_regions(mesh).values()) == [6 * 8, 6 * 56, 6 * 56]
+    check_sources(mesh, report, *surface)
+
+
+def test_repair_of_what_is_no_triangle_soup():
+    points, faces = box((0, 0, 0), (1, 1, 1))
+    for soup in (faces[:-2] + [(0, 4, 6, 2)], faces + [(0, 1, 8)], faces + [(0, 1)]):
+        mesh, report = repair(points, soup, status=INVALID_INPUT)
+        assert not report['repair']['is_possible'] and is_unchanged(report['repair'])
+    process = run(write('nan.off', off_text(points, faces).replace('1 1 1', '1 nan 1')), '--repair', status=INVALID_INPUT)
+    assert 'non_finite_coordinate' in process.err
+    for soup in ([(0, 0, 1)], [(0, 1, 3)], []):  # nothing is left, or nothing with a volume
+        run(write('nothing.off', off_text(points, soup)), '--repair', status=INVALID_INPUT)
+    assert run('nan.off', '--repair', '--quiet', status=INVALID_INPUT).out == ''
 
 
 @contextlib.contextmanager

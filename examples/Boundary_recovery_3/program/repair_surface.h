@@ -1,0 +1,273 @@
+#ifndef BOUNDARY_RECOVERY_3_PROGRAM_REPAIR_SURFACE_H
+#define BOUNDARY_RECOVERY_3_PROGRAM_REPAIR_SURFACE_H
+
+#include "dissolve_degenerate_triangles.h"
+#include "merge_close_points.h"
+#include "orient_triangles.h"
+#include "read_surface.h"
+#include "resolve_intersections.h"
+#include "triangle_soup.h"
+
+#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <utility>
+#include <vector>
+
+// What a repair changed; vertices and faces by their numbers in the file, in ascending order.
+struct Repair_changes
+{
+  bool is_possible = false;                 // all faces are triangles with points
+  double tolerance = 0;
+  bool is_merged = false;                   // whether points were merged: only where that helps
+  std::vector<std::array<std::size_t, 2> > merged_vertices; // a vertex, and the one in whose place it is now
+  std::vector<std::size_t> flattened_vertices;              // those that got a coordinate 0
+  std::vector<std::size_t> degenerate_faces;                // that are gone
+  std::vector<std::size_t> duplicate_faces;                 // that are gone
+  std::vector<std::size_t> reversed_faces;
+  std::vector<std::size_t> divided_faces;
+  std::size_t number_of_parts = 0;          // of the divided faces
+  std::size_t number_of_new_points = 0;     // where triangles intersected
+  std::array<std::size_t, 2> open_edges = {{ 0, 0 }};       // before and after
+  std::array<std::size_t, 2> intersections = {{ 0, 0 }};    // before and after
+};
+
+// four units in the last place that single precision has for the largest coordinate
+template <typename Point>
+double default_tolerance(const std::vector<Point>& points)
+{
+  double largest = 0;
+  for(const Point& p : points)
+    for(int i = 0; i < 3; ++i)
+      largest = (std::max)(largest, std::abs(p[i]));
+  return 4 * double(std::numeric_limits<float>::epsilon()) * largest;
+}
+
+// Repairs a triangle soup, step by step; what is good already stays as it is. Triangles without area or that are there
+// twice go, and neighbors are turned alike. If the surface is open or intersects itself then, the same is tried with
+// points merged that are closer than the tolerance, and kept if fewer intersections or open edges are left. What still
+// intersects is divided. Nothing is promised: the recovery judges what comes out as it judges any surface.
+template <typename Point>
+class Surface_repairer
+{
+  typedef Triangle_soup<Point> Soup;
+
+  // rounded points make new intersections, fewer each time
+  static constexpr int max_number_of_refinements = 8;
+
+  // a soup on its way, and what was done to it
+  struct State
+  {
+    Soup soup;
+    Repair_changes changes;
+    std::size_t intersections = 0, open_edges = 0;
+
+    bool is_good() const { return intersections == 0 && open_edges == 0; }
+    bool is_better_than(const State& other) const
+    {
+      return std::make_pair(intersections, open_edges) < std::make_pair(other.intersections, other.open_edges);
+    }
+  };
+
+  Surface<Point>& m_surface;
+  State m_state;
+
+public:
+  explicit Surface_repairer(Surface<Point>& surface) : m_surface(surface) { }
+
+  // `tolerance` is that of the default if it is negative
+  Repair_changes operator()(const double tolerance)
+  {
+    Repair_changes& changes = m_state.changes;
+    changes.tolerance = tolerance < 0 ? default_tolerance(m_surface.points) : tolerance;
+    changes.is_possible = is_triangle_soup();
+    if(! changes.is_possible)
+      return changes;
+
+    load();
+    changes.open_edges[0] = number_of_open_edges(m_state.soup);
+    clean(m_state);
+    changes.intersections[0] = m_state.intersections;
+    if(! m_state.is_good() && changes.tolerance > 0)
+      try_to_merge_points();
+    refine();
+    store();
+    return changes;
+  }
+
+private:
+  bool is_triangle_soup() const
+  {
+    const std::size_t n = m_surface.points.size();
+    return std::all_of(m_surface.points.begin(), m_surface.points.end(),
+                       [](const Point& p) { return read_surface_internal::has_finite_coordinates(p); }) &&
+           std::all_of(m_surface.faces.begin(), m_surface.faces.end(), [&](const auto& face)
+           { return face.size() == 3 && *std::max_element(face.begin(), face.end()) < n; });
+  }
+
+  void load()
+  {
+    m_state.soup.points = m_surface.points;
+    for(std::size_t i = 0; i < m_surface.faces.size(); ++i)
+    {
+      const auto& face = m_surface.faces[i];
+      m_state.soup.triangles.push_back(Sourced_triangle({{ face[0], face[1], face[2] }}, i));
+    }
+  }
+
+  static void append(std::vector<std::size_t>& list, const std::vector<std::size_t>& more)
+  {
+    list.insert(list.end(), more.begin(), more.end());
+  }
+
+  // A triangle that is turned over twice is as it was. Both lists are in ascending order.
+  static void toggle(std::vector<std::size_t>& list, const std::vector<std::size_t>& more)
+  {
+    std::vector<std::size_t> result;
+    std::set_symmetric_difference(list.begin(), list.end(), more.begin(), more.end(), std::back_inserter(result));
+    list.swap(result);
+  }
+
+  // takes out what the recovery would refuse at once, turns the rest, and looks at what comes out
+  void clean(State& state) const
+  {
+    append(state.changes.degenerate_faces, Degenerate_triangle_dissolver<Point>(state.soup)());
+    append(state.changes.duplicate_faces, drop_duplicate_triangles(state.soup));
+    toggle(state.changes.reversed_faces, orient_triangles(state.soup));
+    judge(state);
+  }
+
+  static void judge(State& state)
+  {
+    state.intersections = number_of_intersections(state.soup);
+    state.open_edges = number_of_open_edges(state.soup);
+  }
+
+  // returns the sources of those that are gone
+  static std::vector<std::size_t> drop_duplicate_triangles(Soup& soup)
+  {
+    const auto count_sources = [&]
+    {
+      std::map<std::size_t, std::size_t> count;
+      for(const Sourced_triangle& t : soup.triangles)
+        ++count[t.source];
+      return count;
+    };
+    const auto before = count_sources();
+    CGAL::Polygon_mesh_processing::merge_duplicate_polygons_in_polygon_soup(soup.points, soup.triangles);
+    std::stable_sort(soup.triangles.begin(), soup.triangles.end(), // the others took the places of those
+                     [](const Sourced_triangle& s, const Sourced_triangle& t) { return s.source < t.source; });
+    auto after = count_sources();
+    std::vector<std::size_t> dropped;
+    for(const auto& source : before)
+      if(after[source.first] == 0)
+        dropped.push_back(source.first);
+    return dropped;
+  }
+
+  void try_to_merge_points()
+  {
+    State merged = m_state;
+    merged.changes.is_merged = true;
+    merge_points(merged);
+    clean(merged);
+    if(merged.is_better_than(m_state))
+      m_state = std::move(merged);
+  }
+
+  // The points stay in their places; merged ones are no longer used.
+  void merge_points(State& state) const
+  {
+    const double tolerance = state.changes.tolerance;
+    const auto flat = [&](const double x) { return std::abs(x) <= tolerance ? 0. : x; };
+    std::vector<Point>& points = state.soup.points;
+    for(std::size_t v = 0; v < points.size(); ++v)
+    {
+      const Point p(flat(points[v].x()), flat(points[v].y()), flat(points[v].z()));
+      if(p != points[v])
+        state.changes.flattened_vertices.push_back(m_surface.file_vertex(v));
+      points[v] = p;
+    }
+    const std::vector<std::size_t> first = first_close_points(points, tolerance);
+    for(std::size_t v = 0; v < points.size(); ++v)
+      if(first[v] != v)
+        state.changes.merged_vertices.push_back({{ m_surface.file_vertex(v), m_surface.file_vertex(first[v]) }});
+    rename_vertices(state.soup, first);
+  }
+
+  static void rename_vertices(Soup& soup, const std::vector<std::size_t>& names)
+  {
+    for(Sourced_triangle& t : soup.triangles)
+      for(std::size_t& v : t)
+        v = names[v];
+  }
+
+  void refine()
+  {
+    for(int i = 0; can_resolve_intersections && i < max_number_of_refinements && m_state.intersections > 0; ++i)
+    {
+      State refined = m_state;
+      resolve_intersections(refined.soup);
+      rename_vertices(refined.soup, read_surface_internal::first_at_same_point(refined.soup.points));
+      Degenerate_triangle_dissolver<Point> dissolve(refined.soup);
+      dissolve();
+      drop_duplicate_triangles(refined.soup);
+      judge(refined);
+      m_state = std::move(refined);
+    }
+  }
+
+  // makes the surface of the soup
+  void store()
+  {
+    const std::size_t number_of_old_points = m_surface.points.size();
+    Repair_changes& changes = m_state.changes;
+    changes.open_edges[1] = m_state.open_edges;
+    changes.intersections[1] = m_state.intersections;
+    list_divided_faces();
+
+    Surface<Point> repaired = make_surface(m_state.soup.points, m_state.soup.triangles);
+    for(std::size_t& v : repaired.file_vertices)
+    {
+      changes.number_of_new_points += v >= number_of_old_points;
+      v = m_surface.file_vertex(v);
+    }
+    for(std::size_t& f : repaired.file_faces)
+      f = m_state.soup.triangles[f].source;
+    repaired.number_of_vertices_in_file = m_surface.number_of_vertices_in_file;
+    repaired.notes = m_surface.notes;
+    m_surface = std::move(repaired);
+    sort_lists();
+  }
+
+  void list_divided_faces()
+  {
+    std::map<std::size_t, std::size_t> number_of_parts;
+    for(const Sourced_triangle& t : m_state.soup.triangles)
+      ++number_of_parts[t.source];
+    for(const auto& face : number_of_parts)
+      if(face.second > 1)
+      {
+        m_state.changes.divided_faces.push_back(face.first);
+        m_state.changes.number_of_parts += face.second;
+      }
+  }
+
+  void sort_lists()
+  {
+    Repair_changes& changes = m_state.changes;
+    for(auto* list : { &changes.flattened_vertices, &changes.degenerate_faces, &changes.duplicate_faces })
+    {
+      std::sort(list->begin(), list->end());
+      list->erase(std::unique(list->begin(), list->end()), list->end());
+    }
+  }
+};
+
+#endif // BOUNDARY_RECOVERY_3_PROGRAM_REPAIR_SURFACE_H
