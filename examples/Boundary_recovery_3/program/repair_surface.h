@@ -1,6 +1,7 @@
 #ifndef BOUNDARY_RECOVERY_3_PROGRAM_REPAIR_SURFACE_H
 #define BOUNDARY_RECOVERY_3_PROGRAM_REPAIR_SURFACE_H
 
+#include "close_gaps.h"
 #include "dissolve_degenerate_triangles.h"
 #include "merge_close_points.h"
 #include "orient_triangles.h"
@@ -25,12 +26,13 @@ struct Repair_changes
 {
   bool is_possible = false;                 // all faces are triangles with points
   double tolerance = 0;
-  bool is_merged = false;                   // whether points were merged: only where that helps
+  bool is_tolerance_used = false;           // only where that helps
   std::vector<std::array<std::size_t, 2> > merged_vertices; // a vertex, and the one in whose place it is now
   std::vector<std::size_t> flattened_vertices;              // those that got a coordinate 0
   std::vector<std::size_t> degenerate_faces;                // that are gone
   std::vector<std::size_t> duplicate_faces;                 // that are gone
   std::vector<std::size_t> reversed_faces;
+  std::size_t number_of_stitched_edges = 0; // that were divided at points close to them
   std::vector<std::size_t> divided_faces;
   std::size_t number_of_parts = 0;          // of the divided faces
   std::size_t number_of_new_points = 0;     // where triangles intersected
@@ -51,8 +53,9 @@ double default_tolerance(const std::vector<Point>& points)
 
 // Repairs a triangle soup, step by step; what is good already stays as it is. Triangles without area or that are there
 // twice go, and neighbors are turned alike. If the surface is open or intersects itself then, the same is tried with
-// points merged that are closer than the tolerance, and kept if fewer intersections or open edges are left. What still
-// intersects is divided. Nothing is promised: the recovery judges what comes out as it judges any surface.
+// points merged that are closer than the tolerance, and then with triangles divided at points that are as close to
+// their edges; each is kept if fewer intersections or open edges are left. What still intersects is divided. Nothing
+// is promised: the recovery judges what comes out as it judges any surface.
 template <typename Point>
 class Surface_repairer
 {
@@ -69,9 +72,11 @@ class Surface_repairer
     std::size_t intersections = 0, open_edges = 0;
 
     bool is_good() const { return intersections == 0 && open_edges == 0; }
+    // no surface at all is not better
     bool is_better_than(const State& other) const
     {
-      return std::make_pair(intersections, open_edges) < std::make_pair(other.intersections, other.open_edges);
+      return ! soup.triangles.empty() &&
+             std::make_pair(intersections, open_edges) < std::make_pair(other.intersections, other.open_edges);
     }
   };
 
@@ -91,11 +96,13 @@ public:
       return changes;
 
     load();
-    changes.open_edges[0] = number_of_open_edges(m_state.soup);
+    changes.open_edges[0] = open_edges(m_state.soup).size();
     clean(m_state);
     changes.intersections[0] = m_state.intersections;
     if(! m_state.is_good() && changes.tolerance > 0)
-      try_to_merge_points();
+      try_change([this](State& state) { merge_points(state); });
+    if(m_state.open_edges > 0 && changes.tolerance > 0)
+      try_change([](State& state) { stitch(state); });
     refine();
     store();
     return changes;
@@ -146,7 +153,7 @@ private:
   static void judge(State& state)
   {
     state.intersections = number_of_intersections(state.soup);
-    state.open_edges = number_of_open_edges(state.soup);
+    state.open_edges = open_edges(state.soup).size();
   }
 
   // returns the sources of those that are gone
@@ -171,14 +178,20 @@ private:
     return dropped;
   }
 
-  void try_to_merge_points()
+  template <typename Change>
+  void try_change(const Change& change)
   {
-    State merged = m_state;
-    merged.changes.is_merged = true;
-    merge_points(merged);
-    clean(merged);
-    if(merged.is_better_than(m_state))
-      m_state = std::move(merged);
+    State changed = m_state;
+    change(changed);
+    changed.changes.is_tolerance_used = true;
+    clean(changed);
+    if(changed.is_better_than(m_state))
+      m_state = std::move(changed);
+  }
+
+  static void stitch(State& state)
+  {
+    state.changes.number_of_stitched_edges = Gap_closer<Point>(state.soup, state.changes.tolerance)();
   }
 
   // The points stay in their places; merged ones are no longer used.
@@ -230,7 +243,7 @@ private:
     Repair_changes& changes = m_state.changes;
     changes.open_edges[1] = m_state.open_edges;
     changes.intersections[1] = m_state.intersections;
-    list_divided_faces();
+    list_faces();
 
     Surface<Point> repaired = make_surface(m_state.soup.points, m_state.soup.triangles);
     for(std::size_t& v : repaired.file_vertices)
@@ -243,29 +256,27 @@ private:
     repaired.number_of_vertices_in_file = m_surface.number_of_vertices_in_file;
     repaired.notes = m_surface.notes;
     m_surface = std::move(repaired);
-    sort_lists();
   }
 
-  void list_divided_faces()
+  // A face of which a part is left is not gone.
+  void list_faces()
   {
+    Repair_changes& changes = m_state.changes;
     std::map<std::size_t, std::size_t> number_of_parts;
     for(const Sourced_triangle& t : m_state.soup.triangles)
       ++number_of_parts[t.source];
     for(const auto& face : number_of_parts)
       if(face.second > 1)
       {
-        m_state.changes.divided_faces.push_back(face.first);
-        m_state.changes.number_of_parts += face.second;
+        changes.divided_faces.push_back(face.first);
+        changes.number_of_parts += face.second;
       }
-  }
-
-  void sort_lists()
-  {
-    Repair_changes& changes = m_state.changes;
-    for(auto* list : { &changes.flattened_vertices, &changes.degenerate_faces, &changes.duplicate_faces })
+    for(auto* list : { &changes.degenerate_faces, &changes.duplicate_faces })
     {
       std::sort(list->begin(), list->end());
-      list->erase(std::unique(list->begin(), list->end()), list->end());
+      const auto end = std::remove_if(list->begin(), std::unique(list->begin(), list->end()),
+                                      [&](const std::size_t f) { return number_of_parts.count(f) > 0; });
+      list->erase(end, list->end());
     }
   }
 };

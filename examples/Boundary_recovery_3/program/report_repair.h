@@ -32,6 +32,7 @@ inline void print_repair(std::ostream& os, const Repair_changes& changes)
   print(changes.degenerate_faces.size(), "triangle", "without area dropped");
   print(changes.duplicate_faces.size(), "triangle", "dropped that was there twice");
   print(changes.reversed_faces.size(), "triangle", "turned over");
+  print(changes.number_of_stitched_edges, "edge", "stitched to points beside");
   print(changes.divided_faces.size(), "triangle", "divided, into " + count(changes.number_of_parts, "part"));
   print(changes.number_of_new_points, "point", "added where triangles intersect");
   os << "  open edges: " << changes.open_edges[0] << " before, " << changes.open_edges[1] << " after\n"
@@ -62,7 +63,7 @@ void write_repair(Json_writer& json, const Repair_changes& changes, const Surfac
   json.entry("is_possible", changes.is_possible);
   json.entry("can_resolve_intersections", can_resolve_intersections);
   json.entry("tolerance", changes.tolerance);
-  json.entry("is_tolerance_used", changes.is_merged);
+  json.entry("is_tolerance_used", changes.is_tolerance_used);
   json.entry("number_of_merged_vertices", changes.merged_vertices.size());
   json.key("merged_vertices");
   json.list(changes.merged_vertices, [&](const std::array<std::size_t, 2>& pair) { json.list(pair, value); });
@@ -71,6 +72,7 @@ void write_repair(Json_writer& json, const Repair_changes& changes, const Surfac
   list("duplicate_facets", changes.duplicate_faces);
   list("reversed_facets", changes.reversed_faces);
   list("divided_facets", changes.divided_faces);
+  json.entry("number_of_stitched_edges", changes.number_of_stitched_edges);
   json.entry("number_of_parts_of_divided_facets", changes.number_of_parts);
   json.entry("number_of_new_points", changes.number_of_new_points);
   before_and_after("number_of_open_edges", changes.open_edges);

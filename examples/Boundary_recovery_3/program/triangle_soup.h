@@ -47,16 +47,25 @@ inline Vertex_numbers edge_of(const Sourced_triangle& t, const int i)
   return std::minmax(t[(i + 1) % 3], t[(i + 2) % 3]);
 }
 
-// the number of edges that only one triangle has
-template <typename Point>
-std::size_t number_of_open_edges(const Triangle_soup<Point>& soup)
+// an edge that only one triangle has, and the third vertex of that triangle
+struct Open_edge
 {
-  std::map<Vertex_numbers, std::size_t> degree;
+  Vertex_numbers vertices;
+  std::size_t opposite;
+};
+
+template <typename Point>
+std::vector<Open_edge> open_edges(const Triangle_soup<Point>& soup)
+{
+  std::map<Vertex_numbers, std::vector<std::size_t> > opposite;
   for(const Sourced_triangle& t : soup.triangles)
     for(int i = 0; i < 3; ++i)
-      ++degree[edge_of(t, i)];
-  return static_cast<std::size_t>(std::count_if(degree.begin(), degree.end(),
-                                                [](const auto& edge) { return edge.second == 1; }));
+      opposite[edge_of(t, i)].push_back(t[i]);
+  std::vector<Open_edge> result;
+  for(const auto& edge : opposite)
+    if(edge.second.size() == 1)
+      result.push_back(Open_edge{ edge.first, edge.second[0] });
+  return result;
 }
 
 // Ends the recovery as soon as the input is diagnosed.

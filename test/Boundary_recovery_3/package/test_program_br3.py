@@ -889,6 +889,30 @@ def test_repair_drops_degenerate_triangles():
     check_sources(mesh, report, points, fan)
 
 
+def test_repair_stitches_edges():
+    points, faces = box((0, 0, 0), (4, 4, 4))
+    one = next(i for i, f in enumerate(faces) if (0, 1) in zip(f, f[1:] + f[:1]))
+    corner, = set(faces[one]) - {0, 1}
+    for scale in (1, 2.0 ** -300, 2.0 ** 300):
+        beside = [(scale * x, scale * -1e-7, scale * 1e-7) for x in (1, 2, 3.5)]  # not on the edge: there is a gap
+        chain = [0, 8, 9, 10, 1]
+        soup = faces[:one] + faces[one + 1:] + [(chain[i], chain[i + 1], corner) for i in range(4)]
+        scaled = [tuple(scale * x for x in p) for p in points] + beside
+        assert report_of(write('gap.off', off_text(scaled, soup)), status=RECOVERED)['domain'] == 'convex_hull'
+        mesh, report = repair(scaled, soup)
+        changes = report['repair']
+        assert changes['number_of_stitched_edges'] == 3 and changes['number_of_merged_vertices'] == 0
+        assert changes['number_of_open_edges_before'] == 5 and changes['number_of_open_edges_after'] == 0
+        divided, = changes['divided_facets']
+        assert {0, 1} <= set(soup[divided]) and mesh.patches.count(divided + 1) == 4
+        assert report['number_of_regions'] == 1 and mesh.points == scaled
+        check_tetrahedra(mesh)
+        report = repair(scaled, soup, '--tolerance', repr(scale * 1e-9))[1]
+        assert is_unchanged(report['repair']) and report['domain'] == 'convex_hull'
+    for tolerance in ('1', '1000', '1e300'):  # larger than the edges are
+        repair(scaled, soup, '--tolerance', tolerance)
+
+
 def test_repair_drops_duplicates_and_turns():
     points, faces = box((0, 0, 0), (1, 2, 4))
     for turned in ([0], [3, 7, 8]):

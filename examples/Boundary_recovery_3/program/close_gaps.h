@@ -1,0 +1,93 @@
+#ifndef BOUNDARY_RECOVERY_3_PROGRAM_CLOSE_GAPS_H
+#define BOUNDARY_RECOVERY_3_PROGRAM_CLOSE_GAPS_H
+
+#include "divide_edges.h"
+#include "point_search.h"
+#include "triangle_soup.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+// Closes gaps along edges: where one triangle has an edge, and vertices are along it on the other side, as close as the
+// tolerance, the triangle is divided at these. Points do not move. (The function stitch_borders() of the package
+// Polygon Mesh Processing stitches edges between equal points only.)
+template <typename Point>
+class Gap_closer
+{
+  typedef std::array<double, 3> Vector;
+
+  Triangle_soup<Point>& m_soup;
+  const double m_tolerance;
+
+public:
+  Gap_closer(Triangle_soup<Point>& soup, const double tolerance) : m_soup(soup), m_tolerance(tolerance) { }
+
+  // returns the number of edges that were divided
+  std::size_t operator()()
+  {
+    std::size_t number_of_edges = 0;
+    for(;;) // there is an end: edges become shorter, and vertices are not added
+    {
+      const Middle_vertices middles = find_middles();
+      if(middles.empty())
+        return number_of_edges;
+      divide_edges(m_soup, middles);
+      number_of_edges += middles.size();
+    }
+  }
+
+private:
+  Middle_vertices find_middles() const
+  {
+    const std::vector<Open_edge> edges = open_edges(m_soup);
+    std::vector<std::size_t> vertices, close;
+    for(const Open_edge& e : edges)
+      vertices.insert(vertices.end(), { e.vertices.first, e.vertices.second });
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+
+    const Point_search<Point> search(m_soup.points, vertices);
+    Middle_vertices middles;
+    for(const Open_edge& e : edges)
+    {
+      search(m_soup.points[e.vertices.first], m_soup.points[e.vertices.second], m_tolerance, close);
+      std::sort(close.begin(), close.end());
+      for(const std::size_t v : close)
+        if(v != e.opposite && is_along(v, e.vertices))
+        {
+          middles.emplace(e.vertices, v);
+          break;
+        }
+    }
+    return middles;
+  }
+
+  // whether a vertex is close to an edge, and closer to both ends than these are to each other; an edge that is not
+  // longer than the gap may be wide has no sides
+  bool is_along(const std::size_t v, const Vertex_numbers& edge) const
+  {
+    const Point& p = m_soup.points[edge.first];
+    const Point& q = m_soup.points[edge.second];
+    const double size = (std::max)({ std::abs(q.x() - p.x()), std::abs(q.y() - p.y()), std::abs(q.z() - p.z()) });
+    if(! (size > 2 * m_tolerance))
+      return false;
+    // in units of the edge no square is too large or too small
+    const Vector e = difference(p, q, size), w = difference(p, m_soup.points[v], size);
+    const double length = dot(e, e), t = dot(w, e) / length, gap = m_tolerance / size;
+    const Vector off = {{ w[0] - t * e[0], w[1] - t * e[1], w[2] - t * e[2] }};
+    const Vector rest = {{ e[0] - w[0], e[1] - w[1], e[2] - w[2] }};
+    return dot(off, off) <= gap * gap && t > 0 && t < 1 && dot(w, w) < length && dot(rest, rest) < length;
+  }
+
+  static Vector difference(const Point& p, const Point& q, const double unit)
+  {
+    return {{ (q.x() - p.x()) / unit, (q.y() - p.y()) / unit, (q.z() - p.z()) / unit }};
+  }
+
+  static double dot(const Vector& u, const Vector& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]; }
+};
+
+#endif // BOUNDARY_RECOVERY_3_PROGRAM_CLOSE_GAPS_H
