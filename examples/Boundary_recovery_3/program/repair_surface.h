@@ -2,6 +2,7 @@
 #define BOUNDARY_RECOVERY_3_PROGRAM_REPAIR_SURFACE_H
 
 #include "close_gaps.h"
+#include "count_intersections.h"
 #include "dissolve_degenerate_triangles.h"
 #include "merge_close_points.h"
 #include "orient_triangles.h"
@@ -72,6 +73,7 @@ class Surface_repairer
     std::size_t intersections = 0, open_edges = 0;
 
     bool is_good() const { return intersections == 0 && open_edges == 0; }
+
     // no surface at all is not better
     bool is_better_than(const State& other) const
     {

@@ -1,15 +1,9 @@
 #ifndef BOUNDARY_RECOVERY_3_PROGRAM_TRIANGLE_SOUP_H
 #define BOUNDARY_RECOVERY_3_PROGRAM_TRIANGLE_SOUP_H
 
-#include <CGAL/Boundary_recovery_3/parameters.h>
-#include <CGAL/Delaunay_triangulation_3.h>
-#include <CGAL/Kernel_traits.h>
-#include <CGAL/recover_boundary.h>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <functional>
 #include <map>
 #include <utility>
 #include <vector>
@@ -66,31 +60,6 @@ std::vector<Open_edge> open_edges(const Triangle_soup<Point>& soup)
     if(edge.second.size() == 1)
       result.push_back(Open_edge{ edge.first, edge.second[0] });
   return result;
-}
-
-// Ends the recovery as soon as the input is diagnosed.
-struct Diagnosis_visitor
-  : public CGAL::Default_boundary_recovery_visitor_3
-{
-  bool is_diagnosed = false;
-
-  void on_phase_begin(const CGAL::Boundary_recovery_3::Recovery_phase) { is_diagnosed = true; }
-  bool go_further() const { return ! is_diagnosed; }
-};
-
-// the number of pairs of triangles that intersect elsewhere than in a common vertex or edge: those that would make
-// `recover_boundary()` refuse the soup, which must be free of other defects
-template <typename Point>
-std::size_t number_of_intersections(const Triangle_soup<Point>& soup)
-{
-  typedef CGAL::Delaunay_triangulation_3<typename CGAL::Kernel_traits<Point>::Kernel> Triangulation;
-  Triangulation tr;
-  Diagnosis_visitor visitor;
-  const auto result = CGAL::recover_boundary(tr, soup.points, soup.triangles,
-                                             CGAL::parameters::visitor(std::ref(visitor)),
-                                             CGAL::parameters::list_defects(true));
-  return static_cast<std::size_t>(std::count_if(result.defects.begin(), result.defects.end(), [](const auto& defect)
-  { return defect.kind == CGAL::Boundary_recovery_3::Input_defect_kind::intersecting_constraints; }));
 }
 
 #endif // BOUNDARY_RECOVERY_3_PROGRAM_TRIANGLE_SOUP_H

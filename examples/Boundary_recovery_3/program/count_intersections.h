@@ -1,0 +1,42 @@
+#ifndef BOUNDARY_RECOVERY_3_PROGRAM_COUNT_INTERSECTIONS_H
+#define BOUNDARY_RECOVERY_3_PROGRAM_COUNT_INTERSECTIONS_H
+
+#include "triangle_soup.h"
+
+#include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
+#include <CGAL/Boundary_recovery_3/Boundary_recovery_visitor_3.h>
+#include <CGAL/Boundary_recovery_3/parameters.h>
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/recover_boundary.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+
+// Ends the recovery as soon as the input is diagnosed.
+struct Diagnosis_visitor
+  : public CGAL::Default_boundary_recovery_visitor_3
+{
+  bool is_diagnosed = false;
+
+  void on_phase_begin(const CGAL::Boundary_recovery_3::Recovery_phase) { is_diagnosed = true; }
+  bool go_further() const { return ! is_diagnosed; }
+};
+
+// the number of pairs of triangles that intersect elsewhere than in a common vertex or edge: those that would make
+// `recover_boundary()` refuse the soup, which must be free of other defects
+template <typename Point>
+std::size_t number_of_intersections(const Triangle_soup<Point>& soup)
+{
+  typedef CGAL::Delaunay_triangulation_3<typename CGAL::Kernel_traits<Point>::Kernel> Triangulation;
+  Triangulation tr;
+  Diagnosis_visitor visitor;
+  const auto result = CGAL::recover_boundary(tr, soup.points, soup.triangles,
+                                             CGAL::parameters::visitor(std::ref(visitor)),
+                                             CGAL::parameters::list_defects(true));
+  return static_cast<std::size_t>(std::count_if(result.defects.begin(), result.defects.end(), [](const auto& defect)
+  { return defect.kind == CGAL::Boundary_recovery_3::Input_defect_kind::intersecting_constraints; }));
+}
+
+#endif // BOUNDARY_RECOVERY_3_PROGRAM_COUNT_INTERSECTIONS_H
