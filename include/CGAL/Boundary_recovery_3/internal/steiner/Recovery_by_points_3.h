@@ -158,6 +158,7 @@ public:
         }
       }
     });
+    m_state.number_of_transformations += split.number_of_transformations();
     for(const Vertex_handle v : m_ledger.points_on_constraints())
       add_unrepresentable(m_ledger.carrier(v));
     return m_ledger.points_on_constraints().empty();

@@ -14,13 +14,13 @@
 
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_validity.h>
-#include <CGAL/Boundary_recovery_3/internal/operations/Move_into_kernel_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Ball_sectors_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Facet_fans_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Half_facet_star_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Insert_artificial_fan_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Sector_points_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_mesh_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Suppress_free_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Triangulate_fan_3.h>
 
 #include <CGAL/assertions.h>
@@ -57,32 +57,33 @@ public:
   explicit Steiner_splitting_3(Mesh& mesh)
     : m_mesh(mesh), m_star(mesh.tr), m_fans(mesh.tr, mesh.predicates), m_insert_artificial_fan(mesh),
       m_sectors(mesh.tr), m_triangulate_fan(mesh.tr, mesh.predicates), m_sector_points(mesh),
-      m_move_into_kernel(mesh.predicates, mesh.positions)
+      m_suppress(mesh, mesh.ledger)
   { }
 
   // Takes s off its constraint. The points that come in its place are free points of the ledger, and may have exact
   // positions. Returns false if there is none for one of them; then s stays.
   bool operator()(const Vertex_handle s)
   {
-    m_free_points.clear();
+    m_points_of_fans.clear();
     m_star.collect(s);
     const Carrier origin = m_mesh.ledger.carrier(s);
     const bool is_possible = collect_fans() && label_sectors() && triangulate_fans()
                           && m_sector_points(m_star, m_fans, m_sectors);
     if(is_possible)
-    {
       replace_ball(origin);
-      for(const Vertex_handle v : m_free_points)
-        release(v);
-    }
-    for(const Vertex_handle v : m_free_points) // they are in the mesh anyway
+    for(const Vertex_handle v : m_points_of_fans) // they are in the mesh anyway
       m_mesh.ledger.insert_free(v, origin);
+    if(is_possible && ! m_points_of_fans.empty())
+      suppress_new_points();
     CGAL_expensive_postcondition(internal::is_mesh_valid(m_mesh.tr, m_mesh.predicates));
     return is_possible;
   }
 
+  std::size_t number_of_transformations() const { return m_suppress.number_of_transformations(); }
+
 private:
   typedef typename Mesh::Ledger::Carrier       Carrier;
+  typedef typename Mesh::Vertices              Vertices;
   typedef Facet_fans_3<Tr>                     Fans;
   typedef typename Fans::Fan                   Fan;
 
@@ -102,7 +103,7 @@ private:
     if(! m_fans.add_hull_fans(m_star))
       return false;
     while(m_fans.size() < 2)
-      if(! m_insert_artificial_fan(m_star, m_fans, m_free_points))
+      if(! m_insert_artificial_fan(m_star, m_fans, m_points_of_fans))
         return false;
     return true;
   }
@@ -134,17 +135,22 @@ private:
       m_mesh.ledger.insert_free(v, origin);
   }
 
-  // A point of an artificial fan need not be exactly where it is any more.
-  void release(const Vertex_handle v)
+  // An artificial fan brings many points at once. They go, or move to the middle of what room they have, before the
+  // ball of the next Steiner point is cut up: else the balls get so thin that no number fits into them.
+  void suppress_new_points()
   {
-    std::vector<Cell_handle> star;
-    m_mesh.tr.incident_cells(v, std::back_inserter(star));
-    const auto faces = internal::faces_of_ball(star, v);
-    const typename Mesh::Exact_point exact = m_mesh.positions(v);
-    m_mesh.positions.erase(v);
-    if(! m_move_into_kernel.is_in_kernel(v, faces) && ! m_move_into_kernel(v, faces))
-      m_mesh.positions.set(v, exact);
+    Vertices points = m_sector_points.vertices();
+    points.insert(points.end(), m_points_of_fans.begin(), m_points_of_fans.end());
+    for(const Vertex_handle v : points)
+      if(m_mesh.context.go_further())
+        m_suppress.remove(v, recursion_level);
+    for(const Vertex_handle v : points)
+      if(m_mesh.ledger.is_free(v))
+        m_suppress.relocate(v);
   }
+
+  // See "Tuning constants" in the manual.
+  static constexpr int recursion_level = 4;
 
   Mesh& m_mesh;
   Half_facet_star_3<Tr> m_star; // of the Steiner point
@@ -153,8 +159,8 @@ private:
   Ball_sectors_3<Tr> m_sectors;
   Triangulate_fan_3<Tr> m_triangulate_fan;
   Sector_points_3<Tr, Visitor> m_sector_points;
-  Move_into_kernel_3<Tr> m_move_into_kernel;
-  std::vector<Vertex_handle> m_free_points; // of artificial fans
+  Suppress_free_point_3<Tr, Visitor, typename Mesh::Ledger> m_suppress;
+  Vertices m_points_of_fans; // of artificial ones
 };
 
 } // namespace internal

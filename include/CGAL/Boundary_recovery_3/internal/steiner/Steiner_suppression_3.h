@@ -17,12 +17,10 @@
 #include <CGAL/Boundary_recovery_3/internal/mesh/Exterior_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_validity.h>
-#include <CGAL/Boundary_recovery_3/internal/operations/Move_into_kernel_3.h>
-#include <CGAL/Boundary_recovery_3/internal/operations/Remove_vertex_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Merge_points_3.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/Reduce_ball_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Round_free_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_mesh_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Suppress_free_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/replace_and_forget.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 
@@ -41,12 +39,10 @@ namespace internal {
 /*
  * The postprocessing of [CZZ+17, Section 4.3]: removes Steiner points that are on no constraint.
  *
- * A vertex is dropped when its ball can be covered without it: by collapsing an edge of it, or by small polyhedron
- * reconnection of the ball. Until that works, the edges at the vertex are removed one after the other by recursive
- * shell transformations. Then the ball and one layer more is tried, and in the end ever larger cavities around the
- * ball: first such that grow by the vertices that touch them most, then such that grow where they have to. Two
- * neighbors become one where one point sees the boundary of both balls. In between, points move to the deepest point
- * of their kernel.
+ * Points are first removed one by one, and those that stay move to the deepest point of their kernel. Where that does
+ * no more, two neighbors become one where one point sees the boundary of both balls, and ever larger cavities around a
+ * ball are reconnected: first such that grow by the vertices that touch them most, then such that grow where they have
+ * to.
  *
  * It ends: no step adds a point, every round but the last removes some, and within a round, the flips around a point
  * only ever take edges away from it.
@@ -61,10 +57,8 @@ public:
   typedef Growing_cavity_3<Tr>                 Growing_cavity;
 
   explicit Steiner_suppression_3(Mesh& mesh)
-    : m_mesh(mesh), m_remove(mesh.editor, mesh.predicates, mesh.constraints),
-      m_reduce_ball(mesh.editor, mesh.predicates, mesh.constraints), m_merge(mesh), m_round(mesh),
-      m_growing_cavity(mesh.tr, mesh.predicates, mesh.constraints),
-      m_move_into_kernel(mesh.predicates, mesh.positions)
+    : m_mesh(mesh), m_suppress(mesh, mesh.constraints), m_merge(mesh), m_round(mesh),
+      m_growing_cavity(mesh.tr, mesh.predicates, mesh.constraints)
   { }
 
   // Removes as many points as it can. The recursion level of the flips is low first, for most points need no more.
@@ -89,7 +83,7 @@ public:
     }) == 0;
   }
 
-  std::size_t number_of_transformations() const { return m_reduce_ball.number_of_transformations(); }
+  std::size_t number_of_transformations() const { return m_suppress.number_of_transformations(); }
 
 private:
   // Where there is a domain, the points in its exterior are not worth much time.
@@ -97,14 +91,21 @@ private:
 
   // --- the schedule -------------------------------------------------------------------------------------------------
 
-  // Tries to remove each of the points, as long as this is worthwhile.
+  // Tries to remove each of the points, as long as this is worthwhile; if the recursion level is high, until this has
+  // failed too often.
   void remove_points(const Points points, const int l_max)
   {
     std::size_t before;
     do
     {
       before = number_of_points();
-      for_each_point(points, [&](const Vertex_handle v) { remove(v, l_max); });
+      std::size_t number_of_failures = 0;
+      for_each_point(points, [&](const Vertex_handle v)
+      {
+        if((l_max <= low_recursion_level || is_success_likely(before, number_of_failures))
+           && ! m_suppress.remove(v, l_max))
+          ++number_of_failures;
+      });
       if(number_of_points() == before)
         return;
       relocate_points();
@@ -116,6 +117,13 @@ private:
 
   // Whether more than one in a hundred of the points is gone. Where there are hundreds, every round finds one more.
   bool is_worthwhile(const std::size_t before) const { return 100 * (before - number_of_points()) > before; }
+
+  // Whether what takes long should be tried with one more point. So many failed since there were so many.
+  bool is_success_likely(const std::size_t before, const std::size_t number_of_failures) const
+  {
+    return number_of_failures
+           <= max_number_of_failures + failures_per_removed_point * (before - number_of_points());
+  }
 
   // Tries what flips cannot do, the quickest first. Returns whether this was worthwhile.
   bool change_cavities()
@@ -140,7 +148,6 @@ private:
     {
       if(! m_mesh.context.go_further())
         break;
-      m_remove.forget(); // work moves points
       if(m_mesh.ledger.is_free(v) && (which == ALL_POINTS || ! internal::contains(*m_exterior_points, v)))
         work(v);
       CGAL_expensive_assertion(internal::is_mesh_valid(m_mesh.tr, m_mesh.predicates));
@@ -165,32 +172,6 @@ private:
 
   // --- ways to remove points ----------------------------------------------------------------------------------------
 
-  void remove(const Vertex_handle v, const int l_max)
-  {
-    if(! collect_ball(v) || try_to_remove(v, m_ball))
-      return;
-    const auto try_again = [&](const std::vector<Cell_handle>& ball) { return this->try_to_remove(v, ball); };
-    if(m_reduce_ball(v, l_max, m_mesh.context, try_again) || ! m_mesh.context.go_further())
-      return;
-    collect_ball(v);
-    if(m_remove.find_with_layer(m_ball, v))
-      drop(v);
-  }
-
-  bool try_to_remove(const Vertex_handle v, const std::vector<Cell_handle>& ball)
-  {
-    if(! m_remove.find(ball, v))
-      return false;
-    drop(v);
-    return true;
-  }
-
-  void drop(const Vertex_handle v)
-  {
-    m_mesh.ledger.erase(v);
-    m_remove(v);
-  }
-
   // Tries to remove each of the points by reconnection of a growing cavity around it, as long as this does not fail too
   // often. Those in the exterior are left alone: that hardly ever helped one. Adds the points that no growth helps to
   // the `hopeless` ones, and does not try these; the list is empty again once one is removed.
@@ -200,9 +181,7 @@ private:
     std::size_t number_of_failures = 0;
     for_each_point(POINTS_OF_DOMAIN, [&](const Vertex_handle v)
     {
-      const std::size_t number_of_removed_points = before - number_of_points();
-      if(number_of_failures > max_number_of_failures + failures_per_removed_point * number_of_removed_points
-         || internal::contains(hopeless, v) || ! collect_ball(v))
+      if(! is_success_likely(before, number_of_failures) || internal::contains(hopeless, v) || ! collect_ball(v))
         return;
       const auto& bounds = growth == Growing_cavity::AROUND ? around_bounds : dead_ends_bounds;
       const auto outcome = m_growing_cavity(m_ball, v, m_mesh.ledger.free_points(), growth, bounds, m_mesh.context);
@@ -232,24 +211,7 @@ private:
   // Moves each of the points to the deepest point of the kernel of its ball, from where more may be possible.
   void relocate_points()
   {
-    for_each_point(ALL_POINTS, [this](const Vertex_handle v) { relocate(v); });
-  }
-
-  // Moves v to the deepest point of the kernel of its ball, if that can be stored.
-  void relocate(const Vertex_handle v)
-  {
-    if(! collect_ball(v))
-      return;
-    const auto faces = internal::faces_of_ball(m_ball, v);
-    const auto exact = m_mesh.positions(v);
-    const auto before = v->point();
-    const bool is_exact = m_mesh.positions.contains(v);
-    m_mesh.positions.erase(v);
-    if(m_move_into_kernel(v, faces))
-      return;
-    v->set_point(before);
-    if(is_exact)
-      m_mesh.positions.set(v, exact);
+    for_each_point(ALL_POINTS, [this](const Vertex_handle v) { m_suppress.relocate(v); });
   }
 
   // Returns false if v is on the hull.
@@ -267,12 +229,10 @@ private:
   static constexpr std::size_t failures_per_removed_point = 10;
 
   Mesh& m_mesh;
-  Remove_vertex_3<Tr, Visitor, typename Mesh::Constraints> m_remove;
-  Reduce_ball_3<Tr, Visitor, typename Mesh::Constraints> m_reduce_ball;
+  Suppress_free_point_3<Tr, Visitor, typename Mesh::Constraints> m_suppress;
   Merge_points_3<Tr, Visitor> m_merge;
   Round_free_point_3<Tr, Visitor> m_round;
   Growing_cavity m_growing_cavity;
-  Move_into_kernel_3<Tr> m_move_into_kernel;
   std::optional<std::vector<Vertex_handle> > m_exterior_points; // where there is a domain; none until asked for
   std::vector<Cell_handle> m_ball;
 };

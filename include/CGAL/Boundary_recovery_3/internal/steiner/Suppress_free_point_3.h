@@ -1,0 +1,105 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_SUPPRESS_FREE_POINT_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_SUPPRESS_FREE_POINT_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
+#include <CGAL/Boundary_recovery_3/internal/operations/Move_into_kernel_3.h>
+#include <CGAL/Boundary_recovery_3/internal/operations/Remove_vertex_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Reduce_ball_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_mesh_3.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * The postprocessing of [CZZ+17, Section 4.3] for one Steiner point that is on no constraint: removes it, or moves it
+ * to where it is least in the way.
+ *
+ * The vertex is dropped when its ball can be covered without it: by collapsing an edge of it, or by small polyhedron
+ * reconnection of the ball. Until that works, the edges at the vertex are removed one after the other by recursive
+ * shell transformations. In the end, the ball and one layer more is tried.
+ *
+ * `Constraints` are the ledger's as long as there are points on constraints.
+ */
+template <typename Tr, typename Visitor, typename Constraints>
+class Suppress_free_point_3
+{
+public:
+  typedef Steiner_mesh_3<Tr, Visitor>          Mesh;
+  typedef typename Mesh::Vertex_handle         Vertex_handle;
+  typedef typename Mesh::Cell_handle           Cell_handle;
+
+  Suppress_free_point_3(Mesh& mesh, const Constraints& constraints)
+    : m_mesh(mesh), m_remove(mesh.editor, mesh.predicates, constraints),
+      m_reduce_ball(mesh.editor, mesh.predicates, constraints), m_move_into_kernel(mesh.predicates, mesh.positions)
+  { }
+
+  // Returns whether v is gone. If it is on the hull, it is not.
+  bool remove(const Vertex_handle v, const int l_max)
+  {
+    m_remove.forget(); // points may have moved since the last call
+    if(! internal::collect_ball(m_mesh.tr, v, m_ball))
+      return false;
+    const auto try_to_remove = [this, v](const std::vector<Cell_handle>& ball)
+    {
+      return m_remove.find(ball, v) && drop(v);
+    };
+    if(try_to_remove(m_ball) || m_reduce_ball(v, l_max, m_mesh.context, try_to_remove))
+      return true;
+    return m_mesh.context.go_further() && internal::collect_ball(m_mesh.tr, v, m_ball)
+        && m_remove.find_with_layer(m_ball, v) && drop(v);
+  }
+
+  // Moves v to the deepest point of the kernel of its ball, from where more may be possible, if that can be stored.
+  void relocate(const Vertex_handle v)
+  {
+    if(! internal::collect_ball(m_mesh.tr, v, m_ball))
+      return;
+    const auto faces = internal::faces_of_ball(m_ball, v);
+    const auto exact = m_mesh.positions(v);
+    const auto before = v->point();
+    const bool is_exact = m_mesh.positions.contains(v);
+    m_mesh.positions.erase(v);
+    if(m_move_into_kernel(v, faces))
+      return;
+    v->set_point(before);
+    if(is_exact)
+      m_mesh.positions.set(v, exact);
+  }
+
+  std::size_t number_of_transformations() const { return m_reduce_ball.number_of_transformations(); }
+
+private:
+  bool drop(const Vertex_handle v)
+  {
+    m_mesh.ledger.erase(v);
+    m_remove(v);
+    return true;
+  }
+
+  Mesh& m_mesh;
+  Remove_vertex_3<Tr, Visitor, Constraints> m_remove;
+  Reduce_ball_3<Tr, Visitor, Constraints> m_reduce_ball;
+  Move_into_kernel_3<Tr> m_move_into_kernel;
+  std::vector<Cell_handle> m_ball;
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_SUPPRESS_FREE_POINT_3_H

@@ -1,0 +1,169 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+// Many isolated edges that cross each other at small distances, as fibres and wells do. The points that come off them
+// are many and close to each other, and all of them have to be where floating point numbers are.
+
+#undef NDEBUG
+
+#define BR3_TEST_EPICK_ONLY
+
+#include "recover_and_judge_br3.h"
+#include "steiner_scene_br3.h"
+
+#include <CGAL/Boundary_recovery_3/Boundary_recovery_visitor_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_editor_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
+#include <CGAL/Boundary_recovery_3/internal/operations/star_cavity.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Recovery_by_points_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_mesh_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Suppress_free_point_3.h>
+
+#include <CGAL/Random.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cstddef>
+#include <iostream>
+#include <vector>
+
+namespace internal = CGAL::Boundary_recovery_3::internal;
+
+struct Visitor
+  : public CGAL::Default_boundary_recovery_visitor_3
+{
+  explicit Visitor(const br3_test::Scene_triangulation&) { }
+};
+
+typedef br3_test::Steiner_scene<Visitor>   Scene;
+typedef Scene::Tr                          Tr;
+typedef Scene::Vertex_handle               Vertex_handle;
+
+void add_edge(br3_test::Plc& plc, const br3_test::Coordinates& p, const br3_test::Coordinates& q)
+{
+  plc.edges.push_back({ plc.points.size(), plc.points.size() + 1 });
+  plc.points.push_back(p);
+  plc.points.push_back(q);
+}
+
+br3_test::Plc random_segments(const std::size_t number, const unsigned seed)
+{
+  br3_test::Plc plc;
+  CGAL::Random random(seed);
+  const auto random_point = [&]
+  {
+    br3_test::Coordinates p;
+    for(double& x : p)
+      x = random.get_double();
+    return p;
+  };
+  for(std::size_t i = 0; i < number; ++i)
+  {
+    const br3_test::Coordinates p = random_point(), q = random_point();
+    add_edge(plc, p, q);
+  }
+  return plc;
+}
+
+// Lines of both families of the hyperbolic paraboloid z = xy, those of one a little above the others.
+br3_test::Plc skew_lines(const int number)
+{
+  br3_test::Plc plc;
+  const double gap = 1. / 1024;
+  for(int i = 0; i < number; ++i)
+  {
+    const double t = -1 + 2. * i / (number - 1);
+    add_edge(plc, {{ t, -1.125, -1.125 * t }}, {{ t, 1.125, 1.125 * t }});
+    add_edge(plc, {{ -1.125, t, -1.125 * t + gap }}, {{ 1.125, t, 1.125 * t + gap }});
+  }
+  return plc;
+}
+
+// Right after all points came off their edges, many of them had no position that the triangulation could store, and
+// there were eight times as many as on the edges.
+void test_points_that_come_off_edges(const br3_test::Plc& plc)
+{
+  Scene scene(plc);
+  internal::Recovery_by_points_3<Tr, Visitor> recover(scene.state, scene.ledger);
+  recover.look_up();
+  recover.recover_conforming(3);
+  assert(scene.state.is_nothing_lost() && scene.is_conforming());
+  assert(recover.split_points() && scene.ledger.points_on_constraints().empty() && scene.is_valid());
+  const auto& points = scene.ledger.free_points();
+  const std::size_t number_on_edges = scene.ledger.number_of_constraint_points();
+  std::cout << number_on_edges << " points on edges, then " << points.size() << " beside them" << std::endl;
+  assert(! points.empty() && points.size() < 4 * number_on_edges);
+  assert(std::none_of(points.begin(), points.end(), [&](const Vertex_handle v)
+  {
+    return scene.ledger.positions().contains(v);
+  }));
+  recover.recount();
+  assert(scene.state.is_nothing_lost());
+}
+
+template <typename Editor>
+void split_cell(Editor& editor, const Tr::Cell_handle c, const Vertex_handle v)
+{
+  std::vector<std::array<Vertex_handle, 3> > faces;
+  for(int i = 0; i < 4; ++i)
+    faces.push_back(internal::facet_vertices(c, i));
+  editor.replace(std::array<Tr::Cell_handle, 1>{{ c }}, internal::star(faces, v), std::vector<Vertex_handle>());
+}
+
+// A new point goes if its ball can do without it, and else moves to the middle; both keep the parts of edges.
+void test_suppression_of_one_point()
+{
+  Scene scene(random_segments(12, 3));
+  typedef internal::Mesh_editor_3<Tr, Visitor>    Editor;
+  typedef internal::Steiner_mesh_3<Tr, Visitor>   Mesh;
+  internal::Recovery_by_points_3<Tr, Visitor> recover(scene.state, scene.ledger);
+  recover.look_up();
+  recover.recover_conforming(0);
+  const std::size_t number = scene.ledger.points_on_constraints().size();
+  assert(number > 0 && scene.is_conforming());
+
+  Editor editor(scene.tr, scene.visitor);
+  Mesh mesh(editor, scene.predicates, scene.constraints, scene.ledger, scene.context);
+  internal::Suppress_free_point_3<Tr, Visitor, Scene::Ledger> suppress(mesh, scene.ledger);
+  for(int i = 0; i < 2; ++i)
+  {
+    const Tr::Cell_handle c = scene.tr.finite_cells_begin();
+    const auto center = CGAL::centroid(scene.ledger.positions()(c->vertex(0)), scene.ledger.positions()(c->vertex(1)),
+                                       scene.ledger.positions()(c->vertex(2)), scene.ledger.positions()(c->vertex(3)));
+    const std::size_t number_of_cells = scene.tr.number_of_finite_cells();
+    const Vertex_handle v = editor.create_vertex();
+    scene.ledger.positions().set(v, center);
+    scene.ledger.insert_free(v, scene.ledger.carrier(scene.ledger.points_on_constraints().front()));
+    split_cell(editor, c, v);
+    suppress.relocate(v);
+    assert(scene.is_valid() && scene.is_conforming() && ! scene.ledger.positions().contains(v));
+    assert(suppress.remove(v, 4));
+    assert(scene.is_valid() && scene.is_conforming() && ! scene.ledger.is_free(v));
+    assert(scene.tr.number_of_finite_cells() == number_of_cells);
+  }
+  assert(scene.ledger.points_on_constraints().size() == number);
+}
+
+void test_recovery(const br3_test::Plc& plc)
+{
+  br3_test::Fuzz_case c;
+  c.plc = plc;
+  assert(br3_test::recover_and_judge(c) == br3_test::Recovery_status::recovered);
+}
+
+int main()
+{
+  test_points_that_come_off_edges(random_segments(50, 1));
+  test_points_that_come_off_edges(random_segments(60, 7));
+  test_suppression_of_one_point();
+  test_recovery(skew_lines(4));
+  test_recovery(random_segments(12, 5));
+  std::cout << "done" << std::endl;
+}
