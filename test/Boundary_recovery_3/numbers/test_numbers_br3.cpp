@@ -115,8 +115,25 @@ void test_binary_scale()
   assert(internal::largest_coordinate(Triple{{ 1, -infinity, 2 }}) == infinity);
 }
 
+// All the axes have the scale of the longest one, unless numbers of these sizes cannot be multiplied then.
+void test_scales_of_axes()
+{
+  typedef std::array<double, 3> Triple;
+  assert((internal::binary_scales({{ 5, 1, 0 }}) == Triple{{ 4, 4, 4 }}));
+  assert((internal::binary_scales({{ 0, 0, 0 }}) == Triple{{ 1, 1, 1 }}));
+  const double short_one = std::ldexp(1.5, -257), not_so_short = std::ldexp(1., -256);
+  assert((internal::binary_scales({{ 1, not_so_short, .5 }}) == Triple{{ 1, 1, 1 }}));
+  assert((internal::binary_scales({{ 1.5, short_one, 0 }}) == Triple{{ 1, std::ldexp(1., -257), 1 }}));
+  assert((internal::binary_scales({{ 3e-300, 5e200, 1 }})
+          == Triple{{ internal::binary_scale(3e-300), internal::binary_scale(5e200), 1 }}));
+  Triple largest = {{ 1, 0, 2 }};
+  internal::enlarge(largest, Triple{{ -3, 0, 1 }});
+  assert((largest == Triple{{ 3, 0, 2 }}));
+}
+
 int main()
 {
+  test_scales_of_axes();
   test_rational_numbers();
   test_exact_floats();
   test_binary_scale();

@@ -146,9 +146,10 @@ void test_kernel_alone()
         assert(is_in_kernel(v[4], faces) == (x > 0 && y > 0 && z > 0 && x + y + z < 8));
       }
 
-  const auto exact = internal::exact_point_on_ray(positions, faces, positions(v[0]), Exact_vector(1, 2, 3), 1.);
+  const std::array<double, 3> sizes = {{ 1, 1, 1 }};
+  const auto exact = internal::exact_point_on_ray(positions, faces, positions(v[0]), Exact_vector(1, 2, 3), sizes);
   assert(exact && exact->x() > 0 && exact->y() == 2 * exact->x() && exact->z() == 3 * exact->x() && 6 * exact->x() < 1);
-  assert(! internal::exact_point_on_ray(positions, faces, positions(v[0]), Exact_vector(-1, 0, 0), 1.));
+  assert(! internal::exact_point_on_ray(positions, faces, positions(v[0]), Exact_vector(-1, 0, 0), sizes));
   const auto near = internal::representable_point_in_kernel(positions, faces, Exact_point(.25, .25, .25), .125);
   assert(near);
   for(const double x : *near)

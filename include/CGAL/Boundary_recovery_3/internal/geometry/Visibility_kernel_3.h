@@ -55,26 +55,30 @@ public:
 
   // Each of the faces has the polyhedron on its positive side. The origin is a point near them.
   Visibility_kernel_3(const Predicates& predicates, const std::vector<Vertex_triple>& faces, const Point& origin)
-    : m_predicates(predicates), m_origin(origin), m_unit(size(faces))
+    : m_predicates(predicates), m_origin(origin), m_units(binary_scales(sizes(faces)))
   {
     for(const Vertex_triple& f : faces)
       add_half_space(from_origin(f[0]), from_origin(f[1]), from_origin(f[2]));
   }
 
-  // A power of two, so that products of lengths do not leave the range of floating point numbers.
-  double unit() const { return m_unit; }
+  // A power of two for each axis, so that products of lengths do not leave the range of floating point numbers.
+  const std::array<double, 3>& units() const { return m_units; }
 
-  // In the unit, and roughly.
+  // A vector in the units.
+  Vector in_units(const Vector& v) const { return Vector(v[0] / m_units[0], v[1] / m_units[1], v[2] / m_units[2]); }
+
+  // In the units, and roughly.
   double diameter() const { return m_diameter; }
 
   // A point on the ray from the origin, which is in the closed kernel.
   template <typename Is_inside>
   std::optional<Point> point_on_ray(const Vector& direction, const Is_inside& is_inside) const
   {
-    const double length = std::sqrt(direction.squared_length());
+    const Vector scaled = in_units_up_to_factor(direction);
+    const double length = std::sqrt(scaled.squared_length());
     if(! (length > 0) || ! std::isfinite(length))
       return std::nullopt;
-    const Vector d = direction / length;
+    const Vector d = scaled / length;
     double s = end_of_ray(d);
     for(int i = 0; i < max_number_of_bisections; ++i)
     {
@@ -113,18 +117,26 @@ private:
     double depth;
   };
 
-  double size(const std::vector<Vertex_triple>& faces) const
+  // The largest distances from the origin along the axes.
+  std::array<double, 3> sizes(const std::vector<Vertex_triple>& faces) const
   {
-    double largest = 0;
+    std::array<double, 3> largest = {{ 0, 0, 0 }};
     for(const Vertex_triple& f : faces)
       for(const Vertex_handle v : f)
-        largest = (std::max)(largest, largest_coordinate(m_predicates.approximate_point(v) - m_origin));
-    return binary_scale(largest);
+        internal::enlarge(largest, m_predicates.approximate_point(v) - m_origin);
+    return largest;
   }
 
   Vector from_origin(const Vertex_handle v) const
   {
-    return (m_predicates.approximate_point(v) - m_origin) / m_unit;
+    return in_units(m_predicates.approximate_point(v) - m_origin);
+  }
+
+  // A direction, whose length is of no importance, may be far longer or shorter than the polyhedron.
+  Vector in_units_up_to_factor(const Vector& d) const
+  {
+    const double unit = *std::max_element(m_units.begin(), m_units.end());
+    return Vector(d[0] * (unit / m_units[0]), d[1] * (unit / m_units[1]), d[2] * (unit / m_units[2]));
   }
 
   // The one on the positive side of a triangle.
@@ -153,11 +165,11 @@ private:
     return s;
   }
 
-  // The point x, relative to the origin and in the unit, if it has finite coordinates and is inside.
+  // The point x, relative to the origin and in the units, if it has finite coordinates and is inside.
   template <typename Is_inside>
   std::optional<Point> point_if(const Vector& x, const Is_inside& is_inside) const
   {
-    const Point p = m_origin + m_unit * x;
+    const Point p = m_origin + Vector(m_units[0] * x[0], m_units[1] * x[1], m_units[2] * x[2]);
     const bool is_finite = std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
     return is_finite && is_inside(p) ? std::optional<Point>(p) : std::nullopt;
   }
@@ -233,7 +245,7 @@ private:
 
   const Predicates& m_predicates;
   const Point m_origin;
-  const double m_unit; // of the half spaces and the diameter
+  const std::array<double, 3> m_units; // of the half spaces and the diameter
   double m_diameter = 0;
   std::vector<Half_space> m_half_spaces;
 };

@@ -13,13 +13,16 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/geometry/Is_in_kernel_3.h>
-#include <CGAL/Boundary_recovery_3/internal/numbers/binary_scale.h>
 #include <CGAL/Boundary_recovery_3/internal/numbers/exact_numbers.h>
 
 #include <CGAL/Origin.h>
 #include <CGAL/enum.h>
+#include <CGAL/number_utils.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace CGAL {
@@ -88,15 +91,17 @@ int number_of_outer_points_on_ray(const Positions& positions, const FaceRange& f
 
 // Finds a point in the open visibility kernel of a polyhedron on a ray from a point in its closed kernel, both exactly.
 // For polyhedra that are too flat to have a floating point number inside. Each of the faces has the polyhedron on its
-// positive side; `size` is about its diameter.
+// positive side; `sizes` are about its diameters along the axes.
 template <typename Positions, typename FaceRange>
 std::optional<typename Positions::Exact_point_3>
 exact_point_on_ray(const Positions& positions, const FaceRange& faces, const typename Positions::Exact_point_3& origin,
-                   const typename Positions::Exact_kernel::Vector_3& direction, const double size)
+                   const typename Positions::Exact_kernel::Vector_3& direction, const std::array<double, 3>& sizes)
 {
   if(direction == CGAL::NULL_VECTOR)
     return std::nullopt;
-  const double quotient = size / largest_coordinate(direction);
+  double quotient = std::numeric_limits<double>::infinity();
+  for(int i = 0; i < 3; ++i)
+    quotient = (std::min)(quotient, sizes[i] / std::abs(CGAL::to_double(direction[i])));
   const double start = std::isfinite(quotient) && quotient > 0 ? quotient : 1.;
   const int n = internal::number_of_outer_points_on_ray(positions, faces, origin, direction, start);
   if(n == max_number_of_points_on_ray)

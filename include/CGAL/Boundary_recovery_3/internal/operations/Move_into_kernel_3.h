@@ -72,8 +72,11 @@ public:
       if(kernel.point_on_ray(approximate(d), is_inside))
         return true;
     const Exact_point start = m_positions(origin);
+    std::array<double, 3> sizes = kernel.units();
+    for(double& size : sizes)
+      size *= kernel.diameter();
     for(const Exact_vector& d : directions)
-      if(const auto p = exact_point_on_ray(m_positions, faces, start, d, kernel.diameter() * kernel.unit()))
+      if(const auto p = exact_point_on_ray(m_positions, faces, start, d, sizes))
       {
         m_positions.set(v, *p);
         improve_exact_position(v, faces, kernel, start);
@@ -139,26 +142,27 @@ private:
   void improve_exact_position(const Vertex_handle v, const std::vector<Vertex_triple>& faces, const Kernel& kernel,
                               const Exact_point& origin)
   {
-    const Vector offset = approximate(m_positions(v) - origin);
-    const double unit = kernel.unit(), distance = std::hypot(offset[0] / unit, offset[1] / unit, offset[2] / unit);
-    simplify_position(v, faces, unit, distance);
+    const Vector offset = kernel.in_units(approximate(m_positions(v) - origin));
+    const double distance = std::hypot(offset[0], offset[1], offset[2]);
+    simplify_position(v, faces, kernel.units(), distance);
     if(distance > thinnest * kernel.diameter()) // else no number can be expected, and linear programs are slow there
       round_to_deepest_point(v, faces, kernel);
   }
 
   // Gives v another exact position near it that fewer bits describe, if this is in the kernel: positions that are
-  // computed from positions would become longer and longer. The distance is in the unit.
-  void simplify_position(const Vertex_handle v, const std::vector<Vertex_triple>& faces, const double unit,
-                         const double distance)
+  // computed from positions would become longer and longer. The distance is in the units.
+  void simplify_position(const Vertex_handle v, const std::vector<Vertex_triple>& faces,
+                         const std::array<double, 3>& units, const double distance)
   {
     if(! std::isnormal(distance))
       return;
     const Exact_point exact = m_positions(v);
     for(const int bits : { 4, 16, 64 })
     {
-      const FT step = FT(binary_unit(std::ilogb(distance) - bits)) * FT(unit);
-      m_positions.set(v, Exact_point(nearest_multiple(exact.x(), step), nearest_multiple(exact.y(), step),
-                                     nearest_multiple(exact.z(), step)));
+      const FT step(binary_unit(std::ilogb(distance) - bits));
+      m_positions.set(v, Exact_point(nearest_multiple(exact.x(), FT(step * FT(units[0]))),
+                                     nearest_multiple(exact.y(), FT(step * FT(units[1]))),
+                                     nearest_multiple(exact.z(), FT(step * FT(units[2])))));
       if(is_in_kernel(v, faces))
         return;
     }
