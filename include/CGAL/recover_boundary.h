@@ -65,8 +65,8 @@ namespace CGAL {
  * \param points the points
  * \param triangles the triangles, each three indices of points
  * \param np an optional sequence of named parameters among the ones listed below. Those that only this package has,
- *        `recovery_mode`, `max_recursion_level`, `constrained_edges` and `list_defects`, start a chain; several chains
- *        are passed one after the other.
+ *        `recovery_mode`, `max_recursion_level`, `constrained_edges`, `list_defects` and `maximum_number_of_defects`,
+ *        start a chain; several chains are passed one after the other.
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{recovery_mode}
@@ -103,7 +103,16 @@ namespace CGAL {
  *     \cgalParamDescription{whether intersections of constraints, and vertices of `tr` on constraints, are searched
  *                           first, and no cell is flipped if there are any}
  *     \cgalParamType{`bool`}
- *     \cgalParamDefault{`false`: they are searched only when constraints are missing in the end}
+ *     \cgalParamDefault{`false`: they are searched only when constraints are missing in the end, and intersections
+ *                       also earlier, when so much was done in vain that the search hardly takes more}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{maximum_number_of_defects}
+ *     \cgalParamDescription{how many defects are listed at most, the first ones in order; 0: none, only their number is
+ *                           told}
+ *     \cgalParamType{`std::size_t`}
+ *     \cgalParamDefault{1000000, which take about 0.4 GB}
+ *     \cgalParamExtra{Two surfaces of n triangles may intersect in n^2 pairs. If there are more pairs than are listed,
+ *                     `number_of_defects` is a lower bound, as it would take long to count them.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{point_map}
  *     \cgalParamDescription{a property map from the elements of `points` to points}
@@ -125,7 +134,8 @@ namespace CGAL {
  *         these exceptions: the points have been inserted if they and the vertices of a triangulation of a dimension
  *         less than 3 turn out to be coplanar, or if a vertex is on a constraint that is not its own, be it of the
  *         triangulation or a point that no constraint uses; and constraints that intersect are, unless `list_defects`
- *         is set, found only after points were inserted and cells flipped.
+ *         is set, found only after points were inserted, perhaps not all of
+ *         them, and cells flipped.
  *
  * \pre `tr` is valid: `tr.is_valid()` as a `Triangulation_3`; it need not be Delaunay.
  */

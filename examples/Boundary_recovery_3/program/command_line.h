@@ -23,6 +23,7 @@ struct Options
   double time_limit = (std::numeric_limits<double>::infinity)();
   bool repair = false;
   double tolerance = -1;            // for the repair; -1: that of single precision
+  bool list_defects = false;
   bool keep_exterior = false;
   bool quiet = false;
   bool timing = false;
@@ -44,6 +45,7 @@ constexpr const char* usage =
   "  --flips-only               leave no added point\n"
   "  --keep-exterior            write the tetrahedra outside the domain, too, as region 0\n"
   "  --max-recursion-level N    never recurse deeper than N when flipping\n"
+  "  --list-defects             look for intersections before anything else, and mesh nothing if there are any\n"
   "  --time-limit SECONDS       stop after that time and write what there is\n"
   "  --report FILE.json         write a report with all that is wrong or missing\n"
   "  --table                    print lost constraints and intersections per recursion level\n"
@@ -97,6 +99,8 @@ private:
       options.repair = true;
     else if(argument == "--tolerance")
       options.tolerance = number_after(argument, false);
+    else if(argument == "--list-defects")
+      options.list_defects = true;
     else if(argument == "--keep-exterior")
       options.keep_exterior = true;
     else if(argument == "--table")

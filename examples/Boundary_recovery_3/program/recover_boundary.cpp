@@ -45,9 +45,10 @@ Result recover(Triangulation& tr, const Surface<Point>& surface, const Options& 
 {
   const auto common = CGAL::parameters::visitor(std::ref(progress)).maximum_running_time(options.time_limit);
   const auto mode = CGAL::parameters::recovery_mode(options.mode);
+  const auto defects = CGAL::parameters::list_defects(options.list_defects);
   if(options.max_recursion_level < 0)
-    return CGAL::recover_boundary(tr, surface.points, surface.faces, common, mode);
-  return CGAL::recover_boundary(tr, surface.points, surface.faces, common, mode,
+    return CGAL::recover_boundary(tr, surface.points, surface.faces, common, mode, defects);
+  return CGAL::recover_boundary(tr, surface.points, surface.faces, common, mode, defects,
                                 CGAL::parameters::max_recursion_level(options.max_recursion_level));
 }
 
@@ -99,12 +100,20 @@ int fail(const std::string& message)
 
 void print_defects(const Result& result)
 {
-  const std::size_t n = result.defects.size(), shown = (std::min)(n, std::size_t(10));
-  std::cerr << "recover_boundary: invalid input, " << n << (n == 1 ? " defect" : " defects") << '\n';
+  const std::size_t n = result.number_of_defects, listed = result.defects.size();
+  const std::size_t shown = (std::min)(listed, std::size_t(10));
+  std::cerr << "recover_boundary: invalid input, " << (n > listed ? "at least " : "") << n
+            << (n == 1 ? " defect" : " defects") << '\n';
   for(std::size_t i = 0; i < shown; ++i)
     std::cerr << "  " << result.defects[i] << '\n';
   if(n > shown)
-    std::cerr << "  and " << n - shown << " more: --report lists all of them\n";
+  {
+    std::cerr << "  and " << n - shown << " more: --report lists ";
+    if(n > listed)
+      std::cerr << "the first " << listed << '\n';
+    else
+      std::cerr << "all of them\n";
+  }
 }
 
 bool write_report(const Options& options, const Surface<Point>& surface, const Repair_changes& changes,

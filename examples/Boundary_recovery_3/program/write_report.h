@@ -147,6 +147,7 @@ private:
     m_json.entry("status", to_string(result.status));
     m_json.entry("number_of_edges", result.number_of_edges);
     m_json.entry("number_of_facets", result.number_of_facets);
+    m_json.entry("number_of_defects", result.number_of_defects);
     m_json.entry("number_of_missing_edges", result.missing_edges.size());
     m_json.entry("number_of_missing_facets", result.missing_facets.size());
     m_json.entry("number_of_constraint_points", result.number_of_constraint_points);

@@ -193,8 +193,13 @@ struct Boundary_recovery_result_3
   /// `incomplete` and the mode is not `flips_only`.
   std::vector<Input_simplex> unrepresentable_constraints;
 
-  /// what is wrong with the input, if `status` is `invalid_input`
+  /// what is wrong with the input, if `status` is `invalid_input`; the first ones if there are more than the named
+  /// parameter `maximum_number_of_defects`
   std::vector<Input_defect> defects;
+
+  /// number of defects; larger than that of the listed ones iff there are more, and then, of pairs of constraints that
+  /// intersect, there are at least so many
+  std::size_t number_of_defects = 0;
 
   /// the mesh edges that constrained edges with Steiner points on them consist of (mode `conforming` only); constrained
   /// edges that are not named here are single mesh edges, unless they are missing
@@ -347,13 +352,15 @@ using Boundary_recovery_3::Boundary_recovery_result_3;
 namespace Boundary_recovery_3 {
 
 /// \ingroup PkgBoundaryRecovery3Classes
-/// writes the status and, a line each, all defects, all missing constraints, and those without storable points.
+/// writes the status and, a line each, the defects, all missing constraints, and those without storable points.
 template <typename Triangulation>
 std::ostream& operator<<(std::ostream& os, const Boundary_recovery_result_3<Triangulation>& result)
 {
   os << to_string(result.status);
   for(const auto& defect : result.defects)
     os << '\n' << defect;
+  if(result.number_of_defects > result.defects.size())
+    os << "\nthese are " << result.defects.size() << " of at least " << result.number_of_defects << " defects";
   for(const auto& edge : result.missing_edges)
     os << "\nmissing " << edge;
   for(const auto& facet : result.missing_facets)

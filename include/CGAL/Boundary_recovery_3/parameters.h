@@ -23,10 +23,11 @@ namespace CGAL {
 namespace Boundary_recovery_3 {
 namespace internal {
 
-enum recovery_mode_t       { recovery_mode };
-enum max_recursion_level_t { max_recursion_level };
-enum constrained_edges_t   { constrained_edges };
-enum list_defects_t        { list_defects };
+enum recovery_mode_t             { recovery_mode };
+enum max_recursion_level_t       { max_recursion_level };
+enum constrained_edges_t         { constrained_edges };
+enum list_defects_t              { list_defects };
+enum maximum_number_of_defects_t { maximum_number_of_defects };
 
 // A pack with all the parameters of both packs; those of the second win.
 template <typename NP, typename T, typename Tag>
@@ -91,6 +92,15 @@ Named_function_parameters<K, Boundary_recovery_3::internal::list_defects_t>
 list_defects(const K& k)
 {
   return Named_function_parameters<K, Boundary_recovery_3::internal::list_defects_t>(k);
+}
+
+/// \ingroup PkgBoundaryRecovery3Functions
+/// how many defects are listed at most, an integer.
+template <typename K>
+Named_function_parameters<K, Boundary_recovery_3::internal::maximum_number_of_defects_t>
+maximum_number_of_defects(const K& k)
+{
+  return Named_function_parameters<K, Boundary_recovery_3::internal::maximum_number_of_defects_t>(k);
 }
 
 } // namespace parameters

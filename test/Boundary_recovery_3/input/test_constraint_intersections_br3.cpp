@@ -393,6 +393,56 @@ void test_stopped_search()
   }
 }
 
+// Of a bounded list, the pairs are the first ones of all. Whether there are more is known.
+void test_bounded_list()
+{
+  internal::Indexed_input_3<Epick::Point_3> input;
+  const std::size_t n = 40;
+  for(std::size_t i = 0; i < 2 * n; ++i)
+  {
+    const double at = static_cast<double>(i % n) / n;
+    for(const double x : { -9, 9 })
+      input.points.push_back(i < n ? Epick::Point_3(x, at, -1) : Epick::Point_3(at, x, 1));
+    input.points.push_back(i < n ? Epick::Point_3(0, at, 9) : Epick::Point_3(at, 0, -9));
+    input.facets.push_back({{ 3 * i, 3 * i + 1, 3 * i + 2 }});
+  }
+  typedef internal::Constraint_intersections_3<Epick> Intersections;
+  const Epick kernel;
+  const Intersections intersections(input, kernel);
+  Stopping_visitor patient;
+  Context context(patient);
+  const auto all = intersections.defects(context);
+  assert(all.size() == n * n);
+  for(const std::size_t max_number : { std::size_t(0), std::size_t(1), n + 1, n * n - 1, n * n, n * n + 1 })
+  {
+    std::size_t number = 0;
+    const auto first = intersections.defects(context, max_number, number);
+    const std::size_t expected = (std::min)(max_number, n * n);
+    assert(number >= expected && number <= n * n && (number > max_number) == (n * n > max_number));
+    assert(full_text(first) == full_text(decltype(all)(all.begin(), all.begin() + expected)));
+  }
+
+  // A question that is given up has no answer.
+  std::vector<Intersections::Simplex> some(1, internal::describe_facet(input, 0));
+  std::size_t max_number_of_pairs = n;
+  assert(intersections.have_defects(some, context, max_number_of_pairs) && max_number_of_pairs > 0);
+  input.points.assign(input.points.size(), Epick::Point_3(0, 0, 0)); // degenerate
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    const double x = static_cast<double>(i);
+    input.points[3 * i + 1] = Epick::Point_3(1, x, x * x);
+    input.points[3 * i + 2] = Epick::Point_3(1, x + .5, x * x);
+  }
+  const Intersections others(input, kernel); // triangles with a common corner
+  some.clear();
+  for(std::size_t i = 0; i < n; ++i)
+    some.push_back(internal::describe_facet(input, i));
+  max_number_of_pairs = 10;
+  assert(! others.have_defects(some, context, max_number_of_pairs) && max_number_of_pairs == 0);
+  max_number_of_pairs = n * n + 1;
+  assert(! others.have_defects(some, context, max_number_of_pairs) && max_number_of_pairs > 0);
+}
+
 // The pairs of boxes that intersect, against their definition, among all boxes and between some and the others.
 void test_box_search(const unsigned seed, const std::size_t n)
 {
@@ -463,6 +513,7 @@ int main()
   test<Epeck>();
   test_against_linear_program();
   test_stopped_search();
+  test_bounded_list();
   test_box_search(1, 3000);
   std::cout << "done" << std::endl;
 }

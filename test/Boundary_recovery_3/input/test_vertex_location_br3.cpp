@@ -186,7 +186,7 @@ public:
   std::size_t check() const
   {
     const K kernel;
-    const Diagnosis diagnosis(m_input, kernel);
+    Diagnosis diagnosis(m_input, kernel);
     Stopping_visitor patient, impatient;
     impatient.last_question = 0;
     Context context(patient), stopped_context(impatient);

@@ -18,6 +18,7 @@
 #include <CGAL/Boundary_recovery_3/internal/util/Hash_index.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Smallest_elements.h>
 #include <CGAL/Boundary_recovery_3/internal/util/bits.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 
@@ -30,6 +31,7 @@
 #include <iostream>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <random>
 #include <set>
 #include <utility>
@@ -253,8 +255,74 @@ void test_running_time()
   assert(start >= 0 && context.seconds() >= start + .01);
 }
 
+// The smallest of them, in whatever order they come; what is not wanted need not be inserted.
+void test_smallest_elements()
+{
+  std::mt19937 rng(7);
+  const std::size_t n = 1000;
+  std::vector<std::size_t> all(n);
+  std::iota(all.begin(), all.end(), 0);
+  for(const std::size_t max_number : { std::size_t(0), std::size_t(1), std::size_t(2), std::size_t(99), n - 1, n, n + 1,
+                                       std::size_t(-1) })
+    for(int k = 0; k < 4; ++k)
+    {
+      if(k < 2)
+        std::shuffle(all.begin(), all.end(), rng);
+      else
+        std::sort(all.begin(), all.end(), [k](const auto i, const auto j) { return k == 2 ? i < j : j < i; });
+      internal::Smallest_elements<std::size_t> everything(max_number), wanted(max_number);
+      for(const std::size_t x : all)
+      {
+        everything.insert(x);
+        if(wanted.is_wanted(x))
+          wanted.insert(x);
+      }
+      std::vector<std::size_t> expected((std::min)(n, max_number));
+      std::iota(expected.begin(), expected.end(), 0);
+      assert(everything.sorted() == expected && wanted.sorted() == expected);
+      assert(everything.number_of_insertions() == n);
+      assert(wanted.number_of_insertions() <= n && wanted.number_of_insertions() >= (std::min)(n, max_number));
+      assert((wanted.number_of_insertions() > max_number) == (n > max_number));
+    }
+}
+
+// Once there is more work than this, the question is asked, once for each time that it is asked for; whether the
+// recovery goes on then depends on the answer only.
+void test_examination()
+{
+  for(const bool is_hopeless : { false, true })
+  {
+    Stopping_visitor visitor;
+    internal::Recovery_context<Stopping_visitor> context(visitor);
+    context.add_work(1000); // nobody wants to know
+    std::size_t number_of_examinations = 0;
+    const auto second = [&]
+    {
+      ++number_of_examinations;
+      assert(context.work() == 2001);
+      if(is_hopeless)
+        context.refute();
+    };
+    context.examine_after(1500, [&] { ++number_of_examinations; context.examine_after(2000, second); });
+    context.add_work(500);
+    assert(number_of_examinations == 0);
+    for(const std::size_t work : { 1, 499, 1 })
+    {
+      assert(context.go_further());
+      context.add_work(work);
+    }
+    assert(number_of_examinations == 2);
+    context.add_work(5000);
+    assert(number_of_examinations == 2);
+    assert(context.go_further() == ! is_hopeless && context.is_refuted() == is_hopeless && ! context.is_stopped());
+    assert(context.go_further_after_short_step() == ! is_hopeless);
+  }
+}
+
 int main()
 {
+  test_smallest_elements();
+  test_examination();
   test_contains();
   for(const unsigned seed : { 1u, 2u, 3u })
     for(const int n : { 5, 40, 1000 })

@@ -15,6 +15,7 @@
 #include <CGAL/Boundary_recovery_3/internal/input/Indexed_input_3.h>
 #include <CGAL/Boundary_recovery_3/internal/input/box_search.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Smallest_elements.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/enum.h>
@@ -70,23 +71,42 @@ public:
   }
 
   /// returns the defects, sorted by the dimensions and indices of their two constraints; none if `context` stopped the
-  /// search.
+  /// search. Of more than `max_number`, the first ones; there are more if `number` is larger then, which counts those
+  /// that were found on the way to them.
   template <typename Context>
-  std::vector<Defect> defects(Context& context) const
+  std::vector<Defect> defects(Context& context, const std::size_t max_number, std::size_t& number) const
   {
-    std::vector<Position_pair> pairs = intersecting_pairs(context);
-    std::sort(pairs.begin(), pairs.end());
-
+    const Smallest_elements<Position_pair> pairs = intersecting_pairs(context, max_number);
     std::vector<Defect> result;
-    for(const Position_pair& p : pairs)
+    number = context.is_stopped() ? 0 : pairs.number_of_insertions();
+    if(number == 0)
+      return result;
+    for(const Position_pair& p : pairs.sorted())
       result.push_back(Defect{ Input_defect_kind::intersecting_constraints,
                                { describe(m_constraints[p.first]), describe(m_constraints[p.second]) } });
     return result;
   }
 
+  /// as above, all of them.
+  template <typename Context>
+  std::vector<Defect> defects(Context& context) const
+  {
+    std::size_t number;
+    return defects(context, std::size_t(-1), number);
+  }
+
   /// returns whether one of these constraints takes part in a defect, `false` if `context` stopped the search.
   template <typename Context>
   bool have_defects(const std::vector<Simplex>& constraints, Context& context) const
+  {
+    std::size_t max_number_of_pairs = std::size_t(-1);
+    return have_defects(constraints, context, max_number_of_pairs);
+  }
+
+  /// as above, but gives up, and returns `false`, after so many pairs of boxes that intersect. Takes the pairs that it
+  /// looked at off the number, so that 0 is left then.
+  template <typename Context>
+  bool have_defects(const std::vector<Simplex>& constraints, Context& context, std::size_t& max_number_of_pairs) const
   {
     const std::size_t n = m_constraints.size();
     std::vector<Box> some, all = boxes();
@@ -105,7 +125,7 @@ public:
       const std::size_t i = n_plus_i - n;
       const bool is_known = is_given[j] && j <= i; // the pair comes twice, or it is none
       is_found = ! is_known && intersect_improperly(i, j);
-      return ! is_found;
+      return ! is_found && --max_number_of_pairs > 0;
     };
     internal::visit_intersecting_boxes(some, all, look_on, context);
     return is_found;
@@ -164,20 +184,21 @@ private:
     return result;
   }
 
+  // The smallest ones. Most of the time is spent to find out whether two constraints intersect whose boxes do, so it is
+  // asked only where it matters.
   template <typename Context>
-  std::vector<Position_pair> intersecting_pairs(Context& context) const
+  Smallest_elements<Position_pair> intersecting_pairs(Context& context, const std::size_t max_number) const
   {
-    std::vector<Position_pair> pairs;
+    Smallest_elements<Position_pair> pairs(max_number);
     std::vector<Box> all = boxes();
     const auto collect = [&](const std::size_t i, const std::size_t j)
     {
-      if(intersect_improperly(i, j))
-        pairs.push_back(std::minmax(i, j));
+      const Position_pair pair = std::minmax(i, j);
+      if(pairs.is_wanted(pair) && intersect_improperly(i, j))
+        pairs.insert(pair);
       return true;
     };
     internal::visit_intersecting_boxes(all, collect, context);
-    if(context.is_stopped())
-      pairs.clear();
     return pairs;
   }
 

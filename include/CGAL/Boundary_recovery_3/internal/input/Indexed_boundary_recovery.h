@@ -38,7 +38,17 @@ struct Recovery_options
   int max_recursion_level = -1;                                               // negative: the default of the driver
   double maximum_running_time = std::numeric_limits<double>::infinity();      // seconds
   bool list_defects = false;
+  std::size_t maximum_number_of_defects = 1000000;
 };
+
+// Counts the defects of a result, unless there are known to be more of them than it has, and cuts their list.
+template <typename Tr>
+void bound_defects(Boundary_recovery_result_3<Tr>& result, const std::size_t max_number)
+{
+  result.number_of_defects = (std::max)(result.number_of_defects, result.defects.size());
+  if(result.defects.size() > max_number)
+    result.defects.resize(max_number);
+}
 
 /*
  * The work behind all the overloads of recover_boundary(), on input in index form: it checks the input, finds or
@@ -64,17 +74,18 @@ public:
   // `vertices` are those of the input points where the caller knows them, else empty.
   Result operator()(std::vector<Vertex_handle> vertices)
   {
-    m_result.defects = simple_defects(m_input, m_gt, m_tr.number_of_vertices() == 0);
-    if(m_result.defects.empty() && m_options.list_defects)
-      m_result.defects = intersecting_constraints(m_input, m_gt, m_context);
-    if(m_result.defects.empty())
+    set_defects(simple_defects(m_input, m_gt, m_tr.number_of_vertices() == 0));
+    if(! is_invalid() && m_options.list_defects)
+      list_intersections();
+    if(! is_invalid())
     {
+      examine_after_work([this] { return all_constraints(); });
       m_result.vertices = std::move(vertices);
       if(m_result.vertices.empty())
         find_vertices();
       check_triangulation();
     }
-    if(! m_result.defects.empty())
+    if(is_invalid())
       return invalid_input();
     if(m_context.is_stopped() && ! is_every_point_known())
       return stopped_early();
@@ -84,7 +95,29 @@ public:
 
 private:
   typedef Constrained_boundary_recovery_3<Tr, Visitor> Recovery;
+  typedef Recovery_diagnosis<GT> Diagnosis;
   typedef typename Input::Edge Edge;
+
+  // Where no defect may be listed, there may be some nevertheless.
+  bool is_invalid() const { return m_result.number_of_defects > 0; }
+
+  // `number` is larger than that of the defects if not all of them are there.
+  void set_defects(std::vector<Defect> defects, const std::size_t number = 0)
+  {
+    m_result.defects = std::move(defects);
+    m_result.number_of_defects = number;
+    internal::bound_defects(m_result, m_options.maximum_number_of_defects);
+  }
+
+  Diagnosis diagnosis() const { return Diagnosis(m_input, m_gt, m_options.maximum_number_of_defects); }
+
+  void list_intersections()
+  {
+    Diagnosis search = diagnosis();
+    std::vector<Defect> found = search.intersecting_pairs(m_context);
+    set_defects(std::move(found), search.number_of_defects());
+    m_are_intersections_known = search.is_decided();
+  }
 
   // Once stopped, no points are inserted.
   void find_vertices()
@@ -93,7 +126,7 @@ private:
     const bool is_complete = locate_points();
     if(! is_complete && ! can_insert(m_tr))
       list_unknown_vertices();
-    if(! m_result.defects.empty() || m_context.is_stopped())
+    if(is_invalid() || m_context.is_stopped())
       return;
     m_context.visitor().on_phase_begin(Recovery_phase::insertion);
     if(! is_complete)
@@ -124,21 +157,29 @@ private:
 
   void list_unknown_vertices()
   {
+    std::vector<Defect> unknown;
     for(std::size_t i = 0; i < m_input.points.size(); ++i)
       if(m_result.vertices[i] == Vertex_handle())
-        m_result.defects.push_back(Defect{ Input_defect_kind::unknown_vertex, { describe_vertex(m_input, i) } });
+        unknown.push_back(Defect{ Input_defect_kind::unknown_vertex, { describe_vertex(m_input, i) } });
+    set_defects(std::move(unknown));
   }
 
   // The checks that need all vertices.
   void check_triangulation()
   {
-    if(! m_result.defects.empty() || ! is_every_point_known())
+    if(is_invalid() || ! is_every_point_known())
       return;
     if(m_tr.dimension() < 3)
-      m_result.defects.push_back(Defect{ Input_defect_kind::dimension_less_than_3, {} });
+      set_defects(std::vector<Defect>(1, Defect{ Input_defect_kind::dimension_less_than_3, {} }));
     else if(m_options.list_defects && ! m_context.is_stopped())
-      m_result.defects = Recovery_diagnosis<GT>(m_input, m_gt).vertices_on_constraints(all_constraints(), m_tr,
-                                                                                       m_result.vertices, m_context);
+      list_vertices_on(all_constraints());
+  }
+
+  void list_vertices_on(const std::vector<Simplex>& constraints)
+  {
+    Diagnosis search = diagnosis();
+    std::vector<Defect> found = search.vertices_on_constraints(constraints, m_tr, m_result.vertices, m_context);
+    set_defects(std::move(found), search.number_of_defects());
   }
 
   Result invalid_input()
@@ -172,11 +213,12 @@ private:
     if(m_options.max_recursion_level >= 0)
       recovery.set_max_recursion_level(m_options.max_recursion_level);
     insert_constraints(recovery);
+    examine_after_work([this, &recovery] { return missing_constraints(recovery); });
     const bool is_recovered = m_context.is_stopped() ? is_nothing_lost(recovery)
                                                      : recovery.recover_by_flips() || recover_by_points(recovery);
     take_account(recovery);
     m_result.status = is_recovered               ? Recovery_status::recovered
-                    : ! m_result.defects.empty() ? Recovery_status::invalid_input
+                    : is_invalid()             ? Recovery_status::invalid_input
                     : m_context.is_stopped()   ? Recovery_status::stopped
                     : Recovery_status::incomplete;
     if(m_result.status == Recovery_status::invalid_input)
@@ -190,9 +232,44 @@ private:
   {
     if(m_context.is_stopped())
       return false;
-    describe_missing(recovery);
-    judge_missing_constraints();
-    return m_result.defects.empty() && ! m_context.is_stopped() && recovery.recover_by_points(m_options.mode);
+    if(! is_invalid())
+      judge_missing_constraints(recovery);
+    return ! is_invalid() && ! m_context.is_stopped() && recovery.recover_by_points(m_options.mode);
+  }
+
+  // Where constraints intersect, flips go on and on in vain. Valid input must hardly pay for the question, so it is
+  // asked only after work that takes far longer than to find the answer. `missing` returns the constraints that are
+  // missing then.
+  template <typename Missing>
+  void examine_after_work(const Missing& missing)
+  {
+    if(! m_are_intersections_known)
+      examine_after(work_before_examination_per_constraint * (m_input.facets.size() + m_input.edges.size()), missing);
+  }
+
+  // In input that has very many boxes that intersect for its size, the question is asked again after twice the work.
+  template <typename Missing>
+  void examine_after(const std::size_t work, const Missing& missing)
+  {
+    m_context.examine_after(work, [this, work, missing]
+    {
+      look_for_intersections(missing(), work / work_per_box_pair);
+      if(is_invalid())
+        m_context.refute();
+      else if(! m_are_intersections_known)
+        examine_after(2 * work, missing);
+    });
+  }
+
+  // Sets the defects if any of these constraints, which are missing, intersects another one. What is not known then was
+  // given up.
+  void look_for_intersections(const std::vector<Simplex>& missing,
+                              const std::size_t max_number_of_box_pairs = std::size_t(-1))
+  {
+    Diagnosis search = diagnosis();
+    std::vector<Defect> found = search.intersecting_pairs(missing, m_context, max_number_of_box_pairs);
+    set_defects(std::move(found), search.number_of_defects());
+    m_are_intersections_known = search.is_decided();
   }
 
   static bool is_nothing_lost(Recovery& recovery)
@@ -299,16 +376,27 @@ private:
 
   // Constraints that intersect cannot be in one triangulation; nor can one with a foreign vertex inside. Once stopped,
   // this is left open.
-  void judge_missing_constraints()
+  void judge_missing_constraints(const Recovery& recovery)
   {
+    const std::vector<Simplex> missing = missing_constraints(recovery);
+    if(! m_are_intersections_known && m_context.go_further())
+      look_for_intersections(missing);
+    if(! is_invalid() && m_context.go_further())
+      list_vertices_on(missing);
+  }
+
+  // The facets, then the edges.
+  std::vector<Simplex> missing_constraints(const Recovery& recovery)
+  {
+    describe_missing(recovery);
     std::vector<Simplex> missing = m_result.missing_facets;
     missing.insert(missing.end(), m_result.missing_edges.begin(), m_result.missing_edges.end());
-    const Recovery_diagnosis<GT> diagnosis(m_input, m_gt);
-    if(m_context.go_further())
-      m_result.defects = diagnosis.intersecting_pairs(missing, m_context);
-    if(m_result.defects.empty() && m_context.go_further())
-      m_result.defects = diagnosis.vertices_on_constraints(missing, m_tr, m_result.vertices, m_context);
+    return missing;
   }
+
+  // Work as Recovery_context counts it, see "Tuning constants" in the manual.
+  static constexpr std::size_t work_before_examination_per_constraint = 100;
+  static constexpr std::size_t work_per_box_pair = 2;
 
   Tr& m_tr;
   const Input& m_input;
@@ -316,6 +404,7 @@ private:
   const Recovery_options& m_options;
   Recovery_context<Visitor> m_context;
   Result m_result;
+  bool m_are_intersections_known = false; // nobody has to look for intersecting constraints any more
   std::vector<Simplex> m_edges; // the constraints that were given as edges, by their indices in the recovery
 };
 

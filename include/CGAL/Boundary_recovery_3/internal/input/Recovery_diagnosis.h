@@ -43,15 +43,39 @@ public:
   typedef Input_defect_3<Point_3>      Defect;
   typedef Input_simplex_3<Point_3>     Simplex;
 
-  Recovery_diagnosis(const Input& input, const GT& gt) : m_input(input), m_gt(gt) { }
+  // Of more than `max_number_of_defects`, a search returns the first ones.
+  Recovery_diagnosis(const Input& input, const GT& gt, const std::size_t max_number_of_defects = std::size_t(-1))
+    : m_input(input), m_gt(gt), m_max_number_of_defects(max_number_of_defects)
+  { }
 
-  // All pairs of constraints that intersect; `missing` are constraints one of which takes part if there are any.
-  // None if `context` stopped the search.
+  // What the last search found; more than it returned if there are more. The number of pairs is a lower bound then.
+  std::size_t number_of_defects() const { return m_number_of_defects; }
+
+  // Whether the last search came to its end; else it returned nothing.
+  bool is_decided() const { return m_is_decided; }
+
+  // All pairs of constraints that intersect. None if `context` stopped the search.
   template <typename Context>
-  std::vector<Defect> intersecting_pairs(const std::vector<Simplex>& missing, Context& context) const
+  std::vector<Defect> intersecting_pairs(Context& context)
   {
     const Constraint_intersections_3<GT> intersections(m_input, m_gt);
-    return intersections.have_defects(missing, context) ? intersections.defects(context) : std::vector<Defect>();
+    std::vector<Defect> result = intersections.defects(context, m_max_number_of_defects, m_number_of_defects);
+    m_is_decided = ! context.is_stopped();
+    return result;
+  }
+
+  // The same if `missing` are constraints one of which takes part if there are any. Whether there are any is given up
+  // after so many pairs of boxes.
+  template <typename Context>
+  std::vector<Defect> intersecting_pairs(const std::vector<Simplex>& missing, Context& context,
+                                         std::size_t max_number_of_box_pairs = std::size_t(-1))
+  {
+    m_number_of_defects = 0;
+    const Constraint_intersections_3<GT> intersections(m_input, m_gt);
+    if(intersections.have_defects(missing, context, max_number_of_box_pairs))
+      return intersecting_pairs(context);
+    m_is_decided = ! context.is_stopped() && max_number_of_box_pairs > 0;
+    return std::vector<Defect>();
   }
 
   // The given constraints with a vertex of the triangulation on them that is not theirs; none if `context` stopped the
@@ -59,7 +83,7 @@ public:
   template <typename Tr, typename Context>
   std::vector<Defect> vertices_on_constraints(const std::vector<Simplex>& constraints, const Tr& tr,
                                               const std::vector<typename Tr::Vertex_handle>& vertices,
-                                              Context& context) const
+                                              Context& context)
   {
     typedef typename Tr::Vertex_handle Vertex_handle;
     std::vector<Vertex_handle> all;
@@ -80,9 +104,10 @@ public:
       return true;
     };
     internal::visit_intersecting_boxes(constraint_boxes, vertex_boxes, collect, context);
-    if(context.is_stopped())
-      return std::vector<Defect>();
+    m_is_decided = ! context.is_stopped();
+    m_number_of_defects = m_is_decided ? found.size() : 0;
     std::sort(found.begin(), found.end());
+    found.resize((std::min)(m_number_of_defects, m_max_number_of_defects));
     std::vector<Defect> defects;
     for(const auto& pair : found)
       defects.push_back(Defect{ Input_defect_kind::intersecting_constraints,
@@ -132,6 +157,9 @@ private:
 
   const Input& m_input;
   const GT& m_gt;
+  const std::size_t m_max_number_of_defects;
+  std::size_t m_number_of_defects = 0;
+  bool m_is_decided = false;
 };
 
 } // namespace internal

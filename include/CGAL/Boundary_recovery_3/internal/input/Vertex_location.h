@@ -96,7 +96,8 @@ std::size_t insert_points(Tr& tr, const std::vector<typename Tr::Geom_traits::Po
   typedef typename Tr::Geom_traits::Point_3 Point_3;
   typedef typename Pointer_property_map<Point_3>::const_type Point_map;
   typedef Spatial_sort_traits_adapter_3<typename Tr::Geom_traits, Point_map> Sort_traits;
-  static constexpr std::size_t batch = 1024; // points between two questions whether to go further
+  static constexpr std::size_t batch = 1024;      // points between two questions whether to go further
+  static constexpr std::size_t work_per_cell = 4; // in the units of Recursive_recovery_3
 
   std::vector<std::size_t> order;
   for(std::size_t i = 0; i < points.size(); ++i)
@@ -106,10 +107,16 @@ std::size_t insert_points(Tr& tr, const std::vector<typename Tr::Geom_traits::Po
 
   const std::size_t before = tr.number_of_vertices();
   typename Tr::Cell_handle hint;
-  for(std::size_t k = 0; k < order.size(); ++k)
+  for(std::size_t k = 0, number_of_cells = 0; k < order.size(); ++k)
   {
-    if(k % batch == 0 && ! context.go_further())
-      break;
+    if(k % batch == 0)
+    {
+      const std::size_t n = tr.tds().number_of_cells(); // there may be very many of them where lines of points cross
+      context.add_work(work_per_cell * (n - (std::min)(n, number_of_cells)));
+      number_of_cells = (std::max)(n, number_of_cells);
+      if(! context.go_further())
+        break;
+    }
     vertices[order[k]] = tr.insert(points[order[k]], hint);
     hint = vertices[order[k]]->cell();
   }

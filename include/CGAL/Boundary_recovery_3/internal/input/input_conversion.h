@@ -45,6 +45,8 @@ Recovery_options recovery_options(const NamedParameters& np)
   options.maximum_running_time = choose_parameter(get_parameter(np, internal_np::maximum_running_time),
                                                   std::numeric_limits<double>::infinity());
   options.list_defects = choose_parameter(get_parameter(np, internal::list_defects), false);
+  options.maximum_number_of_defects = choose_parameter(get_parameter(np, internal::maximum_number_of_defects),
+                                                       options.maximum_number_of_defects);
   return options;
 }
 
@@ -153,7 +155,7 @@ public:
       m_input.edges.push_back({{ u, v }});
     });
     if(! m_not_triangles.empty())
-      return report_other_faces();
+      return report_other_faces(recovery_options(np).maximum_number_of_defects);
     return recover_indexed_boundary(tr, m_input, std::vector<typename Tr::Vertex_handle>(), np);
   }
 
@@ -168,7 +170,7 @@ private:
       m_not_triangles.push_back(describe_simplex(m_input, m_input.facets.size() + m_not_triangles.size(), v));
   }
 
-  Result report_other_faces() const
+  Result report_other_faces(const std::size_t max_number_of_defects) const
   {
     Result result;
     result.status = Recovery_status::invalid_input;
@@ -179,6 +181,7 @@ private:
       face.dimension = 2;
       result.defects.push_back({ Input_defect_kind::not_a_triangle, { face } });
     }
+    internal::bound_defects(result, max_number_of_defects);
     return result;
   }
 
@@ -207,9 +210,8 @@ public:
   {
     for_each_constrained_edge(np, [&](const Vertex_handle u, const Vertex_handle v)
                                   { m_input.edges.push_back({{ index(u), index(v) }}); });
-    Result unknown = report_unknown_vertices();
-    if(! unknown.defects.empty())
-      return unknown;
+    if(! m_unknown.empty())
+      return report_unknown_vertices(recovery_options(np).maximum_number_of_defects);
     return recover_indexed_boundary(tr, m_input, std::move(m_vertices), np);
   }
 
@@ -232,7 +234,7 @@ private:
     return inserted.first->second;
   }
 
-  Result report_unknown_vertices() const
+  Result report_unknown_vertices(const std::size_t max_number_of_defects) const
   {
     Result result;
     result.status = Recovery_status::invalid_input;
@@ -246,6 +248,7 @@ private:
       vertex.vertices.assign(1, v);
       result.defects.push_back({ Input_defect_kind::unknown_vertex, { vertex } });
     }
+    internal::bound_defects(result, max_number_of_defects);
     return result;
   }
 

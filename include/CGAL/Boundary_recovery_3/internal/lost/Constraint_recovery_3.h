@@ -71,7 +71,7 @@ public:
         return false;
       }
       st.set_max_number_of_shells(max_number_of_shells - number_of_shells);
-      const typename Walk::Outcome outcome = m_walk(constraint);
+      const typename Walk::Outcome outcome = walk(constraint);
       if(outcome != Walk::CROSSED)
         return outcome != Walk::BLOCKED;
       if(m_walk.crossings().size() < fewest)
@@ -88,15 +88,26 @@ public:
   // The mesh entities that cross the constraint; none if it is in the mesh.
   const std::vector<Crossing>& crossings(const Constraint& constraint)
   {
-    m_walk(constraint);
+    walk(constraint);
     return m_walk.crossings();
   }
+
+  // The crossings that were collected so far, those that were collected again included: with the shells, a measure of
+  // the work.
+  std::size_t number_of_crossings() const { return m_number_of_crossings; }
 
   // Whether the recursion level or the bound on shells ended some removal in the last call.
   bool was_cut_off() const { return m_was_cut_off; }
 
 private:
   typedef std::array<Vertex_handle, 3> Entity; // as Crossing_3::vertices
+
+  typename Walk::Outcome walk(const Constraint& constraint)
+  {
+    const typename Walk::Outcome outcome = m_walk(constraint);
+    m_number_of_crossings += m_walk.crossings().size();
+    return outcome;
+  }
 
   // Returns whether the mesh changed, so that the crossings have to be collected again.
   template <typename Shell_transformation, typename Validity>
@@ -146,6 +157,7 @@ private:
   Walk m_walk;
   std::vector<Entity> m_tried;
   bool m_was_cut_off = false;
+  std::size_t m_number_of_crossings = 0;
 };
 
 } // namespace internal

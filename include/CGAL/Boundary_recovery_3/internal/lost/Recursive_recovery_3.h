@@ -125,6 +125,10 @@ private:
   // fans of hundreds of triangles, recursion goes astray.
   static constexpr std::size_t max_number_of_shells_per_constraint = 1000;
 
+  // What takes time, in about that for a mesh entity that a lost edge is found to cross.
+  static constexpr std::size_t work_per_shell = 10;
+  static constexpr std::size_t work_per_crossing = N == 2 ? 1 : 10;
+
   static constexpr std::size_t never = std::size_t(-1);
 
   const std::vector<Constraint>& all() const
@@ -180,12 +184,14 @@ private:
     return l <= max_recursion_level / recursion_level_factor ? recursion_level_factor * l : max_recursion_level;
   }
 
-  const Report& add_level(const Phase phase, const int l_max)
+  Report add_level(const Phase phase, const int l_max)
   {
-    m_levels.push_back(report());
-    m_levels.back().phase = phase;
-    m_levels.back().max_recursion_level = l_max;
-    return m_levels.back();
+    Report result = report();
+    result.phase = phase;
+    result.max_recursion_level = l_max;
+    if(! m_context.is_refuted()) // else it may be unfinished
+      m_levels.push_back(result);
+    return result;
   }
 
   // The state of the lost constraints, and the order in which the next pass treats them; n_4 counts the mesh entities
@@ -202,8 +208,11 @@ private:
     m_order.clear();
     for(const std::size_t i : m_lost)
     {
+      if(m_context.is_refuted())
+        break;
       const auto& crossings = m_recover.crossings(all()[i]);
       const std::size_t n = crossings.size();
+      m_context.add_work(work_per_crossing * n);
       result.n2 += n;
       result.n3 = (std::max)(result.n3, n);
       for(const Crossing_3<Tr>& crossing : crossings)
@@ -222,16 +231,19 @@ private:
   template <typename Transformation, typename Validity_of>
   void pass(const Phase phase, Transformation& st, const Validity_of& validity_of, const int l_max)
   {
+    if(m_context.is_refuted())
+      return;
     std::size_t done = 0;
-    m_lost.clear();
+    std::vector<std::size_t> still_lost; // whoever examines the input meanwhile sees all that was lost before
     for(const auto& crossings_and_index : m_order)
     {
       const std::size_t i = crossings_and_index.second;
       if(! attempt(st, i, validity_of, l_max))
-        m_lost.push_back(i);
+        still_lost.push_back(i);
       m_context.visitor().on_progress(phase, ++done, m_order.size());
     }
-    std::sort(m_lost.begin(), m_lost.end());
+    std::sort(still_lost.begin(), still_lost.end());
+    m_lost.swap(still_lost);
   }
 
   // Does not repeat an attempt that changed nothing and was not cut off, until the mesh has changed; a higher
@@ -242,7 +254,10 @@ private:
     const std::size_t before = st.number_of_transformations();
     if(m_hopeless_since[i] == before || st.number_of_shells() > m_max_number_of_shells)
       return false;
+    const std::size_t shells = st.number_of_shells(), crossings = m_recover.number_of_crossings();
     const bool is_recovered = m_recover(st, all()[i], validity_of(all()[i]), l_max, m_context);
+    m_context.add_work(work_per_shell * (st.number_of_shells() - shells)
+                       + work_per_crossing * (m_recover.number_of_crossings() - crossings));
     const bool is_hopeless = ! is_recovered && st.number_of_transformations() == before && ! m_recover.was_cut_off();
     m_hopeless_since[i] = is_hopeless ? before : never;
     return is_recovered;

@@ -16,7 +16,9 @@
 
 #include <chrono>
 #include <cstddef>
+#include <functional>
 #include <limits>
+#include <utility>
 
 namespace CGAL {
 namespace Boundary_recovery_3 {
@@ -25,6 +27,9 @@ namespace internal {
 /*
  * Progress, cancelling and the deadline: one mechanism for all phases.
  * Once asked to stop, it stays so.
+ *
+ * It also counts work, in units that are the same on any machine, so that somebody can be asked after much of it
+ * whether there is any hope; if not, the recovery ends as if it had been stopped.
  */
 template <typename Visitor>
 class Recovery_context
@@ -44,19 +49,49 @@ public:
   bool go_further()
   {
     m_is_stopped = m_is_stopped || ! (seconds() < m_maximum_running_time) || ! m_visitor.go_further();
-    return ! m_is_stopped;
+    return can_go_further();
   }
 
   // The same for steps that are so short that it is enough to ask after each 1024 of them.
-  bool go_further_after_short_step() { return ++m_number_of_short_steps % 1024 == 0 ? go_further() : ! m_is_stopped; }
+  bool go_further_after_short_step() { return ++m_number_of_short_steps % 1024 == 0 ? go_further() : can_go_further(); }
 
   bool is_stopped() const { return m_is_stopped; }
 
+  // Calls `examine` once, when more work than this is done.
+  void examine_after(const std::size_t work, std::function<void()> examine)
+  {
+    m_work_before_examination = work;
+    m_examine = std::move(examine);
+  }
+
+  // To be called where the account of what is lost is in order, since the examination may look at it.
+  void add_work(const std::size_t work)
+  {
+    m_work += work;
+    if(! m_examine || m_work <= m_work_before_examination)
+      return;
+    const std::function<void()> examine = std::exchange(m_examine, nullptr); // it may ask for another examination
+    examine();
+  }
+
+  std::size_t work() const { return m_work; }
+
+  // Nothing that goes on from now on can recover all.
+  void refute() { m_is_refuted = true; }
+
+  bool is_refuted() const { return m_is_refuted; }
+
 private:
+  bool can_go_further() const { return ! m_is_stopped && ! m_is_refuted; }
+
   Visitor& m_visitor;
   Clock::time_point m_start;
   double m_maximum_running_time = std::numeric_limits<double>::infinity();
   bool m_is_stopped = false;
+  bool m_is_refuted = false;
+  std::size_t m_work = 0;
+  std::size_t m_work_before_examination = 0;
+  std::function<void()> m_examine; // none: nobody wants to
   std::size_t m_number_of_short_steps = 0;
 };
 
