@@ -769,6 +769,12 @@ def test_intersections():
     assert number == len(defects) > 10 and len(lines) == 12, process.err
     assert lines[-1] == '  and %d more: --report lists all of them' % (number - 10)
 
+    # the same if they are looked for first; then nothing else is done
+    assert run(surface, '--list-defects', status=INVALID_INPUT).err == process.err
+    report = report_of(surface, '--list-defects', status=INVALID_INPUT)
+    assert report['number_of_defects'] == number and report['phases'] == [], report
+    run(write('box.off', off_text(*box((0, 0, 0), (40, 40, 40)))), '--list-defects', status=RECOVERED)
+
 
 # ---------------------------------------------------------------- repair
 

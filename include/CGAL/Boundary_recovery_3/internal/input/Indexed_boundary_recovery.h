@@ -217,7 +217,7 @@ private:
     const bool is_recovered = m_context.is_stopped() ? is_nothing_lost(recovery)
                                                      : recovery.recover_by_flips() || recover_by_points(recovery);
     take_account(recovery);
-    m_result.status = is_recovered               ? Recovery_status::recovered
+    m_result.status = is_recovered             ? Recovery_status::recovered
                     : is_invalid()             ? Recovery_status::invalid_input
                     : m_context.is_stopped()   ? Recovery_status::stopped
                     : Recovery_status::incomplete;
