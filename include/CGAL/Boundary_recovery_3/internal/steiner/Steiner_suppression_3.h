@@ -79,7 +79,7 @@ public:
     const std::vector<Vertex_handle> points = m_mesh.ledger.free_points();
     return std::count_if(points.begin(), points.end(), [this](const Vertex_handle v)
     {
-      return m_mesh.ledger.is_free(v) && ! m_round(v);
+      return m_mesh.ledger.is_free(v) && ! m_round(v) && ! round_among_moved_neighbors(v);
     }) == 0;
   }
 
@@ -212,6 +212,21 @@ private:
   void relocate_points()
   {
     for_each_point(ALL_POINTS, [this](const Vertex_handle v) { m_suppress.relocate(v); });
+  }
+
+  // Where there is no number in the ball of v, and none around it will do: makes room, and tries again.
+  bool round_among_moved_neighbors(const Vertex_handle v)
+  {
+    if(! collect_ball(v))
+      return false;
+    const std::vector<Vertex_handle> neighbors = internal::vertices_without(m_ball, v);
+    return std::any_of(neighbors.begin(), neighbors.end(), [&](const Vertex_handle w)
+    {
+      if(! m_mesh.ledger.is_free(w) || ! m_mesh.context.go_further())
+        return false;
+      m_suppress.relocate(w);
+      return m_round(v);
+    });
   }
 
   // Returns false if v is on the hull.
