@@ -58,10 +58,10 @@ Vertex_handle random_finite_vertex(const Tr& tr, std::mt19937& rng)
 Constraints random_facets(const Tr& tr, const int n, std::mt19937& rng)
 {
   Constraints constraints;
-  for(const auto& f : tr.finite_facets())
-    if(random_int(rng, n) == 0)
-      constraints.insert(f.first->vertex((f.second + 1) % 4), f.first->vertex((f.second + 2) % 4),
-                         f.first->vertex((f.second + 3) % 4));
+  for(const Cell_handle c : tr.finite_cell_handles()) // facets come in an order that depends on addresses
+    for(int i = 0; i < 4; ++i)
+      if(random_int(rng, 2 * n) == 0)
+        constraints.insert(c->vertex((i + 1) % 4), c->vertex((i + 2) % 4), c->vertex((i + 3) % 4));
   return constraints;
 }
 

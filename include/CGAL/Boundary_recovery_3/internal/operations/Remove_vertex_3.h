@@ -48,7 +48,7 @@ public:
     : m_editor(editor), m_predicates(predicates), m_constraints(constraints), m_reconnection(predicates)
   { }
 
-  // To be called if vertices moved.
+  // To be called if vertices moved, were created, or came back by an undo.
   void forget() { m_reconnection.forget(); }
 
   // Whether v can go by one of the two ways. `ball` are the cells around it, which are finite.
