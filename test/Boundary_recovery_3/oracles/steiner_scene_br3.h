@@ -5,6 +5,7 @@
 
 #include "brute_force_input_br3.h"
 
+#include <CGAL/Boundary_recovery_3/Boundary_recovery_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/lost/Recovery_state_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
@@ -23,6 +24,13 @@ namespace br3_test {
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Scene_kernel;
 typedef CGAL::Delaunay_triangulation_3<Scene_kernel>        Scene_triangulation;
+
+// The visitor of scenes that need none.
+struct Silent_scene_visitor
+  : public CGAL::Default_boundary_recovery_visitor_3
+{
+  explicit Silent_scene_visitor(const Scene_triangulation&) { }
+};
 
 // The visitor is constructed from the triangulation.
 template <typename Visitor_>

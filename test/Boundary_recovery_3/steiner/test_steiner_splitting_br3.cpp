@@ -15,7 +15,6 @@
 #include "steiner_inputs_br3.h"
 #include "steiner_scene_br3.h"
 
-#include <CGAL/Boundary_recovery_3/Boundary_recovery_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_editor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Ball_sectors_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Facet_fan_3.h>
@@ -41,12 +40,7 @@
 
 namespace internal = CGAL::Boundary_recovery_3::internal;
 
-struct Visitor
-  : public CGAL::Default_boundary_recovery_visitor_3
-{
-  explicit Visitor(const br3_test::Scene_triangulation&) { }
-};
-
+typedef br3_test::Silent_scene_visitor             Visitor;
 typedef br3_test::Steiner_scene<Visitor>           Scene;
 typedef Scene::Tr                                  Tr;
 typedef Scene::Vertex_handle                       Vertex_handle;
