@@ -102,7 +102,8 @@ auto intersecting_constraints(const Input& input)
 {
   Stopping_visitor visitor;
   Context context(visitor);
-  return internal::intersecting_constraints(input, K(), context);
+  const K gt;
+  return internal::Constraint_intersections_3<K>(input, gt).defects(context);
 }
 
 // Asked for one constraint, the search has to say whether a defect names it.

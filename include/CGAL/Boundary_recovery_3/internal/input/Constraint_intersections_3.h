@@ -73,6 +73,9 @@ public:
   /// returns the defects, sorted by the dimensions and indices of their two constraints; none if `context` stopped the
   /// search. Of more than `max_number`, the first ones; there are more if `number` is larger then, which counts those
   /// that were found on the way to them.
+  ///
+  /// What `simple_defects()` reports does not take part. An edge of the input that is an edge of a facet, too, is never
+  /// named, since its facet is; of an edge that was given twice, the first one is named.
   template <typename Context>
   std::vector<Defect> defects(Context& context, const std::size_t max_number, std::size_t& number) const
   {
@@ -286,22 +289,6 @@ private:
   const GT& m_gt;
   std::vector<Constraint> m_constraints;
 };
-
-/// returns all the pairs of constraints of `input` that intersect elsewhere than in a common vertex or a common edge,
-/// sorted by dimension and index. Costs far more than `simple_defects()`: to be called if something was found
-/// wrong, or if it is asked for. None are returned if `context` stopped the search.
-///
-/// What `simple_defects()` reports does not take part. An edge of the input that is an edge of a facet, too, is never
-/// named, since its facet is; of an edge that was given twice, the first one is named.
-///
-/// \tparam GT a model of `Kernel`
-/// \tparam Context an instance of `Recovery_context`
-template <typename GT, typename Context>
-std::vector<Input_defect_3<typename GT::Point_3> >
-intersecting_constraints(const Indexed_input_3<typename GT::Point_3>& input, const GT& gt, Context& context)
-{
-  return Constraint_intersections_3<GT>(input, gt).defects(context);
-}
 
 } // namespace internal
 } // namespace Boundary_recovery_3
