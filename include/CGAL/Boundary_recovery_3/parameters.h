@@ -28,6 +28,8 @@ enum max_recursion_level_t       { max_recursion_level };
 enum constrained_edges_t         { constrained_edges };
 enum list_defects_t              { list_defects };
 enum maximum_number_of_defects_t { maximum_number_of_defects };
+enum grading_t                   { grading };
+enum maximum_number_of_vertices_t { maximum_number_of_vertices };
 
 // A pack with all the parameters of both packs; those of the second win.
 template <typename NP, typename T, typename Tag>
@@ -101,6 +103,24 @@ Named_function_parameters<K, Boundary_recovery_3::internal::maximum_number_of_de
 maximum_number_of_defects(const K& k)
 {
   return Named_function_parameters<K, Boundary_recovery_3::internal::maximum_number_of_defects_t>(k);
+}
+
+/// \ingroup PkgBoundaryRecovery3Functions
+/// by how much the size of cells may grow per length, a number: \f$ h(p) \le h(q) + g |pq| \f$.
+template <typename K>
+Named_function_parameters<K, Boundary_recovery_3::internal::grading_t>
+grading(const K& k)
+{
+  return Named_function_parameters<K, Boundary_recovery_3::internal::grading_t>(k);
+}
+
+/// \ingroup PkgBoundaryRecovery3Functions
+/// how many vertices a mesh may have, an integer.
+template <typename K>
+Named_function_parameters<K, Boundary_recovery_3::internal::maximum_number_of_vertices_t>
+maximum_number_of_vertices(const K& k)
+{
+  return Named_function_parameters<K, Boundary_recovery_3::internal::maximum_number_of_vertices_t>(k);
 }
 
 } // namespace parameters

@@ -1,0 +1,174 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_BOUNDARY_CONSTRAINED_MESH_RESULT_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_BOUNDARY_CONSTRAINED_MESH_RESULT_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
+
+#include <cstddef>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// how `CGAL::make_boundary_constrained_mesh_3()`, or one of its steps, ended.
+enum class Meshing_status
+{
+  meshed,        ///< all that was asked for is done
+  no_region,     ///< the surface is in the triangulation, but it bounds no region: there is nothing to be meshed
+  incomplete,    ///< constraints are missing; they are listed in the result of the recovery. Nothing was meshed
+  invalid_input, ///< the surface cannot be recovered by anybody, or a size is not a positive number; what is wrong is
+                 ///< listed
+  too_large,     ///< the mesh would take more vertices, or more memory, than allowed; the forecast tells how many. No
+                 ///< field point was inserted
+  stopped        ///< the visitor or the time limit ended the work early, with a valid mesh
+};
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// the phases after the recovery of the boundary, in their order, see [CZZ+17, Section 4.1].
+enum class Meshing_phase
+{
+  domain_marking,         ///< step 5: what is outside, and the regions of the domain
+  forecast,               ///< the number of cells is estimated from the size field
+  field_point_insertion,  ///< step 6
+  quality_improvement     ///< step 7
+};
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// the mesh of the domain when a phase ended, and the duration of that phase.
+struct Meshing_phase_report
+{
+  Meshing_phase phase;                ///< the phase
+  std::size_t number_of_vertices = 0; ///< number of vertices of the triangulation
+  std::size_t number_of_cells = 0;    ///< number of finite cells of the triangulation, those outside the domain included
+  double seconds = 0;                 ///< duration in seconds (wall clock)
+};
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// a place where a size field has no size: neither a positive number nor one that is finite.
+template <typename Point_3_>
+struct Invalid_size_3
+{
+  typedef Point_3_ Point_3; ///< the point type
+
+  Point_3 point;       ///< the place
+  double size;         ///< what the field returned; NaN if it threw
+  std::string message; ///< `what()` of the exception, if the field threw one that has it
+};
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// what `CGAL::insert_field_points()` did.
+template <typename Triangulation_>
+struct Field_points_result_3
+{
+  typedef Triangulation_                               Triangulation; ///< the triangulation type
+  typedef typename Triangulation::Geom_traits::Point_3 Point_3;       ///< its point type
+  typedef Invalid_size_3<Point_3>                      Invalid_size;  ///< a place without a size
+
+  /// how it ended; `meshed` if no edge is left that the size field calls too long, but where no point fits
+  Meshing_status status = Meshing_status::meshed;
+
+  /// the number of cells in the domain that the size field asks for, estimated before any point was inserted: the
+  /// integral of \f$ 6 \sqrt 2 / h^3 \f$, or the number of cells that are there if that is larger
+  double forecast_of_cells = 0;
+
+  double forecast_of_vertices = 0; ///< the same for the vertices of the triangulation
+
+  std::size_t number_of_field_points = 0; ///< number of points that were inserted
+  std::size_t number_of_passes = 0;       ///< number of passes over the cells that were new since the pass before
+
+  /// the place that made the status `invalid_input`: none, or one
+  std::vector<Invalid_size> invalid_sizes;
+
+  double seconds = 0; ///< duration in seconds (wall clock), that of the forecast included
+
+  /// returns `true` iff all is done.
+  explicit operator bool() const { return status == Meshing_status::meshed; }
+};
+
+/*!
+ * \ingroup PkgBoundaryRecovery3Classes
+ *
+ * \brief what `CGAL::make_boundary_constrained_mesh_3()` did: the status, and the results of its steps.
+ *
+ * \tparam Triangulation_ an instance of `CGAL::Triangulation_3`, or of a class derived from it
+ */
+template <typename Triangulation_>
+struct Boundary_constrained_mesh_result_3
+{
+  typedef Triangulation_                            Triangulation; ///< the triangulation type
+  typedef Boundary_recovery_result_3<Triangulation> Recovery;      ///< the result of steps 2 to 4
+  typedef Field_points_result_3<Triangulation>      Filling;       ///< the result of step 6
+
+  /// how the meshing ended
+  Meshing_status status = Meshing_status::incomplete;
+
+  Recovery recovery;         ///< steps 2 to 4: the boundary recovery
+  int number_of_regions = 0; ///< step 5: number of regions of the domain
+  Filling filling;           ///< step 6: field points
+
+  std::vector<Meshing_phase_report> phases; ///< one entry for each phase after the recovery
+
+  /// returns `true` iff all is done.
+  explicit operator bool() const { return status == Meshing_status::meshed; }
+};
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// returns the name of a status, as it is spelled in the enumeration.
+inline const char* to_string(const Meshing_status status)
+{
+  switch(status)
+  {
+    case Meshing_status::meshed:        return "meshed";
+    case Meshing_status::no_region:     return "no_region";
+    case Meshing_status::incomplete:    return "incomplete";
+    case Meshing_status::invalid_input: return "invalid_input";
+    case Meshing_status::too_large:     return "too_large";
+    case Meshing_status::stopped:       return "stopped";
+  }
+  return "";
+}
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// returns the name of a phase, as it is spelled in the enumeration.
+inline const char* to_string(const Meshing_phase phase)
+{
+  switch(phase)
+  {
+    case Meshing_phase::domain_marking:        return "domain_marking";
+    case Meshing_phase::forecast:              return "forecast";
+    case Meshing_phase::field_point_insertion: return "field_point_insertion";
+    case Meshing_phase::quality_improvement:   return "quality_improvement";
+  }
+  return "";
+}
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// writes the status and the main numbers as one line.
+template <typename Triangulation>
+std::ostream& operator<<(std::ostream& os, const Field_points_result_3<Triangulation>& result)
+{
+  return os << to_string(result.status) << ": " << result.number_of_field_points << " field points in "
+            << result.number_of_passes << " passes";
+}
+
+} // namespace Boundary_recovery_3
+
+using Boundary_recovery_3::Boundary_constrained_mesh_result_3;
+using Boundary_recovery_3::Field_points_result_3;
+
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_BOUNDARY_CONSTRAINED_MESH_RESULT_3_H
