@@ -37,10 +37,10 @@ namespace internal {
  * by side, in single precision and rounded outwards, so that the compiler can compute their distances at once;
  * coordinates should be those of a unit frame.
  */
+template <std::size_t leaf_size>
 class Box_hierarchy_3
 {
 public:
-  static constexpr std::size_t leaf_size = 8;
   static constexpr std::size_t arity = 4;
 
   // Orders things whose boxes these are; `order()` tells where they went.
