@@ -47,7 +47,7 @@ template <typename GT>
 class Background_mesh_sizing_field_3
 {
 public:
-  typedef typename GT::FT       FT;      ///< the number type
+  typedef double                FT;      ///< the number type of sizes
   typedef typename GT::Point_3  Point_3; ///< the point type
   typedef int                   Index;   ///< the type of the number of a region
   typedef Background_mesh_3<GT> Mesh;    ///< the type of the mesh
@@ -70,7 +70,7 @@ public:
   /// returns the size at `p`.
   FT operator()(const Point_3& p) const
   {
-    return FT(m_is_valid ? m_interpolation(internal::coordinates_of(p)) : std::numeric_limits<double>::quiet_NaN());
+    return m_is_valid ? m_interpolation(internal::coordinates_of(p)) : std::numeric_limits<double>::quiet_NaN();
   }
 
   /// returns the size at `p`, which is the same for all dimensions and indices.
