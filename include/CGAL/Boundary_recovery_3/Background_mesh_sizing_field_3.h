@@ -28,16 +28,18 @@ namespace Boundary_recovery_3 {
  *
  * \brief a size field that interpolates the sizes at the vertices of a tetrahedral mesh.
  *
- * Inside of a tetrahedron sizes are interpolated linearly. Where several tetrahedra are, as in a soup, the smallest size
- * wins; those without a volume are ignored. Outside, the size is that at the nearest point of the boundary of the mesh,
- * which is made of the facets that only one tetrahedron has. Hence sizes are never smaller, or larger, than those at the
- * vertices. If the mesh is not valid all sizes are NaN, and if it has no tetrahedron with a volume, infinite: no mesh
- * can have them.
+ * Inside of a tetrahedron sizes are interpolated linearly. Where several tetrahedra are, as in a soup, the smallest
+ * size wins; those without a volume are ignored. Outside, the size is that at the nearest point of the boundary of the
+ * mesh, which is made of the facets that only one tetrahedron has. Hence sizes are never smaller, or larger, than those
+ * at the vertices. If the mesh is not valid all sizes are NaN, and if it has no tetrahedron with a volume, infinite: no
+ * mesh can have them.
  *
  * With a *grading*, sizes at vertices are made smaller, from small to large, until they grow along no edge of the mesh
- * by more than the grading times its length. Between vertices they can grow faster, if cells are thin.
+ * by more than the grading times its length. Between vertices they can grow faster, if cells are thin. Hence there is
+ * no member function `grading()`, which would promise that they do not.
  *
- * Sizes are computed in floating point numbers, and depend on the point alone. Several threads may ask at the same time.
+ * Sizes are computed in floating point numbers, and depend on the point alone. Several threads may ask at the same
+ * time.
  *
  * \tparam GT the geometric traits
  *

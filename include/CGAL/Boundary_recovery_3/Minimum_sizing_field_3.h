@@ -29,8 +29,8 @@ namespace Boundary_recovery_3 {
  * Where one of them has a size that is not positive, or NaN, the minimum has it, too.
  *
  * \tparam GT the geometric traits
- * \tparam Fields number types, functions of a point, models of `MeshDomainField_3` whose indices can be made of numbers,
- *         or `std::reference_wrapper`s of such. They are copied.
+ * \tparam Fields number types, functions of a point, models of `MeshDomainField_3` whose indices can be made of
+ *         numbers, or `std::reference_wrapper`s of such. They are copied.
  *
  * \cgalModels{MeshDomainField_3}
  *
@@ -57,15 +57,21 @@ public:
         smallest = size;
       return smallest > 0;
     };
-    std::apply([&](const Fields& ... fields) { (add(internal::size_of_field<GT>(fields, p, dimension, index)) && ...); },
-               m_fields);
+    const auto add_all = [&](const Fields& ... fields)
+    {
+      return (add(internal::size_of_field<GT>(fields, p, dimension, index)) && ...);
+    };
+    std::apply(add_all, m_fields);
     return smallest;
   }
 
   /// returns by how much sizes grow per length, at most; infinity if one of the fields does not tell.
   double grading() const
   {
-    const auto largest = [](const Fields& ... fields) { return (std::max)({ 0., internal::grading_of_field<GT>(fields)... }); };
+    const auto largest = [](const Fields& ... fields)
+    {
+      return (std::max)({ 0., internal::grading_of_field<GT>(fields)... });
+    };
     return std::apply(largest, m_fields);
   }
 
@@ -74,7 +80,7 @@ private:
 };
 
 /// \ingroup PkgBoundaryRecovery3Functions
-/// returns the minimum of some size fields, with copies of them; pass `std::cref(field)` for a field that is large.
+/// returns the minimum of some size fields, with copies of them; pass `std::cref(field)` for one that is large.
 template <typename GT, typename ... Fields>
 Minimum_sizing_field_3<GT, Fields...> make_minimum_sizing_field(const Fields& ... fields)
 {

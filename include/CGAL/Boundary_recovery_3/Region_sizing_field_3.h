@@ -64,7 +64,8 @@ public:
     return smallest;
   }
 
-  /// returns by how much sizes grow per length inside of a region, at most; infinity if one of the fields does not tell.
+  /// returns by how much sizes grow per length inside of a region, at most; infinity if one of the fields does not
+  /// tell.
   double grading() const
   {
     double largest = m_default.grading;

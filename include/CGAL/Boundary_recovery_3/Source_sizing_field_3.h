@@ -28,10 +28,11 @@ namespace Boundary_recovery_3 {
  *
  * \brief a size field of sources: the size at a point is the smallest one of all sources there, and of the background.
  *
- * Sources may be anywhere, also outside of the domain. If one of them, or the background, is not valid, no size is: they
- * are all NaN, which no mesh can have. If there is no source, and no background, sizes are infinite, as bad.
+ * Sources may be anywhere, also outside of the domain. If one of them, or the background, is not valid, no size is:
+ * they are all NaN, which no mesh can have. If there is no source, and no background, sizes are infinite, as bad.
  *
- * Sizes are computed in floating point numbers, and depend on the point alone. Several threads may ask at the same time.
+ * Sizes are computed in floating point numbers, and depend on the point alone. Several threads may ask at the same
+ * time.
  *
  * \tparam GT the geometric traits
  *

@@ -30,9 +30,9 @@ namespace Boundary_recovery_3 {
 namespace internal {
 
 /*
- * Numbers at the vertices of tetrahedra, between them interpolated linearly. The tetrahedra may be any: where several of
- * them are, the smallest value wins, and those without a volume are left out. Outside of them all, the value is that of
- * the nearest point of the facets that only one of them has.
+ * Numbers at the vertices of tetrahedra, between them interpolated linearly. The tetrahedra may be any: where several
+ * of them are, the smallest value wins, and those without a volume are left out. Outside of them all, the value is that
+ * of the nearest point of the facets that only one of them has.
  *
  * Values are always between those of the vertices. The function is one of the place alone, and can be called by several
  * threads.
