@@ -138,6 +138,20 @@ def read_mesh(name):
                 [tuple(int(i) - 1 for i in t[:3]) for t in triangles], [int(t[3]) for t in triangles])
 
 
+def split_cells(cells, regions, patches, points):
+    """the mesh of VTK's cells: tetrahedra first, then triangles, which have the region of a tetrahedron beside them"""
+    n = sum(len(c) == 4 for c in cells)
+    assert all(len(c) == 4 for c in cells[:n]) and all(len(c) == 3 for c in cells[n:])
+    assert patches[:n] == [0] * n and len(regions) == len(patches) == len(cells)
+    beside = collections.defaultdict(list)
+    for t, region in zip(cells[:n], regions):
+        for i in range(4):
+            beside[frozenset(t[:i] + t[i + 1:])].append(region)
+    for t, region in zip(cells[n:], regions[n:]):
+        assert region == min((r for r in beside[frozenset(t)] if r != 0), default=0)
+    return Mesh(points, cells[:n], regions[:n], cells[n:], patches[n:])
+
+
 def read_vtk(name):
     lines = open(name).read().split('\n')
     assert lines[0].startswith('# vtk DataFile Version') and lines[2:4] == ['ASCII', 'DATASET UNSTRUCTURED_GRID']
@@ -151,35 +165,50 @@ def read_vtk(name):
     expect('double')
     points = [tuple(float(next(words)) for _ in range(3)) for _ in range(n)]
     expect('CELLS')
-    m = int(next(words))
-    expect(str(5 * m))
-    cells = [[int(next(words)) for _ in range(5)] for _ in range(m)]
-    assert all(c[0] == 4 for c in cells)
-    expect('CELL_TYPES', str(m), *['10'] * m)
+    m, size = int(next(words)), int(next(words))
+    cells = [tuple(int(next(words)) for _ in range(int(next(words)))) for _ in range(m)]
+    assert size == sum(len(c) + 1 for c in cells)
+    expect('CELL_TYPES', str(m), *['10' if len(c) == 4 else '5' for c in cells])
     expect('CELL_DATA', str(m), 'SCALARS', 'region', 'int', '1', 'LOOKUP_TABLE', 'default')
     regions = [int(next(words)) for _ in range(m)]
+    expect('FIELD', 'FieldData', '1', 'patch', '1', str(m), 'int')
+    patches = [int(next(words)) for _ in range(m)]
     assert next(words, None) is None
-    return Mesh(points, [tuple(c[1:]) for c in cells], regions, None, None)
+    return split_cells(cells, regions, patches, points)
 
 
 def read_vtu(name):
-    root = xml.etree.ElementTree.parse(name).getroot()
-    assert root.tag == 'VTKFile' and root.get('type') == 'UnstructuredGrid'
+    """the arrays are raw bytes behind the XML, which cannot be parsed with them"""
+    text, mark, data = read(name).partition(b'<AppendedData encoding="raw">\n_')
+    data, end, rest = data.rpartition(b'\n</AppendedData>')
+    assert mark and end and rest == b'\n</VTKFile>\n'
+    root = xml.etree.ElementTree.fromstring(text + b'</VTKFile>')
+    assert root.tag == 'VTKFile' and root.get('type') == 'UnstructuredGrid' and root.get('header_type') == 'UInt64'
+    order = {'LittleEndian': '<', 'BigEndian': '>'}[root.get('byte_order')]
+    assert {'<': 'little', '>': 'big'}[order] == sys.byteorder
     piece = root.find('UnstructuredGrid/Piece')
     n, m = int(piece.get('NumberOfPoints')), int(piece.get('NumberOfCells'))
+    used = []
 
-    def array(path, kind, size):
+    def array(path, kind, code, size):
         element = piece.find(path)
-        values = [kind(x) for x in (element.text or '').split()]
-        assert element.get('format') == 'ascii' and len(values) == size
-        return values
-    x = array('Points/DataArray', float, 3 * n)
-    v = array("Cells/DataArray[@Name='connectivity']", int, 4 * m)
-    assert array("Cells/DataArray[@Name='offsets']", int, m) == [4 * (i + 1) for i in range(m)]
-    assert array("Cells/DataArray[@Name='types']", int, m) == [10] * m
-    regions = array("CellData/DataArray[@Name='region']", int, m)
-    return Mesh([tuple(x[3 * i:3 * i + 3]) for i in range(n)], [tuple(v[4 * i:4 * i + 4]) for i in range(m)],
-                regions, None, None)
+        assert element.get('format') == 'appended' and element.get('type') == kind
+        begin = int(element.get('offset')) + 8
+        length, = struct.unpack_from(order + 'Q', data, begin - 8)
+        used.append((begin - 8, begin + length))
+        assert size is None or length == size * struct.calcsize(code)
+        return struct.unpack_from('%s%d%s' % (order, length // struct.calcsize(code), code), data, begin)
+    x = array('Points/DataArray', 'Float64', 'd', 3 * n)
+    v = array("Cells/DataArray[@Name='connectivity']", 'Int64', 'q', None)
+    ends = array("Cells/DataArray[@Name='offsets']", 'Int64', 'q', m)
+    types = array("Cells/DataArray[@Name='types']", 'UInt8', 'B', m)
+    regions = array("CellData/DataArray[@Name='region']", 'Int32', 'i', m)
+    patches = array("CellData/DataArray[@Name='patch']", 'Int64', 'q', m)
+    used.sort()
+    assert [begin for begin, _ in used] == [0] + [end for _, end in used[:-1]] and used[-1][1] == len(data)
+    cells = [v[begin:end] for begin, end in zip((0,) + ends, ends)]
+    assert ends[-1:] in ((), (len(v),)) and list(types) == [10 if len(c) == 4 else 5 for c in cells]
+    return split_cells(cells, list(regions), list(patches), [tuple(x[3 * i:3 * i + 3]) for i in range(n)])
 
 
 def facets_of(tetrahedra):
@@ -281,7 +310,7 @@ def test_output_formats():
     mesh, vtu, vtk = read_mesh('a.mesh'), read_vtu('a.vtu'), read_vtk('a.vtk')
     check_domain(mesh, points, faces)
     assert set(mesh.regions) == {1} and len(mesh.points) == 8
-    assert mesh[:3] == vtu[:3] == vtk[:3]
+    assert mesh == vtu == vtk
     assert read('a.mesh') == read('b.mesh')
 
 
