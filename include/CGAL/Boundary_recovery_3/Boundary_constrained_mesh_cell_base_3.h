@@ -26,7 +26,8 @@ namespace Boundary_recovery_3 {
  * in, and for each of its facets the patch of the surface that it is on.
  *
  * The members have the names, and the meaning, that they have in `MeshCellBase_3`, so that the same code takes cells of
- * triangulations over CGAL's own bases. A cell has 96 bytes.
+ * triangulations over CGAL's own bases. A cell has 88 bytes over `Exact_predicates_inexact_constructions_kernel`,
+ * without threads.
  *
  * \tparam GT the geometric traits
  * \tparam Cb the cell base that it is derived from

@@ -14,6 +14,7 @@
 
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
 
+#include <array>
 #include <cstddef>
 #include <ostream>
 #include <string>
@@ -109,6 +110,8 @@ template <typename Triangulation_>
 struct Boundary_constrained_mesh_result_3
 {
   typedef Triangulation_                            Triangulation; ///< the triangulation type
+  typedef typename Triangulation::Vertex_handle     Vertex_handle; ///< its vertex handle
+  typedef std::array<Vertex_handle, 2>              Vertex_pair;   ///< the ends of an edge
   typedef Boundary_recovery_result_3<Triangulation> Recovery;      ///< the result of steps 2 to 4
   typedef Field_points_result_3<Triangulation>      Filling;       ///< the result of step 6
 
@@ -119,7 +122,13 @@ struct Boundary_constrained_mesh_result_3
   int number_of_regions = 0; ///< step 5: number of regions of the domain
   Filling filling;           ///< step 6: field points
 
+  /// the mesh edges that the edges given by the named parameter `constrained_edges` are, or consist of: with
+  /// `Constrained_edge_map_3`, what is to be told to whoever changes the mesh. Empty if the recovery failed.
+  std::vector<Vertex_pair> constrained_edges;
+
   std::vector<Meshing_phase_report> phases; ///< one entry for each phase after the recovery
+
+  double seconds = 0; ///< duration of all in seconds (wall clock)
 
   /// returns `true` iff all is done.
   explicit operator bool() const { return status == Meshing_status::meshed; }
@@ -156,12 +165,24 @@ inline const char* to_string(const Meshing_phase phase)
 }
 
 /// \ingroup PkgBoundaryRecovery3Classes
-/// writes the status and the main numbers as one line.
+/// writes a place without a size: what the field returned there, or threw.
+template <typename Point_3>
+std::ostream& operator<<(std::ostream& os, const Invalid_size_3<Point_3>& invalid)
+{
+  os << "the size at (" << invalid.point << ") is " << invalid.size;
+  return invalid.message.empty() ? os : os << ": " << invalid.message;
+}
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// writes the status and the main numbers as one line, and a line for the place without a size, if there is one.
 template <typename Triangulation>
 std::ostream& operator<<(std::ostream& os, const Field_points_result_3<Triangulation>& result)
 {
-  return os << to_string(result.status) << ": " << result.number_of_field_points << " field points in "
-            << result.number_of_passes << " passes";
+  os << to_string(result.status) << ": " << result.number_of_field_points << " field points in "
+     << result.number_of_passes << " passes";
+  for(const auto& invalid : result.invalid_sizes)
+    os << '\n' << invalid;
+  return os;
 }
 
 } // namespace Boundary_recovery_3
@@ -169,6 +190,22 @@ std::ostream& operator<<(std::ostream& os, const Field_points_result_3<Triangula
 using Boundary_recovery_3::Boundary_constrained_mesh_result_3;
 using Boundary_recovery_3::Field_points_result_3;
 
+namespace Boundary_recovery_3 {
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// writes the status, and what the steps did: a line each, with more of them for what is wrong or missing.
+template <typename Triangulation>
+std::ostream& operator<<(std::ostream& os, const Boundary_constrained_mesh_result_3<Triangulation>& result)
+{
+  os << to_string(result.status) << "\nrecovery: " << result.recovery;
+  if(result.recovery)
+    os << "\nregions: " << result.number_of_regions;
+  if(result.number_of_regions > 0)
+    os << "\nfilling: " << result.filling;
+  return os;
+}
+
+} // namespace Boundary_recovery_3
 } // namespace CGAL
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_BOUNDARY_CONSTRAINED_MESH_RESULT_3_H

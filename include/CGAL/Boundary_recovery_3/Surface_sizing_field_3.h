@@ -1,0 +1,101 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_SURFACE_SIZING_FIELD_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_SURFACE_SIZING_FIELD_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/internal/filling/Cone_minimum_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/surface_sizes.h>
+
+#include <CGAL/assertions.h>
+
+#include <array>
+#include <cstddef>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+
+/*!
+ * \ingroup PkgBoundaryRecovery3Classes
+ *
+ * \brief a size field that continues the sizes of a surface: at each vertex of the surface the mean length of its edges
+ * there, carried into space, where sizes grow with the distance.
+ *
+ * The size at a point `p` is the smallest \f$ h_q + g |pq| \f$ of all vertices `q` of the surface, where \f$ h_q \f$ is
+ * the mean length of the edges of the surface at `q`, and `g` is the *grading*. Hence no size is larger than another
+ * one plus `g` times the distance. Vertices without edges, and edges without length, do not count. If there are no
+ * others the size is infinite, which no mesh can have.
+ *
+ * Sizes are computed in floating point numbers, and depend on `p` alone. Several threads may ask at the same time.
+ *
+ * \tparam Tr an instance of `CGAL::Triangulation_3`, or of a class derived from it; the field needs its traits only
+ *
+ * \cgalModels{MeshDomainField_3}
+ */
+template <typename Tr>
+class Surface_sizing_field_3
+{
+public:
+  typedef typename Tr::Geom_traits::FT      FT;      ///< the number type
+  typedef typename Tr::Geom_traits::Point_3 Point_3; ///< the point type
+  typedef int                               Index;   ///< the type of the number of a region
+
+  /*!
+   * \brief takes the surface from the indices in the cells of a triangulation: facets for which `is_facet_on_surface()`
+   * is true, or the two cells at which have different values of `subdomain_index()`.
+   *
+   * The triangulation is not used afterwards.
+   *
+   * \param tr the triangulation; its cells are models of `MeshCellBase_3`, as far as these functions go
+   * \param grading by how much sizes grow per length, without unit
+   * \pre `grading` is not negative, and finite.
+   */
+  explicit Surface_sizing_field_3(const Tr& tr, const double grading = 0.2)
+    : m_sizes(internal::sites_of_surface(internal::surface_edges(tr)), grading)
+  {
+    CGAL_precondition(grading >= 0 && grading < internal::Axis_box_3::infinity());
+  }
+
+  /*!
+   * \brief takes the surface from points and triangles.
+   *
+   * \tparam PointRange a range of `Point_3` with random access
+   * \tparam TriangleRange a range of triples of numbers of points, from 0
+   * \param points the points
+   * \param triangles the triangles; neither their orientation nor their order matters
+   * \param grading by how much sizes grow per length, without unit
+   * \pre `grading` is not negative, and finite. All points that the triangles name are there.
+   */
+  template <typename PointRange, typename TriangleRange>
+  Surface_sizing_field_3(const PointRange& points, const TriangleRange& triangles, const double grading = 0.2)
+    : m_sizes(internal::sites_of_surface(internal::surface_edges(points, triangles)), grading)
+  {
+    CGAL_precondition(grading >= 0 && grading < internal::Axis_box_3::infinity());
+  }
+
+  /// returns the size at `p`.
+  FT operator()(const Point_3& p) const { return FT(m_sizes(internal::coordinates_of(p))); }
+
+  /// returns the size at `p`, which is the same for all dimensions and indices.
+  template <typename AnyIndex>
+  FT operator()(const Point_3& p, const int /* dimension */, const AnyIndex& /* index */) const { return (*this)(p); }
+
+  /// returns by how much sizes grow per length, at most.
+  double grading() const { return m_sizes.grading(); }
+
+private:
+  internal::Cone_minimum_3 m_sizes;
+};
+
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_SURFACE_SIZING_FIELD_3_H

@@ -1,0 +1,157 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_CONE_MINIMUM_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_CONE_MINIMUM_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/internal/filling/Box_hierarchy_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Unit_frame_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * The sizes at sites, carried from there into space: at p the smallest h + g |pq| of all sites q with sizes h.
+ *
+ * It is a function of p alone, up to rounding errors the one with that formula, and can be called by several threads.
+ */
+class Cone_minimum_3
+{
+public:
+  // a place and its size
+  struct Site
+  {
+    Coordinates_3 point;
+    double size;
+  };
+
+  Cone_minimum_3() = default;
+
+  // Sites that change nothing are left out: what others carry to them is smaller than their own size.
+  Cone_minimum_3(const std::vector<Site>& sites, const double grading)
+    : m_grading(grading), m_frame(box_of(sites))
+  {
+    std::vector<Site> scaled;
+    for(const Site& q : sites)
+      scaled.push_back(Site{ m_frame.to_frame(q.point), m_frame.to_frame(q.size) });
+    build(scaled);
+    scaled.erase(std::remove_if(scaled.begin(), scaled.end(), [&](const Site& q) { return minimum(q.point) < q.size; }),
+                 scaled.end());
+    build(scaled);
+  }
+
+  double grading() const { return m_grading; }
+
+  // The size at p, infinity if there are no sites.
+  double operator()(const Coordinates_3& p) const { return m_frame.from_frame(minimum(m_frame.to_frame(p))); }
+
+private:
+  static constexpr std::size_t leaf_size = Box_hierarchy_3::leaf_size;
+
+  // the sites of a leaf, those that are missing in the last one with infinite sizes
+  struct Leaf
+  {
+    std::array<double, leaf_size> x, y, z, size;
+  };
+
+  static Axis_box_3 box_of(const std::vector<Site>& sites)
+  {
+    Axis_box_3 box;
+    for(const Site& q : sites)
+      box.add(q.point);
+    return box;
+  }
+
+  void build(const std::vector<Site>& sites)
+  {
+    std::vector<Axis_box_3> boxes(sites.size());
+    for(std::size_t i = 0; i < sites.size(); ++i)
+      boxes[i].add(sites[i].point);
+    m_hierarchy = Box_hierarchy_3(boxes);
+    fill_leaves(sites);
+    find_smallest_sizes(sites);
+    m_hierarchy.forget_order();
+  }
+
+  void fill_leaves(const std::vector<Site>& sites)
+  {
+    static constexpr double infinity = std::numeric_limits<double>::infinity();
+    m_leaves.assign(m_hierarchy.number_of_leaves(), Leaf());
+    for(std::size_t k = 0; k < m_leaves.size() * leaf_size; ++k)
+    {
+      Leaf& leaf = m_leaves[k / leaf_size];
+      const std::size_t i = k % leaf_size;
+      const Site site = k < sites.size() ? sites[m_hierarchy.order()[k]] : Site{ {{ 0, 0, 0 }}, infinity };
+      leaf.x[i] = site.point[0];
+      leaf.y[i] = site.point[1];
+      leaf.z[i] = site.point[2];
+      leaf.size[i] = site.size;
+    }
+  }
+
+  void find_smallest_sizes(const std::vector<Site>& sites)
+  {
+    m_smallest_sizes.resize(m_hierarchy.number_of_nodes());
+    m_hierarchy.visit_nodes([&](const std::size_t node, const std::size_t first, const std::size_t last)
+    {
+      double smallest = std::numeric_limits<double>::infinity();
+      for(std::size_t k = first; k < last; ++k)
+        smallest = (std::min)(smallest, sites[m_hierarchy.order()[k]].size);
+      m_smallest_sizes[node] = smallest;
+    });
+  }
+
+  // In the unit frame.
+  double minimum(const Coordinates_3& p) const
+  {
+    double smallest = std::numeric_limits<double>::infinity();
+    const auto bound = [&](const std::size_t node, const double distance)
+    {
+      return m_smallest_sizes[node] + m_grading * distance;
+    };
+    m_hierarchy.search(p, bound, [&](const std::size_t leaf)
+    {
+      return smallest = (std::min)(smallest, minimum_in_leaf(m_leaves[leaf], p));
+    });
+    return smallest;
+  }
+
+  double minimum_in_leaf(const Leaf& leaf, const Coordinates_3& p) const
+  {
+    std::array<double, leaf_size> sizes;
+    for(std::size_t i = 0; i < leaf_size; ++i)
+    {
+      const double x = leaf.x[i] - p[0], y = leaf.y[i] - p[1], z = leaf.z[i] - p[2];
+      sizes[i] = leaf.size[i] + m_grading * std::sqrt(x * x + y * y + z * z);
+    }
+    return *std::min_element(sizes.begin(), sizes.end());
+  }
+
+  double m_grading = 0;
+  Unit_frame_3 m_frame;
+  Box_hierarchy_3 m_hierarchy;
+  std::vector<double> m_smallest_sizes; // of the nodes
+  std::vector<Leaf> m_leaves;
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_CONE_MINIMUM_3_H

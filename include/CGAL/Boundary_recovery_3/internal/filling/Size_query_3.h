@@ -1,0 +1,185 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_SIZE_QUERY_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_SIZE_QUERY_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_result_3.h>
+
+#include <CGAL/number_utils.h>
+
+#include <cstddef>
+#include <exception>
+#include <functional>
+#include <limits>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+// What a size field is, as far as its type tells how to ask it.
+enum class Size_field_kind
+{
+  number,       // the same size everywhere
+  domain_field, // f(p, dimension, index), and the index is a number, or made of one where the function is called
+  index_field,  // the same, but the index has to be made of the number beforehand
+  function,     // f(p)
+  none          // nothing of this
+};
+
+// Whether a field names a type of indices that can be made of numbers, by a conversion that has to be asked for.
+template <typename Field, typename Point, typename = void>
+struct Is_index_field : std::false_type { };
+
+template <typename Field, typename Point>
+struct Is_index_field<Field, Point, std::void_t<typename Field::Index> >
+  : std::conjunction<std::is_constructible<typename Field::Index, int>,
+                     std::is_invocable<const Field&, const Point&, int, const typename Field::Index&> >
+{ };
+
+template <typename Field, typename Point, typename FT>
+constexpr Size_field_kind size_field_kind()
+{
+  if constexpr(std::is_invocable_v<const Field&, const Point&, int, int>)
+    return Size_field_kind::domain_field;
+  else if constexpr(Is_index_field<Field, Point>::value)
+    return Size_field_kind::index_field;
+  else if constexpr(std::is_invocable_v<const Field&, const Point&>)
+    return Size_field_kind::function;
+  else if constexpr(std::is_arithmetic_v<Field> || std::is_convertible_v<const Field&, FT>)
+    return Size_field_kind::number;
+  else
+    return Size_field_kind::none;
+}
+
+// Whether a field has a member function `grading()`, as ours have.
+template <typename Field, typename = void>
+struct Has_grading : std::false_type { };
+
+template <typename Field>
+struct Has_grading<Field, std::void_t<decltype(double(std::declval<const Field&>().grading()))> > : std::true_type { };
+
+// By how much the sizes of a field grow per length, at most; infinite if nobody knows.
+template <typename Point, typename FT, typename Field>
+double grading_of(const Field& field)
+{
+  if constexpr(size_field_kind<Field, Point, FT>() == Size_field_kind::number)
+    return 0;
+  else if constexpr(Has_grading<Field>::value)
+    return field.grading();
+  else
+    return std::numeric_limits<double>::infinity();
+}
+
+// The size that a field has at a place, as the nearest floating point number.
+template <typename FT, typename Field, typename Point>
+double size_at(const Field& field, const Point& p, const int dimension, const int index)
+{
+  static constexpr Size_field_kind kind = size_field_kind<Field, Point, FT>();
+  static_assert(kind != Size_field_kind::none,
+                "a size field is a number, a function f(p), or a model of MeshDomainField_3, f(p, dimension, index)");
+  if constexpr(kind == Size_field_kind::number)
+    return CGAL::to_double(std::conditional_t<std::is_arithmetic_v<Field>, Field, FT>(field));
+  else if constexpr(kind == Size_field_kind::domain_field)
+    return CGAL::to_double(field(p, dimension, index));
+  else if constexpr(kind == Size_field_kind::index_field)
+    return CGAL::to_double(field(p, dimension, typename Field::Index(index)));
+  else
+    return CGAL::to_double(field(p));
+}
+
+// What is behind a reference wrapper.
+template <typename Field>
+struct Unwrapped_field { typedef Field type; };
+
+template <typename Field>
+struct Unwrapped_field<std::reference_wrapper<Field> > { typedef std::remove_const_t<Field> type; };
+
+/*
+ * Asks the size field that the caller passed, of whatever kind it is, and watches what it answers.
+ *
+ * A field may return anything, and may throw. The first place where there is no size is remembered, and from then on
+ * the field is not asked again: all sizes are NaN, and the work ends with what is known about that place.
+ */
+template <typename Tr, typename SizingField>
+class Size_query_3
+{
+public:
+  typedef typename Tr::Geom_traits::Point_3            Point_3;
+  typedef typename Tr::Geom_traits::FT                 FT;
+  typedef typename Unwrapped_field<SizingField>::type  Field;
+
+  // Whether all sizes are the same number.
+  static constexpr bool is_constant = size_field_kind<Field, Point_3, FT>() == Size_field_kind::number;
+
+  // It keeps a reference to the field only.
+  explicit Size_query_3(const SizingField& field) : m_field(field) { }
+
+  // The size at p; NaN if there is none here, or was none somewhere before.
+  double operator()(const Point_3& p, const int dimension, const int index)
+  {
+    if(! m_is_valid)
+      return std::numeric_limits<double>::quiet_NaN();
+    ++m_number_of_queries;
+    return check(p, ask(p, dimension, index));
+  }
+
+  // Whether the field had a size wherever it was asked.
+  bool is_valid() const { return m_is_valid; }
+
+  // The first place where it had none.
+  const Invalid_size_3<Point_3>& invalid_size() const { return m_invalid; }
+
+  // By how much the sizes grow per length, at most: 0 for a number, infinity if the field does not tell.
+  double gradation() const { return grading_of<Point_3, FT>(m_field); }
+
+  std::size_t number_of_queries() const { return m_number_of_queries; }
+
+private:
+  // NaN if the field throws.
+  double ask(const Point_3& p, const int dimension, const int index)
+  {
+    try
+    {
+      return size_at<FT>(m_field, p, dimension, index);
+    }
+    catch(const std::exception& e)
+    {
+      m_invalid.message = e.what();
+    }
+    catch(...)
+    { }
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+
+  double check(const Point_3& p, const double size)
+  {
+    if(size > 0 && size < std::numeric_limits<double>::infinity())
+      return size;
+    m_is_valid = false;
+    m_invalid.point = p;
+    m_invalid.size = size;
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+
+  const Field& m_field;
+  bool m_is_valid = true;
+  Invalid_size_3<Point_3> m_invalid = Invalid_size_3<Point_3>();
+  std::size_t m_number_of_queries = 0;
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_SIZE_QUERY_3_H

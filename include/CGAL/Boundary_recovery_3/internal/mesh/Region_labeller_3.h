@@ -1,0 +1,303 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_MESH_REGION_LABELLER_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_MESH_REGION_LABELLER_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/flood_fill.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
+
+#include <CGAL/Unique_hash_map.h>
+
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+// Numbers of cells, kept beside a triangulation that may have any cells, and is not to be changed.
+template <typename Tr>
+class Numbers_beside_cells_3
+{
+public:
+  typedef typename Tr::Cell_handle Cell_handle;
+
+  void set(const Cell_handle c, const std::size_t number) { m_numbers[c] = number; }
+
+  std::size_t operator[](const Cell_handle c) const { return m_numbers[c]; }
+
+private:
+  Unique_hash_map<Cell_handle, std::size_t> m_numbers; // for looking up only
+};
+
+// Cuts the cells of a triangulation, the infinite ones included, into components that the given facets
+// separate, and decides which components belong to the domain.
+//
+// `CellNumbers` remembers a number for each cell, as `Numbers_beside_cells_3` does.
+template <typename Tr, typename CellNumbers = Numbers_beside_cells_3<Tr> >
+class Region_labeller_3
+{
+  typedef typename Tr::Vertex_handle         Vertex_handle;
+  typedef typename Tr::Cell_handle           Cell_handle;
+  typedef typename Tr::Facet                 Facet;
+  typedef std::array<Vertex_handle, 3>       Vertex_triple;
+
+public:
+  // a facet that separates: where it is in the triangulation, and how often it was given, with signs
+  struct Wall
+  {
+    Vertex_triple vertices; // as it was given first
+    std::size_t index;   // position of that one in the given range
+    Facet facet;         // seen from this cell the three vertices turn as in `Tr::vertex_triple_index()`
+    bool found = false;  // whether it is a facet of the triangulation
+    long weight = 0;     // number of given facets that turn like it minus those that turn the other way; until it is
+                         // found, like the first one
+    bool odd = false;    // whether it was given an odd number of times
+    bool agrees = true;  // whether the first one that was given turns like `facet`
+  };
+
+private:
+  // a way out of a component through a wall, and what it adds to the winding number
+  struct Crossing
+  {
+    std::size_t target;
+    long weight;
+  };
+
+  const Tr& m_tr;
+  std::vector<Wall> m_walls;                               // in the order of the facets
+  Simplex_index_3<Vertex_handle, 3> m_wall_index;
+  CellNumbers m_cell_index;
+  std::vector<Cell_handle> m_cells;
+  std::vector<unsigned char> m_closed;                     // bit i: facet i of the cell is a wall
+  std::vector<std::size_t> m_component;                    // of each cell; 0 has the infinite cells
+  std::size_t m_number_of_components = 0;
+
+public:
+  template <typename FacetRange>
+  Region_labeller_3(const Tr& tr, const FacetRange& facets)
+    : m_tr(tr)
+  {
+    std::size_t i = 0;
+    for(const auto& facet : facets)
+      add_wall(Vertex_triple{{facet[0], facet[1], facet[2]}}, i++);
+    index_cells();
+    find_walls();
+    find_components();
+  }
+
+  // Calls `set_region` with each cell, the infinite ones included, and its region. Returns the number of regions.
+  template <typename SetRegion>
+  int label(const SetRegion& set_region) const
+  {
+    int number_of_regions = 0;
+    const std::vector<int> numbers = number_regions(components_of_domain(), number_of_regions);
+    for(std::size_t i = 0; i < m_cells.size(); ++i)
+      set_region(m_cells[i], numbers[m_component[i]]);
+    return number_of_regions;
+  }
+
+  // Each given facet once, in the order in which they were given first.
+  const std::vector<Wall>& walls() const { return m_walls; }
+
+private:
+  // whether two triples of the same vertices turn alike
+  static bool turn_alike(const Vertex_triple& s, const Vertex_triple& t)
+  {
+    const int i = s[0] == t[0] ? 0 : s[0] == t[1] ? 1 : 2;
+    return s[1] == t[(i + 1) % 3];
+  }
+
+  void add_wall(const Vertex_triple& triple, const std::size_t index)
+  {
+    const auto inserted = m_wall_index.insert(triple);
+    if(inserted.second)
+    {
+      m_walls.emplace_back();
+      m_walls.back().vertices = triple;
+      m_walls.back().index = index;
+    }
+    Wall& wall = m_walls[inserted.first];
+    wall.weight += turn_alike(wall.vertices, triple) ? 1 : -1;
+    wall.odd = ! wall.odd;
+  }
+
+  void index_cells()
+  {
+    m_cells.reserve(m_tr.tds().number_of_cells());
+    for(const Cell_handle c : m_tr.all_cell_handles())
+    {
+      m_cell_index.set(c, m_cells.size());
+      m_cells.push_back(c);
+    }
+    m_closed.assign(m_cells.size(), 0);
+  }
+
+  // one sweep over all facets of the triangulation, instead of one search in a star for each wall
+  void find_walls()
+  {
+    for(std::size_t n = 0; n < m_cells.size(); ++n)
+      for(int i = 0; i < 4; ++i)
+      {
+        const Cell_handle c = m_cells[n];
+        const std::size_t neighbor = m_cell_index[c->neighbor(i)];
+        if(n < neighbor && is_wall(c, i))
+        {
+          close(n, i);
+          close(neighbor, c->neighbor(i)->index(c));
+        }
+      }
+  }
+
+  void close(const std::size_t cell, const int i) { m_closed[cell] |= static_cast<unsigned char>(1 << i); }
+
+  // whether the facet is a wall, which is found then
+  bool is_wall(const Cell_handle c, const int i)
+  {
+    const Vertex_triple triple = internal::facet_vertices(c, i);
+    const std::size_t index = m_wall_index[triple];
+    if(index == m_wall_index.none || m_tr.is_infinite(c, i))
+      return false;
+    Wall& wall = m_walls[index];
+    wall.facet = Facet(c, i);
+    wall.found = true;
+    wall.agrees = turn_alike(wall.vertices, triple);
+    if(! wall.agrees)
+      wall.weight = -wall.weight;
+    return true;
+  }
+
+  void find_components()
+  {
+    m_component.assign(m_cells.size(), std::size_t(-1));
+    fill(m_tr.infinite_cell());
+    for(std::size_t i = 0; i < m_cells.size(); ++i)
+      if(m_component[i] == std::size_t(-1))
+        fill(m_cells[i]);
+  }
+
+  // a new component
+  void fill(const Cell_handle seed)
+  {
+    const auto is_open = [this](const Cell_handle c, const int i)
+    {
+      return ((m_closed[m_cell_index[c]] >> i) & 1) == 0;
+    };
+    const auto add = [this](const Cell_handle c)
+    {
+      std::size_t& component = m_component[m_cell_index[c]];
+      if(component != std::size_t(-1))
+        return false;
+      component = m_number_of_components;
+      return true;
+    };
+    internal::flood_fill(seed, is_open, add);
+    ++m_number_of_components;
+  }
+
+  std::size_t component(const Facet& f) const { return m_component[m_cell_index[f.first]]; }
+
+  // The walls are a cycle iff there are winding numbers: one for each component, such that crossing a wall changes
+  // it by the weight of the wall. A wall with the same component on both sides, as in a sheet that ends inside,
+  // separates nothing and has no say. Without such numbers the same is tried mod 2, where orientation does not
+  // matter, and without these every component that is bounded belongs to the domain.
+  std::vector<bool> components_of_domain() const
+  {
+    std::vector<long> winding;
+    if(! assign_windings(false, winding) && ! assign_windings(true, winding))
+    {
+      winding.assign(m_number_of_components, 1);
+      winding[0] = 0;
+    }
+    std::vector<bool> in_domain(m_number_of_components);
+    for(std::size_t i = 0; i < winding.size(); ++i)
+      in_domain[i] = winding[i] != 0;
+    return in_domain;
+  }
+
+  std::vector<std::vector<Crossing> > crossings(const bool mod_2) const
+  {
+    std::vector<std::vector<Crossing> > result(m_number_of_components);
+    for(const Wall& wall : m_walls)
+    {
+      if(! wall.found)
+        continue;
+      const std::size_t here = component(wall.facet);
+      const std::size_t there = component(m_tr.mirror_facet(wall.facet));
+      if(here == there)
+        continue;
+      const long weight = mod_2 ? long(wall.odd) : wall.weight;
+      result[here].push_back(Crossing{there, weight});
+      result[there].push_back(Crossing{here, mod_2 ? weight : -weight});
+    }
+    return result;
+  }
+
+  // returns whether the numbers are the same along every way from the infinite cells to a component
+  bool assign_windings(const bool mod_2, std::vector<long>& winding) const
+  {
+    const std::vector<std::vector<Crossing> > graph = crossings(mod_2);
+    std::vector<bool> is_known(m_number_of_components, false);
+    std::vector<std::size_t> stack(1, 0);
+    winding.assign(m_number_of_components, 0);
+    is_known[0] = true;
+    while(! stack.empty())
+    {
+      const std::size_t current = stack.back();
+      stack.pop_back();
+      for(const Crossing& crossing : graph[current])
+      {
+        const long w = mod_2 ? (winding[current] ^ crossing.weight) : winding[current] + crossing.weight;
+        if(is_known[crossing.target])
+        {
+          if(winding[crossing.target] != w)
+            return false;
+          continue;
+        }
+        is_known[crossing.target] = true;
+        winding[crossing.target] = w;
+        stack.push_back(crossing.target);
+      }
+    }
+    return true;
+  }
+
+  // the region of each component: 0 outside, else by the first facet that touches it, first the side
+  // that an outward facet has inside
+  std::vector<int> number_regions(const std::vector<bool>& in_domain, int& number_of_regions) const
+  {
+    std::vector<int> numbers(m_number_of_components, 0);
+    const auto number = [&](const std::size_t i)
+    {
+      if(in_domain[i] && numbers[i] == 0)
+        numbers[i] = ++number_of_regions;
+    };
+    for(const Wall& wall : m_walls)
+    {
+      if(! wall.found)
+        continue;
+      const std::size_t here = component(wall.facet), there = component(m_tr.mirror_facet(wall.facet));
+      number(wall.agrees ? there : here); // a vertex triple turns such that its normal points into the cell
+      number(wall.agrees ? here : there);
+    }
+    return numbers;
+  }
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_MESH_REGION_LABELLER_3_H

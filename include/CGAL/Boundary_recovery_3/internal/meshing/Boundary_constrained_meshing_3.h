@@ -1,0 +1,199 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_MESHING_BOUNDARY_CONSTRAINED_MESHING_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_MESHING_BOUNDARY_CONSTRAINED_MESHING_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_result_3.h>
+#include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_visitor_3.h>
+#include <CGAL/Boundary_recovery_3/Constrained_edge_map_3.h>
+#include <CGAL/Boundary_recovery_3/Surface_sizing_field_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Mark_domain_3.h>
+#include <CGAL/Boundary_recovery_3/internal/meshing/Meshing_recorder_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
+#include <CGAL/insert_field_points.h>
+#include <CGAL/mark_domain.h>
+#include <CGAL/recover_boundary.h>
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+// In the place of a size field: the sizes come from the surface.
+struct Sizes_from_surface { };
+
+// The mesh edges that the constrained edges of the input consist of.
+template <typename Tr>
+struct Constrained_mesh_edges_3
+{
+  typedef std::array<typename Tr::Vertex_handle, 2> Vertex_pair;
+
+  template <typename NamedParameters>
+  Constrained_mesh_edges_3(const Boundary_recovery_result_3<Tr>& recovery, const NamedParameters& np)
+  {
+    // parts of one constraint come one after the other
+    Simplex_index_3<std::size_t, 2> index;
+    std::vector<std::size_t> begin;
+    const auto& parts = recovery.parts_of_edges;
+    const auto ends = [&](const std::size_t p) -> std::array<std::size_t, 2>
+    {
+      return {{ parts[p].constraint.vertices[0], parts[p].constraint.vertices[1] }};
+    };
+    for(std::size_t p = 0; p < parts.size(); ++p)
+      if(index.insert(ends(p)).second)
+        begin.push_back(p);
+    begin.push_back(parts.size());
+
+    std::size_t number = 0;
+    internal::for_each_constrained_edge(np, [&](const std::size_t u, const std::size_t v)
+    {
+      ++number;
+      const std::size_t k = index[{{ u, v }}];
+      if(k == index.none)
+        add({{ recovery.vertices[u], recovery.vertices[v] }}, number);
+      else
+        for(std::size_t p = begin[k]; p < begin[k + 1]; ++p)
+          add({{ parts[p].vertices[0], parts[p].vertices[1] }}, number);
+    });
+  }
+
+  std::vector<Vertex_pair> edges;
+  std::vector<std::size_t> numbers; // of the constrained edges that they are parts of, from 1 on
+
+private:
+  void add(const Vertex_pair& edge, const std::size_t number)
+  {
+    edges.push_back(edge);
+    numbers.push_back(number);
+  }
+};
+
+/*
+ * The work behind all the overloads of make_boundary_constrained_mesh_3(): one step after the other, as long as there
+ * is something to do and time for it.
+ */
+template <typename Tr, typename NamedParameters>
+class Boundary_constrained_meshing_3
+{
+public:
+  typedef Boundary_constrained_mesh_result_3<Tr> Result;
+
+  Boundary_constrained_meshing_3(Tr& tr, const NamedParameters& np) : m_tr(tr), m_np(np) { }
+
+  // `recover` gets named parameters and returns the result of the recovery; `patches` gets the facets of the surface
+  // and returns the patch of each.
+  template <typename Recover, typename Patches, typename SizingField>
+  Result operator()(const Recover& recover, const Patches& patches, const SizingField& size)
+  {
+    decltype(auto) visitor = visitor_to_call(parameters::get_parameter(m_np, internal_np::visitor));
+    typedef Meshing_recorder_3<std::decay_t<decltype(visitor)> > Recorder;
+    Result result;
+    Recorder recorder(visitor, result.phases, maximum_running_time());
+
+    result.recovery = recover(internal::merge(m_np, parameters::visitor(std::ref(recorder))));
+    result.status = status(result.recovery.status);
+    if(result.recovery)
+    {
+      mark_domain(patches, recorder, result);
+      if(result.number_of_regions == 0)
+        result.status = Meshing_status::no_region;
+      else if(! recorder.can_go_further())
+        result.status = result.filling.status = Meshing_status::stopped;
+      else
+        fill(size, recorder, result);
+    }
+    result.seconds = recorder.seconds();
+    return result;
+  }
+
+private:
+  using Edges = Constrained_mesh_edges_3<Tr>;
+
+  template <typename Visitor>
+  static Visitor visitor_to_call(const Visitor& visitor) { return visitor; }
+
+  template <typename Visitor>
+  static Visitor& visitor_to_call(const std::reference_wrapper<Visitor>& visitor) { return visitor; }
+
+  static Default_boundary_constrained_mesh_visitor_3 visitor_to_call(const internal_np::Param_not_found&)
+  {
+    return Default_boundary_constrained_mesh_visitor_3();
+  }
+
+  double maximum_running_time() const
+  {
+    return parameters::choose_parameter(parameters::get_parameter(m_np, internal_np::maximum_running_time),
+                                        std::numeric_limits<double>::infinity());
+  }
+
+  static Meshing_status status(const Recovery_status status)
+  {
+    switch(status)
+    {
+      case Recovery_status::recovered:     return Meshing_status::meshed;
+      case Recovery_status::incomplete:    return Meshing_status::incomplete;
+      case Recovery_status::invalid_input: return Meshing_status::invalid_input;
+      case Recovery_status::stopped:       return Meshing_status::stopped;
+    }
+    return Meshing_status::incomplete;
+  }
+
+  // It takes so little time that it is always done, so that a mesh that was stopped has its regions, too.
+  template <typename Patches, typename Recorder>
+  void mark_domain(const Patches& patches, Recorder& recorder, Result& result)
+  {
+    const double start = recorder.seconds();
+    recorder.on_phase_begin(Meshing_phase::domain_marking);
+    const auto facets = result.recovery.surface_facets();
+    const Edges edges(result.recovery, m_np);
+    result.number_of_regions = Mark_domain_3<Tr>(m_tr)(facets, patches(facets), edges.edges, edges.numbers);
+    result.constrained_edges = edges.edges;
+    Meshing_phase_report report;
+    report.phase = Meshing_phase::domain_marking;
+    report.number_of_vertices = m_tr.number_of_vertices();
+    report.number_of_cells = m_tr.number_of_finite_cells();
+    report.seconds = recorder.seconds() - start;
+    recorder.on_phase_end(report);
+  }
+
+  template <typename SizingField, typename Recorder>
+  void fill(const SizingField& size, Recorder& recorder, Result& result)
+  {
+    const auto np = internal::merge_all(
+      m_np, parameters::visitor(std::ref(recorder)), parameters::maximum_running_time(recorder.seconds_left()),
+      parameters::edge_is_constrained_map(Constrained_edge_map_3<Tr>(result.constrained_edges)));
+    result.filling = insert_field_points(m_tr, size, np);
+    result.status = result.filling.status;
+  }
+
+  template <typename Recorder>
+  void fill(const Sizes_from_surface&, Recorder& recorder, Result& result)
+  {
+    const double grading = parameters::choose_parameter(parameters::get_parameter(m_np, internal::grading), 0.2);
+    fill(Surface_sizing_field_3<Tr>(m_tr, grading), recorder, result);
+  }
+
+  Tr& m_tr;
+  const NamedParameters& m_np;
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_MESHING_BOUNDARY_CONSTRAINED_MESHING_3_H

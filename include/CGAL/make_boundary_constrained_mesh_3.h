@@ -1,0 +1,283 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_MAKE_BOUNDARY_CONSTRAINED_MESH_3_H
+#define CGAL_MAKE_BOUNDARY_CONSTRAINED_MESH_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_constrained_mesh_triangulation_3.h>
+#include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_result_3.h>
+#include <CGAL/Boundary_recovery_3/internal/meshing/Boundary_constrained_meshing_3.h>
+#include <CGAL/Boundary_recovery_3/parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/property_map.h>
+
+#include <boost/range/has_range_iterator.hpp>
+
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+
+namespace Boundary_recovery_3 {
+namespace internal {
+
+template <typename T>
+struct Is_named_parameters : std::false_type { };
+
+template <typename T, typename Tag, typename Base>
+struct Is_named_parameters<Named_function_parameters<T, Tag, Base> > : std::true_type { };
+
+// Chains of named parameters, maybe none.
+template <typename ... NPs>
+using Enable_if_named_parameters = std::enable_if_t<std::conjunction<Is_named_parameters<NPs>...>::value>;
+
+template <typename Range>
+using Enable_if_range = std::enable_if_t<boost::has_range_const_iterator<Range>::value>;
+
+template <typename Surface>
+using Enable_if_surface = std::enable_if_t<! boost::has_range_const_iterator<Surface>::value>;
+
+template <typename SizingField>
+using Enable_if_sizes = std::enable_if_t<! Is_named_parameters<SizingField>::value
+                                         && ! boost::has_range_const_iterator<SizingField>::value>;
+
+inline auto merge_all() { return parameters::default_values(); }
+
+template <typename Tr, typename PointRange, typename TriangleRange, typename SizingField, typename NamedParameters>
+Boundary_constrained_mesh_result_3<Tr>
+make_mesh_of_soup(Tr& tr, const PointRange& points, const TriangleRange& triangles, const SizingField& size,
+                  const NamedParameters& np)
+{
+  typedef typename Mark_domain_3<Tr>::Surface_patch_index Patch;
+  return Boundary_constrained_meshing_3<Tr, NamedParameters>(tr, np)(
+    [&](const auto& all_parameters) { return recover_boundary(tr, points, triangles, all_parameters); },
+    [&](const auto& facets) { return internal::patches_of_facets<Patch>(facets, np); },
+    size);
+}
+
+template <typename Tr, typename FaceListGraph, typename SizingField, typename NamedParameters>
+Boundary_constrained_mesh_result_3<Tr>
+make_mesh_of_surface(Tr& tr, const FaceListGraph& surface, const SizingField& size, const NamedParameters& np)
+{
+  typedef typename Mark_domain_3<Tr>::Surface_patch_index Patch;
+  return Boundary_constrained_meshing_3<Tr, NamedParameters>(tr, np)(
+    [&](const auto& all_parameters) { return recover_boundary(tr, surface, all_parameters); },
+    [&](const auto& facets)
+    {
+      if constexpr(parameters::is_default_parameter<NamedParameters, internal_np::face_patch_t>::value)
+        return internal::patches_of_facets<Patch>(facets, np);
+      else
+      {
+        std::vector<Patch> patches;
+        for(const auto f : faces(surface))
+          patches.push_back(Patch(get(parameters::get_parameter(np, internal_np::face_patch), f)));
+        return internal::patches_of_facets<Patch>(
+          facets, parameters::face_patch_map(make_random_access_property_map(patches)));
+      }
+    },
+    size);
+}
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+
+/*!
+ * \ingroup PkgBoundaryRecovery3Functions
+ *
+ * \brief makes a tetrahedral mesh of what a surface bounds, with every triangle of the surface in it, as it is.
+ *
+ * It is the mesher of [CZZ+17, Section 4.1] in one call:
+ * - the boundary is recovered, see `recover_boundary()` (steps 2 to 4);
+ * - the domain is marked, see `mark_domain()` (step 5);
+ * - field points are inserted, see `insert_field_points()` (step 6).
+ *
+ * The improvement of the mesh quality (step 7) is not here yet: cells are as the insertion leaves them, and some of them
+ * are thin.
+ *
+ * What is outside of the domain is not meshed, but is in the triangulation, in the region 0: its cells reach to the
+ * convex hull. As after a recovery, the triangulation is valid as a `Triangulation_3`, but not Delaunay any more,
+ * although its type may say so.
+ *
+ * Nothing is printed, and nothing is thrown because of the input. The same input gives the same mesh, bit for bit,
+ * unless time is limited.
+ *
+ * \tparam Triangulation an instance of `Delaunay_triangulation_3`, or of a class derived from it, with a model of
+ *         `BoundaryRecoveryTraits_3` as geometric traits, whose vertices and cells are models of `MeshVertexBase_3` and
+ *         `MeshCellBase_3`: best `Boundary_constrained_mesh_triangulation_3::type`
+ * \tparam PointRange a model of `ConstRange` whose value type is `Triangulation::Geom_traits::Point_3`, unless
+ *         `point_map` is given
+ * \tparam TriangleRange a model of `ConstRange` whose value type is a model of `RandomAccessContainer` of vertex
+ *         indices
+ * \tparam SizingField a number type, or a model of `MeshDomainField_3`
+ * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+ *
+ * \param tr the triangulation. It may be empty; then the function does everything.
+ * \param points the points
+ * \param triangles the triangles, each three indices of points. As for `recover_boundary()`, they may be non-manifold,
+ *        have sheets that end inside, and bound several regions, which are all meshed. What is a region and what is a
+ *        void, `Boundary_recovery_3::label_regions()` says.
+ * \param size the lengths that edges inside are to have, in the unit of the coordinates: a number, or a function object
+ *        that is called with a point, a dimension (3) and an index (that of the region), as CGAL's fields are. Without
+ *        this argument, the sizes come from the surface, see `Boundary_recovery_3::Surface_sizing_field_3`.
+ * \param np an optional sequence of named parameters: those of `recover_boundary()`, and the ones listed below.
+ *        Those that only this package has start a chain; several chains are passed one after the other.
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{grading}
+ *     \cgalParamDescription{by how much the size grows per length, away from the surface, if there is no `size`}
+ *     \cgalParamType{`double`}
+ *     \cgalParamDefault{0.2}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{face_patch_map}
+ *     \cgalParamDescription{the patch of each triangle, see `mark_domain()`}
+ *     \cgalParamType{a model of `ReadablePropertyMap` whose key type is `std::size_t`, the position of a triangle}
+ *     \cgalParamDefault{the position of the triangle + 1}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{maximum_number_of_vertices}
+ *     \cgalParamDescription{how many vertices the mesh may have; if the forecast is higher, no field point is inserted}
+ *     \cgalParamType{`std::size_t`}
+ *     \cgalParamDefault{no limit but that of the memory}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{maximum_running_time}
+ *     \cgalParamDescription{the time in seconds, for all steps together, after which the work stops soon, with a valid
+ *                           triangulation}
+ *     \cgalParamType{`double`}
+ *     \cgalParamDefault{no limit}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{visitor}
+ *     \cgalParamDescription{is told about the phases of all steps, and can stop the work}
+ *     \cgalParamType{a model of `BoundaryConstrainedMeshVisitor_3`}
+ *     \cgalParamDefault{`Default_boundary_constrained_mesh_visitor_3`}
+ *     \cgalParamExtra{Pass `std::ref(visitor)` to have the object itself called and not a copy.}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \return the status, and the results of the steps. It converts to `true` iff all is done. If the recovery did not
+ *         succeed, the triangulation is as the recovery left it, and nothing is marked. If the status is `stopped` and
+ *         `number_of_regions` is not 0, the domain is marked, and there may be field points.
+ *
+ * \pre `tr` is valid: `tr.is_valid()`.
+ */
+#ifdef DOXYGEN_RUNNING
+template <typename Triangulation, typename PointRange, typename TriangleRange, typename SizingField,
+          typename NamedParameters = parameters::Default_named_parameters>
+Boundary_constrained_mesh_result_3<Triangulation>
+make_boundary_constrained_mesh_3(Triangulation& tr, const PointRange& points, const TriangleRange& triangles,
+                                 const SizingField& size, const NamedParameters& np = parameters::default_values());
+#else
+template <typename Triangulation, typename PointRange, typename TriangleRange, typename SizingField, typename ... NPs,
+          Boundary_recovery_3::internal::Enable_if_range<PointRange>* = nullptr,
+          Boundary_recovery_3::internal::Enable_if_range<TriangleRange>* = nullptr,
+          Boundary_recovery_3::internal::Enable_if_sizes<SizingField>* = nullptr,
+          Boundary_recovery_3::internal::Enable_if_named_parameters<NPs...>* = nullptr>
+Boundary_constrained_mesh_result_3<Triangulation>
+make_boundary_constrained_mesh_3(Triangulation& tr, const PointRange& points, const TriangleRange& triangles,
+                                 const SizingField& size, const NPs& ... nps)
+{
+  namespace BR3 = Boundary_recovery_3::internal;
+  return BR3::make_mesh_of_soup(tr, points, triangles, size, BR3::merge_all(nps...));
+}
+#endif
+
+/*!
+ * \ingroup PkgBoundaryRecovery3Functions
+ *
+ * \brief makes a tetrahedral mesh of what a triangle soup bounds, with sizes that come from the surface.
+ *
+ * See the overload with a size field.
+ */
+#ifdef DOXYGEN_RUNNING
+template <typename Triangulation, typename PointRange, typename TriangleRange,
+          typename NamedParameters = parameters::Default_named_parameters>
+Boundary_constrained_mesh_result_3<Triangulation>
+make_boundary_constrained_mesh_3(Triangulation& tr, const PointRange& points, const TriangleRange& triangles,
+                                 const NamedParameters& np = parameters::default_values());
+#else
+template <typename Triangulation, typename PointRange, typename TriangleRange, typename ... NPs,
+          Boundary_recovery_3::internal::Enable_if_range<PointRange>* = nullptr,
+          Boundary_recovery_3::internal::Enable_if_range<TriangleRange>* = nullptr,
+          Boundary_recovery_3::internal::Enable_if_named_parameters<NPs...>* = nullptr>
+Boundary_constrained_mesh_result_3<Triangulation>
+make_boundary_constrained_mesh_3(Triangulation& tr, const PointRange& points, const TriangleRange& triangles,
+                                 const NPs& ... nps)
+{
+  namespace BR3 = Boundary_recovery_3::internal;
+  return BR3::make_mesh_of_soup(tr, points, triangles, BR3::Sizes_from_surface(), BR3::merge_all(nps...));
+}
+#endif
+
+/*!
+ * \ingroup PkgBoundaryRecovery3Functions
+ *
+ * \brief makes a tetrahedral mesh of what a surface mesh bounds, with every face of the surface in it, as it is.
+ *
+ * It does what the overload for soups does, and has its named parameters and those of `recover_boundary()` for surface
+ * meshes; the key type of `face_patch_map` is the face descriptor of the surface here.
+ *
+ * \tparam FaceListGraph a model of `FaceListGraph`
+ *
+ * \param tr the triangulation. It may be empty.
+ * \param surface the surface mesh, see `recover_boundary()`
+ * \param size the size field, see the overload for soups
+ * \param np an optional sequence of named parameters
+ *
+ * \return see the overload for soups
+ */
+#ifdef DOXYGEN_RUNNING
+template <typename Triangulation, typename FaceListGraph, typename SizingField,
+          typename NamedParameters = parameters::Default_named_parameters>
+Boundary_constrained_mesh_result_3<Triangulation>
+make_boundary_constrained_mesh_3(Triangulation& tr, const FaceListGraph& surface, const SizingField& size,
+                                 const NamedParameters& np = parameters::default_values());
+#else
+template <typename Triangulation, typename FaceListGraph, typename SizingField, typename ... NPs,
+          Boundary_recovery_3::internal::Enable_if_surface<FaceListGraph>* = nullptr,
+          Boundary_recovery_3::internal::Enable_if_sizes<SizingField>* = nullptr,
+          Boundary_recovery_3::internal::Enable_if_named_parameters<NPs...>* = nullptr>
+Boundary_constrained_mesh_result_3<Triangulation>
+make_boundary_constrained_mesh_3(Triangulation& tr, const FaceListGraph& surface, const SizingField& size,
+                                 const NPs& ... nps)
+{
+  namespace BR3 = Boundary_recovery_3::internal;
+  return BR3::make_mesh_of_surface(tr, surface, size, BR3::merge_all(nps...));
+}
+#endif
+
+/*!
+ * \ingroup PkgBoundaryRecovery3Functions
+ *
+ * \brief makes a tetrahedral mesh of what a surface mesh bounds, with sizes that come from the surface.
+ *
+ * See the overload with a size field.
+ */
+#ifdef DOXYGEN_RUNNING
+template <typename Triangulation, typename FaceListGraph,
+          typename NamedParameters = parameters::Default_named_parameters>
+Boundary_constrained_mesh_result_3<Triangulation>
+make_boundary_constrained_mesh_3(Triangulation& tr, const FaceListGraph& surface,
+                                 const NamedParameters& np = parameters::default_values());
+#else
+template <typename Triangulation, typename FaceListGraph, typename ... NPs,
+          Boundary_recovery_3::internal::Enable_if_surface<FaceListGraph>* = nullptr,
+          Boundary_recovery_3::internal::Enable_if_named_parameters<NPs...>* = nullptr>
+Boundary_constrained_mesh_result_3<Triangulation>
+make_boundary_constrained_mesh_3(Triangulation& tr, const FaceListGraph& surface, const NPs& ... nps)
+{
+  namespace BR3 = Boundary_recovery_3::internal;
+  return BR3::make_mesh_of_surface(tr, surface, BR3::Sizes_from_surface(), BR3::merge_all(nps...));
+}
+#endif
+
+} // namespace CGAL
+
+#endif // CGAL_MAKE_BOUNDARY_CONSTRAINED_MESH_3_H

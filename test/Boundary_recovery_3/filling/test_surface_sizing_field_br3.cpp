@@ -1,0 +1,265 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+// Sizes that a surface carries into space are those of the formula, computed from all of its vertices; they grow no
+// faster than allowed, and a triangulation with marked facets gives the same ones as the triangles.
+
+#undef NDEBUG
+
+#include <CGAL/Boundary_constrained_mesh_triangulation_3.h>
+#include <CGAL/Boundary_recovery_3/Surface_sizing_field_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Box_hierarchy_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Cone_minimum_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Unit_frame_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/surface_sizes.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Tetrahedral_remeshing/Remeshing_triangulation_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <iostream>
+#include <limits>
+#include <random>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace internal = CGAL::Boundary_recovery_3::internal;
+typedef internal::Cone_minimum_3::Site Site;
+typedef internal::Coordinates_3 Coordinates_3;
+
+// within 0 and 1
+double random_number(std::mt19937& rng) { return rng() / 4294967296.; }
+
+Coordinates_3 random_place(std::mt19937& rng, const double size)
+{
+  return {{ size * random_number(rng), size * random_number(rng), size * random_number(rng) }};
+}
+
+double distance(const Coordinates_3& p, const Coordinates_3& q)
+{
+  return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+}
+
+double brute_force(const std::vector<Site>& sites, const double grading, const Coordinates_3& p)
+{
+  double smallest = std::numeric_limits<double>::infinity();
+  for(const Site& q : sites)
+    smallest = (std::min)(smallest, q.size + grading * distance(p, q.point));
+  return smallest;
+}
+
+bool are_equal(const double x, const double y) { return std::abs(x - y) <= 1e-13 * (std::abs(x) + std::abs(y)); }
+
+// Random sites, in a cube far away from the origin or not, and near or far queries.
+void test_cones(const std::size_t n, const double size, const double shift, const double spread, const double grading)
+{
+  std::mt19937 rng(static_cast<unsigned>(n));
+  std::vector<Site> sites;
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    Coordinates_3 p = random_place(rng, size);
+    p[0] += shift;
+    sites.push_back(Site{ p, size * std::pow(spread, - random_number(rng)) });
+  }
+  sites.push_back(sites.front()); // the same twice
+  const internal::Cone_minimum_3 cones(sites, grading);
+  for(int k = 0; k < 300; ++k)
+  {
+    Coordinates_3 p = random_place(rng, k % 3 == 0 ? size : k % 3 == 1 ? 100 * size : size / 100);
+    p[0] += shift;
+    const double value = cones(p);
+    assert(std::abs(value - brute_force(sites, grading, p)) <= 1e-13 * value + 1e-15 * std::abs(shift));
+    assert(value == cones(p));
+  }
+  for(const Site& q : sites)
+    assert(cones(q.point) <= q.size * (1 + 1e-13));
+}
+
+// All vertices of a sphere are as far away from its center.
+void test_sphere()
+{
+  std::mt19937 rng(7);
+  std::vector<Site> sites;
+  while(sites.size() < 5000)
+  {
+    const Coordinates_3 p = random_place(rng, 2), q = {{ p[0] - 1, p[1] - 1, p[2] - 1 }};
+    const double length = distance(p, {{ 1, 1, 1 }});
+    if(length > .1 && length < 1)
+      sites.push_back(Site{ {{ q[0] / length, q[1] / length, q[2] / length }}, .01 + .001 * random_number(rng) });
+  }
+  const internal::Cone_minimum_3 cones(sites, .2);
+  for(const double x : { 0., 1e-9, .3, .99, 1., 1.01, 50. })
+    assert(are_equal(cones({{ x, 0, 0 }}), brute_force(sites, .2, {{ x, 0, 0 }})));
+}
+
+void test_degenerate_cones()
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  assert(internal::Cone_minimum_3()({{ 1, 2, 3 }}) == infinity);
+  assert(internal::Cone_minimum_3(std::vector<Site>(), .2)({{ 1, 2, 3 }}) == infinity);
+  for(std::size_t n = 1; n < 40; ++n)
+  {
+    const std::vector<Site> same(n, Site{ {{ 1, 2, 3 }}, 5 });
+    assert(internal::Cone_minimum_3(same, .2)({{ 1, 2, 3 }}) == 5);
+    assert(are_equal(internal::Cone_minimum_3(same, .2)({{ 1, 2, 13 }}), 7));
+  }
+}
+
+// Sizes grow by the grading times the distance, at most, and that is reached.
+template <typename Field>
+void test_grading(const Field& field, const double grading)
+{
+  std::mt19937 rng(3);
+  double steepest = 0;
+  for(int k = 0; k < 2000; ++k)
+  {
+    const Coordinates_3 p = random_place(rng, 3), q = random_place(rng, 3);
+    const double growth = std::abs(field(p) - field(q)) / distance(p, q);
+    assert(growth <= grading * (1 + 1e-9));
+    steepest = (std::max)(steepest, growth);
+  }
+  assert(steepest > grading * .9);
+}
+
+// The mean length of the edges at each vertex, in another way.
+template <typename Point_3>
+std::vector<Site> brute_force_sites(const std::vector<Point_3>& points, const std::vector<std::array<int, 3> >& triangles)
+{
+  std::vector<Site> sites;
+  for(int i = 0; i < static_cast<int>(points.size()); ++i)
+  {
+    std::set<int> neighbors;
+    for(const auto& t : triangles)
+      if(std::count(t.begin(), t.end(), i) > 0)
+        neighbors.insert(t.begin(), t.end());
+    neighbors.erase(i);
+    double sum = 0, number = 0;
+    for(const int j : neighbors)
+      if(points[j] != points[i])
+      {
+        sum += distance(internal::coordinates_of(points[i]), internal::coordinates_of(points[j]));
+        ++number;
+      }
+    if(number > 0)
+      sites.push_back(Site{ internal::coordinates_of(points[i]), sum / number });
+  }
+  return sites;
+}
+
+// The facets between cells of different regions, and marked ones, as triangles between numbered points.
+template <typename Tr>
+std::vector<std::array<int, 3> > surface_of(const Tr& tr, std::vector<typename Tr::Geom_traits::Point_3>& points)
+{
+  std::vector<typename Tr::Vertex_handle> vertices;
+  for(const auto v : tr.finite_vertex_handles())
+  {
+    vertices.push_back(v);
+    points.push_back(v->point());
+  }
+  std::vector<std::array<int, 3> > triangles;
+  for(const auto c : tr.finite_cell_handles())
+    for(int i = 0; i < 4; ++i)
+    {
+      const auto d = c->neighbor(i);
+      if(c->subdomain_index() == (tr.is_infinite(d) ? 0 : d->subdomain_index()) && ! c->is_facet_on_surface(i))
+        continue;
+      std::array<int, 3> t;
+      for(int j = 0, k = 0; j < 4; ++j)
+        if(j != i)
+          t[k++] = static_cast<int>(std::find(vertices.begin(), vertices.end(), c->vertex(j)) - vertices.begin());
+      triangles.push_back(t);
+    }
+  return triangles;
+}
+
+// Random points, two regions and an outside, and a sheet of marked facets.
+template <typename Tr>
+void test_triangulation()
+{
+  typedef typename Tr::Geom_traits::Point_3 Point_3;
+  std::mt19937 rng(11);
+  Tr tr;
+  for(int i = 0; i < 60; ++i)
+    tr.insert(Point_3(3 * random_number(rng), 3 * random_number(rng), 3 * random_number(rng)));
+  for(const auto c : tr.finite_cell_handles())
+    c->set_subdomain_index(c->vertex(0)->point().x() < 1 ? 0 : c->vertex(0)->point().x() < 2 ? 1 : 2);
+  int number_of_marks = 0;
+  for(const auto& f : tr.finite_facets())
+    if(++number_of_marks % 10 == 0)
+    {
+      const auto other = tr.mirror_facet(f);
+      f.first->set_surface_patch_index(f.second, 5);
+      other.first->set_surface_patch_index(other.second, 5);
+    }
+
+  std::vector<Point_3> points;
+  const std::vector<std::array<int, 3> > triangles = surface_of(tr, points);
+  const std::vector<Site> sites = brute_force_sites(points, triangles);
+  const CGAL::Boundary_recovery_3::Surface_sizing_field_3<Tr> field(tr, .1), of_triangles(points, triangles, .1);
+  const auto size = [&](const Coordinates_3& p) { return CGAL::to_double(field(Point_3(p[0], p[1], p[2]))); };
+  for(int k = 0; k < 200; ++k)
+  {
+    const Coordinates_3 p = random_place(rng, k % 2 == 0 ? 3 : 30);
+    assert(are_equal(size(p), brute_force(sites, .1, p)));
+    const Point_3 q(p[0], p[1], p[2]);
+    assert(are_equal(size(p), CGAL::to_double(of_triangles(q))) && field(q) == field(q, 3, 1));
+  }
+  assert(field.grading() == .1);
+  test_grading(size, .1);
+}
+
+// Nothing is there to take sizes from.
+template <typename Tr>
+void test_nothing()
+{
+  typedef typename Tr::Geom_traits::Point_3 Point_3;
+  typedef CGAL::Boundary_recovery_3::Surface_sizing_field_3<Tr> Field;
+  const double infinity = std::numeric_limits<double>::infinity();
+  Tr tr;
+  assert(Field(tr)(Point_3(0, 0, 0)) == infinity);
+  tr.insert(Point_3(0, 0, 0));
+  tr.insert(Point_3(1, 0, 0));
+  tr.insert(Point_3(0, 1, 0));
+  assert(Field(tr)(Point_3(0, 0, 0)) == infinity); // of dimension two
+  tr.insert(Point_3(0, 0, 1));
+  assert(Field(tr)(Point_3(0, 0, 0)) == infinity); // no region
+  tr.finite_cells_begin()->set_subdomain_index(1);
+  assert(are_equal(CGAL::to_double(Field(tr)(Point_3(0, 0, 0))), 1) && Field(tr).grading() == .2);
+  const std::vector<Point_3> points(3, Point_3(1, 1, 1));
+  const std::vector<std::array<int, 3> > triangles = { {{ 0, 1, 2 }} };
+  assert(Field(points, triangles)(Point_3(0, 0, 0)) == infinity); // without length
+}
+
+int main()
+{
+  typedef CGAL::Exact_predicates_inexact_constructions_kernel Epick;
+  typedef CGAL::Exact_predicates_exact_constructions_kernel Epeck;
+  for(const std::size_t n : { 1, 7, 8, 9, 16, 17, 100, 1000, 3001 })
+    test_cones(n, 1, 0, 10, .2);
+  test_cones(500, 1e-9, 0, 1e6, .2);
+  test_cones(500, 1e9, 0, 1e12, .2);
+  test_cones(500, 1e-3, 1e6, 10, .2);
+  test_cones(500, 1e200, 0, 10, .5);
+  test_cones(500, 1e-200, 0, 10, .5);
+  test_cones(500, 1, 0, 10, 0);
+  test_cones(500, 1, 0, 1.01, 3);
+  test_sphere();
+  test_degenerate_cones();
+  test_triangulation<CGAL::Boundary_constrained_mesh_triangulation_3<Epick>::type>();
+  test_triangulation<CGAL::Boundary_constrained_mesh_triangulation_3<Epeck>::type>();
+  test_triangulation<CGAL::Tetrahedral_remeshing::Remeshing_triangulation_3<Epick> >();
+  test_nothing<CGAL::Boundary_constrained_mesh_triangulation_3<Epick>::type>();
+  std::cout << "done" << std::endl;
+  return 0;
+}
