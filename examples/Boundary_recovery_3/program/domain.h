@@ -20,7 +20,7 @@ typedef std::uint32_t Point_number; // half as long as std::size_t: a mesh has m
 template <typename Point>
 struct Domain
 {
-  // input vertices in their order, then Steiner points, then field points; only those that simplices of the domain have
+  // input vertices in their order, then Steiner points, then field points by their regions; only those that are used
   std::vector<Point> points;
   std::vector<std::array<Point_number, 4> > tetrahedra;
   std::vector<int> regions;                             // of each tetrahedron
@@ -67,8 +67,7 @@ public:
       m_domain.number_of_steiner_points += m_number[v] == is_of_region;
       add_vertex(v);
     }
-    for(const Vertex_handle v : m_tr.finite_vertex_handles()) // field points
-      add_vertex(v);
+    add_field_points(region);
     add_simplices(facets, region);
     return std::move(m_domain);
   }
@@ -108,6 +107,20 @@ private:
       return;
     number = static_cast<Point_number>(m_domain.points.size());
     m_domain.points.push_back(v->point());
+  }
+
+  // All the cells of a field point are in one region. Those of a region come together, as Gmsh's files have them.
+  template <typename Region>
+  void add_field_points(const Region& region)
+  {
+    std::vector<Vertex_handle> vertices;
+    for(const Vertex_handle v : m_tr.finite_vertex_handles())
+      if(m_number[v] == is_of_region)
+        vertices.push_back(v);
+    std::stable_sort(vertices.begin(), vertices.end(), [&](const Vertex_handle u, const Vertex_handle v)
+                     { return region(u->cell()) < region(v->cell()); });
+    for(const Vertex_handle v : vertices)
+      add_vertex(v);
   }
 
   template <typename Facets, typename Region>

@@ -213,7 +213,8 @@ private:
 
 // the main function of each program: `run` takes the options and returns the exit status
 template <typename Point, typename Reader, typename Options, typename Run>
-int run_program(const std::string& name, const char* const usage, const int argc, const char* const argv[], const Run& run)
+int run_program(const std::string& name, const char* const usage, const int argc, const char* const argv[],
+                const Run& run)
 {
   Options options;
   Reader command_line(argc, argv, options);

@@ -15,8 +15,8 @@
 #include <vector>
 
 // Writes Gmsh's format 4.1, as text. Each region is a volume, and all the triangles with the same regions on both sides
-// are a surface; each of them is a physical group with a name, so that a solver can put its conditions there. A triangle
-// as a surface of its own would make thousands of them: its number in the input is data, named `patch`.
+// are a surface; each of them is a physical group with a name, so that a solver can put its conditions there. Were each
+// triangle a surface of its own, there would be thousands of them: its number in the input is data, named `patch`.
 template <typename Point>
 class Gmsh_writer
 {

@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-// VTK's files have the tetrahedra, and after them the triangles of the surface as cells of their own. A triangle has the
-// region of the tetrahedron beside it, the smaller one of two, and tetrahedra have patch 0.
+// VTK's files have the tetrahedra, and after them the triangles of the surface as cells of their own. A triangle has
+// the region of the tetrahedron beside it, the smaller one of two, and tetrahedra have patch 0.
 template <typename Point>
 class Vtk_cells
 {

@@ -225,6 +225,117 @@ def volume_of_regions(mesh):
     return volumes
 
 
+# A mesh; the names of the volumes and surfaces of its tetrahedra and triangles; for each node the entity that has it.
+Gmsh_mesh = collections.namedtuple('Gmsh_mesh', 'mesh volumes surfaces owners')
+
+
+class Gmsh_words:
+    """the numbers of a section, as text or binary"""
+    def __init__(self, data, is_binary):
+        self.data, self.is_binary, self.position = data if is_binary else data.split(), is_binary, 0
+
+    def take(self, code, n=1):
+        if self.is_binary:
+            values = struct.unpack_from('=%d%s' % (n, code), self.data, self.position)
+            self.position += struct.calcsize('=%d%s' % (n, code))
+        else:
+            values = [(float if code == 'd' else int)(word) for word in self.data[self.position:self.position + n]]
+            assert len(values) == n
+            self.position += n
+        return tuple(values)
+
+    def take_one(self, code):
+        return self.take(code)[0]
+
+    def check_end(self):
+        assert self.position == len(self.data), (self.position, len(self.data))
+
+
+def read_msh_sections(name):
+    """the sections of a file in Gmsh's format 4.1, as bytes, and whether they are binary"""
+    data, sections = read(name), {}
+    while data.strip():
+        keyword, _, data = data.lstrip().partition(b'\n')
+        content, mark, data = data.partition(b'\n$End' + keyword[1:] + b'\n')
+        assert keyword.startswith(b'$') and mark, keyword
+        sections[keyword[1:].decode()] = content
+    version, is_binary, size = sections.pop('MeshFormat').split()[:3]
+    assert version == b'4.1' and size == b'8'
+    return sections, is_binary == b'1'
+
+
+def read_msh(name):
+    sections, is_binary = read_msh_sections(name)
+    names = {}
+    lines = sections.pop('PhysicalNames').decode().split('\n')
+    for line in lines[1:]:
+        dimension, tag, quoted = line.split(' ', 2)
+        names[int(dimension), int(tag)] = quoted.strip('"')
+    assert len(names) == int(lines[0]) == len(set(names.values()))
+
+    words = Gmsh_words(sections.pop('Entities'), is_binary)
+    counts, name_of, boxes = words.take('Q', 4), {}, {}
+    assert counts[:2] == (0, 0)
+    for dimension in (2, 3):
+        for _ in range(counts[dimension]):
+            tag = words.take_one('i')
+            boxes[dimension, tag] = words.take('d', 6)
+            groups = words.take('i', words.take_one('Q'))
+            name_of[dimension, tag] = names[dimension, groups[0]]
+            assert len(groups) == 1
+            words.take('i', words.take_one('Q'))  # surfaces around
+    words.check_end()
+
+    words = Gmsh_words(sections.pop('Nodes'), is_binary)
+    blocks, n, low, high = words.take('Q', 4)
+    assert (low, high) == (1, n)
+    points, owners, order = {}, {}, []
+    for _ in range(blocks):
+        dimension, entity, parametric = words.take('i', 3)
+        tags = words.take('Q', words.take_one('Q'))
+        assert parametric == 0 and (dimension, entity) in name_of
+        for tag in tags:
+            points[tag] = words.take('d', 3)
+            owners[tag] = (dimension, entity)
+        order += tags
+    words.check_end()
+    assert sorted(points) == list(range(1, n + 1))
+
+    words = Gmsh_words(sections.pop('Elements'), is_binary)
+    blocks, m, low, high = words.take('Q', 4)
+    assert (low, high) == (1, m)
+    elements = {}
+    for _ in range(blocks):
+        dimension, entity, kind = words.take('i', 3)
+        assert (dimension, kind) in ((2, 2), (3, 4))
+        for _ in range(words.take_one('Q')):
+            tag = words.take_one('Q')
+            assert tag not in elements
+            vertices = words.take('Q', dimension + 1)
+            elements[tag] = (dimension, entity, tuple(v - 1 for v in vertices))
+            box = boxes[dimension, entity]
+            assert all(box[i] <= points[v][i] <= box[3 + i] for v in vertices for i in range(3))
+    words.check_end()
+    assert sorted(elements) == list(range(1, m + 1))
+    triangles = [tag for tag, element in sorted(elements.items()) if element[0] == 2]
+    tetrahedra = [tag for tag, element in sorted(elements.items()) if element[0] == 3]
+    assert triangles + tetrahedra == list(range(1, m + 1))
+
+    patches = None
+    if not is_binary:
+        assert order == sorted(order)
+        text = sections.pop('ElementData').decode().split('\n')
+        assert text[:8] == ['1', '"patch"', '1', '0', '3', '0', '1', str(len(triangles))]
+        values = [tuple(map(int, line.split())) for line in text[8:]]
+        assert [tag for tag, _ in values] == triangles
+        patches = [patch for _, patch in values]
+    assert not sections, sections.keys()
+    return Gmsh_mesh(Mesh([points[v] for v in range(1, n + 1)], [elements[t][2] for t in tetrahedra],
+                          [elements[t][1] for t in tetrahedra], [elements[t][2] for t in triangles], patches),
+                     [name_of[elements[t][:2]] for t in tetrahedra], [name_of[elements[t][:2]] for t in triangles],
+                     [owners[v] for v in range(1, n + 1)])
+
+
 def facets_of(tetrahedra):
     """how many tetrahedra have each facet"""
     count = collections.Counter()

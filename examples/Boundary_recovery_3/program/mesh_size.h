@@ -1,0 +1,89 @@
+#ifndef BOUNDARY_RECOVERY_3_PROGRAM_MESH_SIZE_H
+#define BOUNDARY_RECOVERY_3_PROGRAM_MESH_SIZE_H
+
+#include "mesh_surface_options.h"
+#include "read_surface.h"
+
+#include <CGAL/Boundary_recovery_3/Background_mesh_sizing_field_3.h>
+#include <CGAL/Boundary_recovery_3/Source_sizing_field_3.h>
+#include <CGAL/Boundary_recovery_3/Surface_sizing_field_3.h>
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+// The sizes that the user asked for: the smallest of one to three kinds. It is cheap to be copied.
+template <typename Triangulation>
+class Mesh_size
+{
+  typedef typename Triangulation::Point                                             Point;
+  typedef CGAL::Boundary_recovery_3::Surface_sizing_field_3<Triangulation>          Surface_field;
+  typedef CGAL::Boundary_recovery_3::Source_sizing_field_3<Triangulation>           Source_field;
+  typedef CGAL::Boundary_recovery_3::Background_mesh_sizing_field_3<Triangulation>  Background_field;
+
+  double m_uniform = (std::numeric_limits<double>::infinity)();
+  std::shared_ptr<const Surface_field> m_surface;
+  std::shared_ptr<const Source_field> m_sources;
+  std::shared_ptr<const Background_field> m_background;
+
+public:
+  // such that there is no edge that is too long
+  static Mesh_size unbounded()
+  {
+    Mesh_size size;
+    size.m_uniform = (std::numeric_limits<double>::max)();
+    return size;
+  }
+
+  // takes sizes that are not from the surface; returns `false` and says why if a file cannot be read
+  bool read(const Meshing_options& options, std::string& message)
+  {
+    if(options.size > 0)
+      m_uniform = options.size;
+    return (options.sources.empty() || read_sources(options.sources, message)) &&
+           (options.background.empty() || read_background(options.background, options.grading, message));
+  }
+
+  // takes sizes from the surface, if these are asked for and it is valid: else nothing will be meshed
+  void set_surface(const Surface<Point>& surface, const Meshing_options& options)
+  {
+    if(options.size == 0 && is_triangle_soup(surface))
+      m_surface = std::make_shared<Surface_field>(surface.points, surface.faces, options.grading);
+  }
+
+  // the size at a point of a region, or of what else the dimension and the index tell
+  double operator()(const Point& p, const int dimension, const int index) const
+  {
+    double size = m_uniform;
+    if(m_surface)
+      size = (std::min)(size, (*m_surface)(p, dimension, index));
+    if(m_sources)
+      size = (std::min)(size, (*m_sources)(p, dimension, index));
+    if(m_background)
+      size = (std::min)(size, (*m_background)(p, dimension, index));
+    return size;
+  }
+
+private:
+  bool read_sources(const std::string&, std::string& message)
+  {
+    message = "not yet";
+    return false;
+  }
+
+  bool read_background(const std::string&, const double, std::string& message)
+  {
+    message = "not yet";
+    return false;
+  }
+};
+
+// all the files that are read
+inline std::vector<std::string> input_files(const Meshing_options& options)
+{
+  return { options.input, options.sources, options.background };
+}
+
+#endif // BOUNDARY_RECOVERY_3_PROGRAM_MESH_SIZE_H
