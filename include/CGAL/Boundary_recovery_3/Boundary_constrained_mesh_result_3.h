@@ -88,7 +88,6 @@ struct Field_points_result_3
   double forecast_of_vertices = 0; ///< the same for the vertices of the triangulation
 
   std::size_t number_of_field_points = 0; ///< number of points that were inserted
-  std::size_t number_of_passes = 0;       ///< number of passes over the cells that were new since the pass before
 
   /// the place that made the status `invalid_input`: none, or one
   std::vector<Invalid_size> invalid_sizes;
@@ -178,8 +177,7 @@ std::ostream& operator<<(std::ostream& os, const Invalid_size_3<Point_3>& invali
 template <typename Triangulation>
 std::ostream& operator<<(std::ostream& os, const Field_points_result_3<Triangulation>& result)
 {
-  os << to_string(result.status) << ": " << result.number_of_field_points << " field points in "
-     << result.number_of_passes << " passes";
+  os << to_string(result.status) << ": " << result.number_of_field_points << " field points";
   for(const auto& invalid : result.invalid_sizes)
     os << '\n' << invalid;
   return os;

@@ -14,6 +14,7 @@
 
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/input/Indexed_boundary_recovery.h>
+#include <CGAL/Boundary_recovery_3/internal/util/visitor_of.h>
 #include <CGAL/Boundary_recovery_3/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -23,7 +24,6 @@
 
 #include <array>
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <type_traits>
 #include <unordered_map>
@@ -50,26 +50,13 @@ Recovery_options recovery_options(const NamedParameters& np)
   return options;
 }
 
-// The visitor itself if it was given by reference, else a copy that can be called. (`get_parameter_reference()` gives a
-// constant one then.)
-template <typename Visitor>
-Visitor visitor_to_call(const Visitor& visitor) { return visitor; }
-
-template <typename Visitor>
-Visitor& visitor_to_call(const std::reference_wrapper<Visitor>& visitor) { return visitor; }
-
-inline Default_boundary_recovery_visitor_3 visitor_to_call(const internal_np::Param_not_found&)
-{
-  return Default_boundary_recovery_visitor_3();
-}
-
 // Runs the recovery of indexed input with the caller's traits and visitor.
 template <typename Tr, typename NamedParameters>
 Boundary_recovery_result_3<Tr>
 recover_indexed_boundary(Tr& tr, const Indexed_input_3<typename Tr::Geom_traits::Point_3>& input,
                          std::vector<typename Tr::Vertex_handle> vertices, const NamedParameters& np)
 {
-  decltype(auto) visitor = visitor_to_call(parameters::get_parameter(np, internal_np::visitor));
+  decltype(auto) visitor = internal::visitor_of<Default_boundary_recovery_visitor_3>(np);
   const auto traits = parameters::choose_parameter(parameters::get_parameter(np, internal_np::geom_traits),
                                                    tr.geom_traits());
   const Recovery_options options = recovery_options(np);

@@ -19,6 +19,7 @@
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mark_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/meshing/Meshing_recorder_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/visitor_of.h>
 #include <CGAL/insert_field_points.h>
 #include <CGAL/mark_domain.h>
 #include <CGAL/recover_boundary.h>
@@ -100,7 +101,7 @@ public:
   template <typename Recover, typename Patches, typename SizingField>
   Result operator()(const Recover& recover, const Patches& patches, const SizingField& size)
   {
-    decltype(auto) visitor = visitor_to_call(parameters::get_parameter(m_np, internal_np::visitor));
+    decltype(auto) visitor = internal::visitor_of<Default_boundary_constrained_mesh_visitor_3>(m_np);
     typedef Meshing_recorder_3<std::decay_t<decltype(visitor)> > Recorder;
     Result result;
     Recorder recorder(visitor, result.phases, maximum_running_time());
@@ -123,17 +124,6 @@ public:
 
 private:
   using Edges = Constrained_mesh_edges_3<Tr>;
-
-  template <typename Visitor>
-  static Visitor visitor_to_call(const Visitor& visitor) { return visitor; }
-
-  template <typename Visitor>
-  static Visitor& visitor_to_call(const std::reference_wrapper<Visitor>& visitor) { return visitor; }
-
-  static Default_boundary_constrained_mesh_visitor_3 visitor_to_call(const internal_np::Param_not_found&)
-  {
-    return Default_boundary_constrained_mesh_visitor_3();
-  }
 
   double maximum_running_time() const
   {

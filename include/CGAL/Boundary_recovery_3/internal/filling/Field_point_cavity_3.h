@@ -1,0 +1,218 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_FIELD_POINT_CAVITY_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_FIELD_POINT_CAVITY_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/internal/filling/Local_numbers.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
+
+#include <CGAL/enum.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * The cells that a new point in a region of the domain takes the place of: the cavity of the modified Bowyer-Watson
+ * algorithm [CZZ+17, Section 4.1, step 6].
+ *
+ * It consists of the cells whose circumspheres contain the point, as far as they can be reached from the first one
+ * without crossing a constrained facet. It is made star-shaped by exact orientations: cells at faces that the point does
+ * not see are taken out. Nor may a constraint be inside, or a vertex be lost.
+ *
+ * `Domain` answers `is_wall()` for a cell and the index of a facet, and, if `has_constrained_edges`,
+ * `is_constrained_edge()` for two vertices of a cell.
+ *
+ * While a cavity is there, its cells are marked as in conflict; `clear()` ends that.
+ */
+template <typename Tr, typename Domain>
+class Field_point_cavity_3
+{
+public:
+  typedef typename Tr::Vertex_handle    Vertex_handle;
+  typedef typename Tr::Cell_handle      Cell_handle;
+  typedef typename Tr::Point            Point;
+  typedef std::vector<Cell_handle>      Cells;
+  typedef Local_numbers<Vertex_handle>  Vertices;
+
+  // The facet opposite to the vertex `index` of a cell of the cavity, seen from inside.
+  struct Face
+  {
+    std::array<Vertex_handle, 3> vertices;
+    Cell_handle cell;
+    int index;
+  };
+
+  Field_point_cavity_3(const Tr& tr, const Domain& domain) : m_tr(tr), m_domain(domain) { }
+
+  // Finds the cavity of p, whose first cell has p in its circumsphere. Returns whether it can be starred.
+  bool find(const Point& p, const Cell_handle first)
+  {
+    m_point = p;
+    start(first);
+    for(std::size_t k = 0; k < m_cells.size(); ++k) // it grows
+      for(int i = 0; i < 4; ++i)
+        if(! look_behind(m_cells[k], i))
+          return false;
+    return (are_faces_seen() || shrink_until_seen()) && is_no_vertex_inside() && ! has_constrained_edge_inside();
+  }
+
+  const Cells& cells() const { return m_cells; }
+
+  const std::vector<Face>& faces() const { return m_faces; }
+
+  const Vertices& vertices() const { return m_vertices; }
+
+  // Takes the marks from the cells around the cavity, and from its cells if they are still there.
+  void clear(const bool are_cells_there)
+  {
+    if(are_cells_there)
+      for(const Cell_handle c : m_cells)
+        c->tds_data().clear();
+    for(const Cell_handle c : m_cells_around)
+      c->tds_data().clear();
+    m_cells_around.clear();
+  }
+
+private:
+  void start(const Cell_handle first)
+  {
+    m_cells.clear();
+    m_faces.clear();
+    m_vertices.clear();
+    for(int i = 0; i < 4; ++i)
+      m_vertices.insert(first->vertex(i));
+    add(first);
+  }
+
+  void add(const Cell_handle c)
+  {
+    c->tds_data().mark_in_conflict();
+    m_cells.push_back(c);
+  }
+
+  // Returns false if there is a constrained facet inside.
+  bool look_behind(const Cell_handle c, const int i)
+  {
+    const Cell_handle n = c->neighbor(i);
+    const bool is_wall = m_domain.is_wall(c, i);
+    if(n->tds_data().is_in_conflict())
+      return ! is_wall;
+    if(is_wall || n->tds_data().is_on_boundary() || ! is_in_conflict(n))
+    {
+      m_faces.push_back(Face{ internal::facet_vertices(c, i), c, i });
+      return true;
+    }
+    m_vertices.insert(n->vertex(n->index(c)));
+    add(n);
+    return true;
+  }
+
+  // Whether the circumsphere of a cell contains the point. If not, the cell is marked, and not asked again.
+  bool is_in_conflict(const Cell_handle n)
+  {
+    if(m_tr.geom_traits().side_of_oriented_sphere_3_object()(n->vertex(0)->point(), n->vertex(1)->point(),
+                                                             n->vertex(2)->point(), n->vertex(3)->point(), m_point)
+         == ON_POSITIVE_SIDE)
+      return true;
+    n->tds_data().mark_on_boundary();
+    m_cells_around.push_back(n);
+    return false;
+  }
+
+  bool is_seen(const Face& f) const
+  {
+    return m_tr.geom_traits().orientation_3_object()(f.vertices[0]->point(), f.vertices[1]->point(),
+                                                     f.vertices[2]->point(), m_point) == POSITIVE;
+  }
+
+  bool are_faces_seen() const
+  {
+    return std::all_of(m_faces.begin(), m_faces.end(), [this](const Face& f) { return this->is_seen(f); });
+  }
+
+  // Takes out the cells at faces that the point does not see, until it sees all. Returns false if nothing is left.
+  bool shrink_until_seen()
+  {
+    bool is_every_face_seen = false;
+    while(! is_every_face_seen)
+    {
+      for(const Face& f : m_faces)
+        if(! is_seen(f))
+          f.cell->tds_data().clear();
+      const auto kept = std::partition(m_cells.begin(), m_cells.end(),
+                                       [](const Cell_handle c) { return c->tds_data().is_in_conflict(); });
+      if(kept == m_cells.begin())
+        return false;
+      m_cells.erase(kept, m_cells.end());
+      collect_faces();
+      is_every_face_seen = are_faces_seen();
+    }
+    return true;
+  }
+
+  void collect_faces()
+  {
+    m_faces.clear();
+    m_vertices.clear();
+    for(const Cell_handle c : m_cells)
+      for(int i = 0; i < 4; ++i)
+      {
+        m_vertices.insert(c->vertex(i));
+        if(! c->neighbor(i)->tds_data().is_in_conflict())
+          m_faces.push_back(Face{ internal::facet_vertices(c, i), c, i });
+      }
+  }
+
+  // The surface of a polyhedron that a point sees from inside is a sphere: Euler's formula tells how many vertices are
+  // on it.
+  bool is_no_vertex_inside() const { return 2 * m_vertices.size() == m_faces.size() + 4; }
+
+  // Edges of faces are not inside.
+  bool has_constrained_edge_inside()
+  {
+    if constexpr(Domain::has_constrained_edges)
+      for(const Cell_handle c : m_cells)
+        for(int i = 0; i < 4; ++i)
+          for(int j = 0; j < i; ++j)
+            if(m_domain.is_constrained_edge(c->vertex(i), c->vertex(j)) && ! is_edge_of_face(c->vertex(i), c->vertex(j)))
+              return true;
+    return false;
+  }
+
+  bool is_edge_of_face(const Vertex_handle u, const Vertex_handle v) const
+  {
+    return std::any_of(m_faces.begin(), m_faces.end(), [&](const Face& f)
+    {
+      return internal::contains(f.vertices, u) && internal::contains(f.vertices, v);
+    });
+  }
+
+  const Tr& m_tr;
+  const Domain& m_domain;
+  Point m_point;
+  Cells m_cells;
+  Cells m_cells_around; // those that are marked
+  std::vector<Face> m_faces;
+  Vertices m_vertices;
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_FIELD_POINT_CAVITY_3_H

@@ -1,0 +1,154 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_FIELD_POINT_INSERTION_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_FIELD_POINT_INSERTION_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_result_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Fill_domain_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Forecast_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Region_sizes_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
+#include <CGAL/Boundary_recovery_3/internal/util/available_memory.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * The work behind insert_field_points(): the forecast, then the filling, with an account of both.
+ */
+template <typename Tr, typename Domain, typename SizingField, typename Visitor>
+class Field_point_insertion_3
+{
+public:
+  typedef typename Tr::Cell_handle     Cell_handle;
+  typedef Field_points_result_3<Tr>    Result;
+
+  Field_point_insertion_3(Tr& tr, Domain& domain, const SizingField& size, Visitor& visitor)
+    : m_tr(tr), m_domain(domain), m_sizes(tr, size), m_context(visitor)
+  { }
+
+  Result operator()(const std::size_t max_number_of_vertices, const double maximum_running_time)
+  {
+    m_context.set_maximum_running_time(maximum_running_time);
+    if(m_tr.dimension() == 3)
+    {
+      run(Meshing_phase::forecast, [this] { forecast(); });
+      if(! m_sizes.is_valid())
+        refuse_size();
+      else if(! m_context.go_further())
+        m_result.status = Meshing_status::stopped;
+      else if(m_result.forecast_of_vertices > static_cast<double>(max_number_of_vertices) || ! is_enough_memory())
+        m_result.status = Meshing_status::too_large;
+      else
+        run(Meshing_phase::field_point_insertion, [&] { fill(max_number_of_vertices); });
+    }
+    m_result.seconds = m_context.seconds();
+    return std::move(m_result);
+  }
+
+private:
+  // See "Tuning constants" in the manual.
+  static constexpr double cells_per_forecast_cell = 1.32;
+  static constexpr double cells_per_inner_vertex = 6.6;
+  static constexpr double cells_per_surface_vertex = 2;
+  static constexpr std::size_t max_number_of_questions = 40000;
+
+  template <typename Work>
+  void run(const Meshing_phase phase, const Work& work)
+  {
+    const double start = m_context.seconds();
+    m_context.visitor().on_phase_begin(phase);
+    work();
+    Meshing_phase_report report;
+    report.phase = phase;
+    report.number_of_vertices = m_tr.number_of_vertices();
+    report.number_of_cells = m_tr.number_of_finite_cells();
+    report.seconds = m_context.seconds() - start;
+    m_context.visitor().on_phase_end(report);
+  }
+
+  void forecast()
+  {
+    for(const Cell_handle c : m_tr.finite_cell_handles())
+      if(m_domain.contains(c))
+        m_cells.push_back(c);
+    if(! m_sizes.ask_at_vertices(m_cells))
+      return;
+    const double number_of_cells = static_cast<double>(m_cells.size());
+    const double number_of_vertices = static_cast<double>(m_tr.number_of_vertices());
+    m_result.forecast_of_cells = (std::max)(cells_per_forecast_cell * number_of_regular_cells(), number_of_cells);
+    m_result.forecast_of_vertices = number_of_vertices +
+      (std::max)(0., (m_result.forecast_of_cells - cells_per_surface_vertex * number_of_vertices) / cells_per_inner_vertex);
+  }
+
+  // Infinity if the sizes are so small that nobody can count.
+  double number_of_regular_cells()
+  {
+    auto size = [this](const Coordinates_3& p, const int region) { return m_sizes(p, region); };
+    Forecast_3<decltype(size)> integral(size, m_sizes.gradation());
+    for(const Cell_handle c : m_cells)
+      integral.add(internal::corners(c), m_sizes.region(c), m_sizes.smallest_size_at_vertices(c));
+    const double number = integral(max_number_of_questions);
+    return std::isnan(number) ? std::numeric_limits<double>::infinity() : number;
+  }
+
+  bool is_enough_memory() const
+  {
+    const double more_cells = m_result.forecast_of_cells - static_cast<double>(m_cells.size());
+    const double more_vertices = m_result.forecast_of_vertices - static_cast<double>(m_tr.number_of_vertices());
+    const double bytes = more_cells * sizeof(typename Tr::Cell) +
+                         more_vertices * (sizeof(typename Tr::Vertex) + sizeof(typename Tr::Vertex_handle));
+    return bytes <= static_cast<double>(available_memory());
+  }
+
+  void fill(const std::size_t max_number_of_vertices)
+  {
+    Fill_domain_3<Tr, Domain, Region_sizes_3<Tr, SizingField>, Visitor> fill_domain(m_tr, m_domain, m_sizes, m_context);
+    const double expected = m_result.forecast_of_vertices - static_cast<double>(m_tr.number_of_vertices());
+    fill_domain(m_cells, max_number_of_vertices, static_cast<std::size_t>(expected));
+    m_result.number_of_field_points = fill_domain.vertices().size();
+    if(! m_sizes.is_valid())
+      refuse_size();
+    else if(m_context.is_stopped())
+      m_result.status = Meshing_status::stopped;
+    else if(fill_domain.is_full())
+      m_result.status = Meshing_status::too_large;
+  }
+
+  void refuse_size()
+  {
+    m_result.status = Meshing_status::invalid_input;
+    m_result.invalid_sizes.push_back(m_sizes.query().invalid_size());
+  }
+
+  Tr& m_tr;
+  Domain& m_domain;
+  Region_sizes_3<Tr, SizingField> m_sizes;
+  Recovery_context<Visitor> m_context;
+  Result m_result;
+  std::vector<Cell_handle> m_cells; // of the domain, before points are inserted
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_FIELD_POINT_INSERTION_3_H

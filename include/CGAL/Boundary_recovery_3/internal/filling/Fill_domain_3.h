@@ -1,0 +1,194 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_FILL_DOMAIN_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_FILL_DOMAIN_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_result_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Field_point_cavity_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Insert_field_point_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Region_sizes_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Mark_domain_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/mesh_indices.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * Fills a domain with field points [CZZ+17, Section 4.1, step 6]: one point for each cell that is too large for the
+ * sizes around it, at its circumcenter, or where that cannot be, at its centroid.
+ *
+ * A cell is too large if its circumradius is longer than `largest_radius` times the size. Each cell is looked at once:
+ * those that are there at first, then those around each new vertex in the order of their insertion, which keeps
+ * neighbors together. No vertex of the cavity of a point is nearer to it than `smallest_distance` times the size there,
+ * so the work ends.
+ */
+template <typename Tr, typename Domain, typename Sizes, typename Visitor>
+class Fill_domain_3
+{
+public:
+  typedef typename Tr::Vertex_handle      Vertex_handle;
+  typedef typename Tr::Cell_handle        Cell_handle;
+  typedef typename Tr::Geom_traits::Point_3 Point_3;
+  typedef std::vector<Vertex_handle>      Vertices;
+
+  Fill_domain_3(Tr& tr, Domain& domain, Sizes& sizes, Recovery_context<Visitor>& context)
+    : m_tr(tr), m_domain(domain), m_sizes(sizes), m_context(context), m_cavity(tr, domain),
+      m_insert(tr, domain, context.visitor())
+  { }
+
+  // Fills the domain, which has these cells, until it is done, or there are as many vertices as allowed, or the context
+  // or the sizes say no. About `expected_number` points are expected; only reports of progress depend on that.
+  void operator()(const std::vector<Cell_handle>& cells, const std::size_t max_number_of_vertices,
+                  const std::size_t expected_number)
+  {
+    m_max_number_of_vertices = max_number_of_vertices;
+    m_expected_number = expected_number;
+    for(std::size_t k = 0; k < cells.size() && can_go_on(); ++k)
+      if(is_there(cells[k]))
+        look_at(cells[k]);
+    std::size_t settled = 0;
+    for(; settled < m_vertices.size() && can_go_on(); ++settled)
+      look_around(m_vertices[settled]);
+    for(; settled < m_vertices.size(); ++settled)
+      m_sizes.settle(m_vertices[settled]);
+  }
+
+  // The vertices that were inserted, in order.
+  const Vertices& vertices() const { return m_vertices; }
+
+  bool is_full() const { return m_tr.number_of_vertices() >= m_max_number_of_vertices; }
+
+private:
+  // As parts of the size, see "Tuning constants" in the manual.
+  static constexpr double largest_radius = 0.75;
+  static constexpr double smallest_distance = 0.7;
+  static constexpr std::size_t number_of_reports = 200;
+
+  bool can_go_on() { return m_sizes.is_valid() && ! is_full() && m_context.go_further_after_short_step(); }
+
+  // Whether the cell is still there, and no new vertex is at it. Where it was, there may be a new cell.
+  bool is_there(const Cell_handle c) const
+  {
+    if(! m_tr.tds().cells().is_used(c))
+      return false;
+    for(int i = 0; i < 4; ++i)
+      if(m_sizes.is_pending(c->vertex(i)))
+        return false;
+    return true;
+  }
+
+  // Cells with another new vertex are left to that one.
+  void look_around(const Vertex_handle v)
+  {
+    m_sizes.settle(v);
+    m_star.clear();
+    m_tr.tds().incident_cells(v, std::back_inserter(m_star));
+    for(const Cell_handle c : m_star)
+      if(is_there(c) && c->has_vertex(v))
+        look_at(c);
+  }
+
+  void look_at(const Cell_handle c)
+  {
+    const std::array<Coordinates_3, 4> p = internal::corners(c);
+    const Sphere_3 sphere = internal::circumsphere(p);
+    const double radius = std::sqrt(sphere.squared_radius);
+    if(radius <= largest_radius * m_sizes.least_size_inside(c, p))
+      return;
+    const Coordinates_3 center = internal::centroid(p);
+    if(radius <= largest_radius * m_sizes(center, c))
+      return;
+    if(! try_point(sphere.center, c))
+      try_point(center, c);
+  }
+
+  // Returns whether a vertex is there now.
+  bool try_point(const Coordinates_3& coordinates, const Cell_handle c)
+  {
+    const Point_3 p(coordinates[0], coordinates[1], coordinates[2]);
+    const bool is_finite = std::isfinite(coordinates[0] + coordinates[1] + coordinates[2]);
+    const bool is_good = is_finite && m_cavity.find(p, c) && has_room(coordinates, c);
+    if(is_good)
+      insert(p);
+    else if(is_finite)
+      m_cavity.clear(true);
+    return is_good;
+  }
+
+  // Asks for the size only now, as the point is known to be in the region of the cell.
+  bool has_room(const Coordinates_3& p, const Cell_handle c)
+  {
+    m_size = m_sizes(p, c);
+    const double distance = smallest_distance * m_size;
+    const Vertices& vertices = m_cavity.vertices().vertices();
+    return std::all_of(vertices.begin(), vertices.end(), [&](const Vertex_handle v)
+    {
+      const Coordinates_3 d = internal::difference(internal::coordinates_of(v->point()), p);
+      return internal::dot_product(d, d) >= distance * distance; // false if there is no size
+    });
+  }
+
+  void insert(const Point_3& p)
+  {
+    const auto region = m_cavity.cells().front()->subdomain_index();
+    const Vertex_handle v = m_insert(m_cavity, p);
+    if constexpr(Has_vertex_indices<typename Tr::Vertex>::value)
+    {
+      v->set_dimension(3);
+      v->set_index(internal::mesh_index<std::decay_t<decltype(v->index())> >(region));
+    }
+    m_sizes.set_pending(v, m_size);
+    m_vertices.push_back(v);
+    report();
+  }
+
+  // Where there are more points than expected, less and less is told.
+  void report()
+  {
+    const std::size_t n = m_vertices.size();
+    if(n < m_next_report)
+      return;
+    m_expected_number = (std::max)(m_expected_number, n);
+    m_next_report = n + m_expected_number / number_of_reports + 1;
+    m_context.visitor().on_progress(Meshing_phase::field_point_insertion, n, m_expected_number);
+  }
+
+  Tr& m_tr;
+  Domain& m_domain;
+  Sizes& m_sizes;
+  Recovery_context<Visitor>& m_context;
+  Field_point_cavity_3<Tr, Domain> m_cavity;
+  Insert_field_point_3<Tr, Domain, Visitor> m_insert;
+  Vertices m_vertices;
+  std::vector<Cell_handle> m_star;
+  double m_size = 0; // of the point that is tried
+  std::size_t m_max_number_of_vertices = 0;
+  std::size_t m_expected_number = 0;
+  std::size_t m_next_report = 0;
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_FILL_DOMAIN_3_H

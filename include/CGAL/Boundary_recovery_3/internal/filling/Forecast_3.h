@@ -1,0 +1,133 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_FORECAST_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_FORECAST_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <queue>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * Estimates how many cells a size field asks for: the integral of 6 sqrt(2) / h^3, which is one regular tetrahedron with
+ * edges of length h in its own volume. The tetrahedra given are cut where the sizes inside can differ most for the
+ * volume that they have, until there are enough pieces.
+ *
+ * `Size` returns the size at a place, given by coordinates and the number of the region. `gradation` is by how much
+ * sizes grow per length, as far as that is known.
+ */
+template <typename Size>
+class Forecast_3
+{
+public:
+  typedef std::array<Coordinates_3, 4> Tetrahedron;
+
+  Forecast_3(Size& size, const double gradation)
+    : m_size(size), m_gradation((std::min)(gradation, assumed_gradation))
+  { }
+
+  // Its size at some place inside, or near it, is `h`.
+  void add(const Tetrahedron& t, const int region, const double h) { push(t, region, h); }
+
+  // Cuts the tetrahedra, which takes as many questions as are allowed, and returns the sum.
+  double operator()(const std::size_t max_number_of_questions)
+  {
+    for(std::size_t n = 0; n < max_number_of_questions && ! m_pieces.empty(); n += 2)
+    {
+      const Piece worst = m_pieces.top();
+      if(! (worst.error > tolerance * m_sum))
+        break;
+      m_pieces.pop();
+      m_sum -= worst.value;
+      bisect(worst);
+    }
+    return m_sum;
+  }
+
+private:
+  struct Piece
+  {
+    double error, value;
+    std::size_t number; // so that the order of equal ones is known
+    Tetrahedron corners;
+    int region;
+
+    bool operator<(const Piece& other) const
+    {
+      return error < other.error || (error == other.error && number > other.number);
+    }
+  };
+
+  static constexpr double assumed_gradation = 0.5; // of fields that do not tell
+  static constexpr double tolerance = 1e-6;        // of a piece, as a part of the whole
+  static constexpr double most_refined = 0.2;      // no size is expected to fall below that part of one nearby
+
+  static double density(const double h) { return 6 * std::sqrt(2.) / (h * h * h); }
+
+  void push(const Tetrahedron& t, const int region, const double h)
+  {
+    const double volume = std::abs(volume_times_6(t)) / 6;
+    const double reach = m_gradation * longest_edge(t).second / 2;
+    const double lowest = (std::max)(h - reach, most_refined * h);
+    Piece piece = { volume * (density(lowest) - density(h + reach)), volume * density(h), m_number_of_pieces++, t, region };
+    m_sum += piece.value;
+    if(piece.error > 0)
+      m_pieces.push(piece);
+  }
+
+  void bisect(const Piece& piece)
+  {
+    const std::array<int, 2> edge = longest_edge(piece.corners).first;
+    Coordinates_3 middle;
+    for(int k = 0; k < 3; ++k)
+      middle[k] = (piece.corners[edge[0]][k] + piece.corners[edge[1]][k]) / 2;
+    for(int i = 0; i < 2; ++i)
+    {
+      Tetrahedron half = piece.corners;
+      half[edge[i]] = middle;
+      const double h = m_size(centroid(half), piece.region);
+      if(h > 0) // else the field has no size there, which is known by now
+        push(half, piece.region, h);
+    }
+  }
+
+  // Its ends, and its length.
+  static std::pair<std::array<int, 2>, double> longest_edge(const Tetrahedron& t)
+  {
+    std::pair<std::array<int, 2>, double> longest({{ 0, 1 }}, -1);
+    for(int i = 0; i < 4; ++i)
+      for(int j = 0; j < i; ++j)
+        if(distance(t[i], t[j]) > longest.second)
+          longest = { {{ i, j }}, distance(t[i], t[j]) };
+    return longest;
+  }
+
+  Size& m_size;
+  double m_gradation;
+  double m_sum = 0;
+  std::size_t m_number_of_pieces = 0;
+  std::priority_queue<Piece> m_pieces;
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_FORECAST_3_H

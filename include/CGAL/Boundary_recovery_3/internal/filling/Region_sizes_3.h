@@ -1,0 +1,140 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_REGION_SIZES_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_REGION_SIZES_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/internal/filling/Size_query_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Vertex_sizes_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
+
+#include <CGAL/Unique_hash_map.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * What the filling wants to know of a size field: the sizes at places in cells, and bounds of them that follow from the
+ * sizes at vertices, without asking.
+ */
+template <typename Tr, typename SizingField>
+class Region_sizes_3
+{
+public:
+  typedef typename Tr::Vertex_handle          Vertex_handle;
+  typedef typename Tr::Cell_handle            Cell_handle;
+  typedef typename Tr::Geom_traits::Point_3   Point_3;
+  typedef Size_query_3<Tr, SizingField>       Query;
+
+  Region_sizes_3(const Tr& tr, const SizingField& field) : m_query(field), m_at_vertices(tr) { }
+
+  // Asks for the sizes at the vertices of these cells; at a vertex of several regions, for each of them: the smallest
+  // one counts. Returns false if there is none somewhere.
+  bool ask_at_vertices(const std::vector<Cell_handle>& cells)
+  {
+    Unique_hash_map<Vertex_handle, int> last_region(0);
+    const bool is_one_region = std::all_of(cells.begin(), cells.end(), [&](const Cell_handle c)
+    {
+      return c->subdomain_index() == cells.front()->subdomain_index();
+    });
+    for(const Cell_handle c : cells)
+      for(int i = 0; i < 4; ++i)
+      {
+        const Vertex_handle v = c->vertex(i);
+        if(m_at_vertices.is_known(v) && (is_one_region || last_region[v] == region(c)))
+          continue;
+        if(! is_one_region)
+          last_region[v] = region(c);
+        const double size = m_query(v->point(), 3, region(c));
+        if(! is_valid())
+          return false;
+        m_at_vertices.set(v, m_at_vertices.is_known(v) ? (std::min)(m_at_vertices[v], size) : size);
+      }
+    return true;
+  }
+
+  // The size at a place in a cell, or in the region of it; NaN if there is none.
+  double operator()(const Coordinates_3& p, const Cell_handle c) { return (*this)(p, region(c)); }
+
+  double operator()(const Coordinates_3& p, const int region)
+  {
+    if constexpr(Query::is_constant)
+      if(m_constant > 0)
+        return m_constant;
+    const double size = m_query(Point_3(p[0], p[1], p[2]), 3, region);
+    if constexpr(Query::is_constant)
+      m_constant = size;
+    return size;
+  }
+
+  // A size that those at the centroid of a cell are known not to fall below, maybe 0; `corners` are those of the cell.
+  double least_size_inside(const Cell_handle c, const std::array<Coordinates_3, 4>& corners) const
+  {
+    double least = 0;
+    if constexpr(Query::is_constant)
+      least = m_at_vertices[c->vertex(0)];
+    else if(m_query.gradation() < std::numeric_limits<double>::infinity())
+    {
+      const Coordinates_3 center = internal::centroid(corners);
+      for(int i = 0; i < 4; ++i)
+        least = (std::max)(least, m_at_vertices[c->vertex(i)]
+                                    - m_query.gradation() * internal::distance(corners[i], center));
+    }
+    return least;
+  }
+
+  double smallest_size_at_vertices(const Cell_handle c) const
+  {
+    return (std::min)((std::min)(m_at_vertices[c->vertex(0)], m_at_vertices[c->vertex(1)]),
+                      (std::min)(m_at_vertices[c->vertex(2)], m_at_vertices[c->vertex(3)]));
+  }
+
+  // By how much sizes grow per length, at most; maybe infinite.
+  double gradation() const { return m_query.gradation(); }
+
+  // The number that a field is told for the region of a cell.
+  static int region(const Cell_handle c)
+  {
+    if constexpr(std::is_convertible<typename Tr::Cell::Subdomain_index, int>::value)
+      return static_cast<int>(c->subdomain_index());
+    else
+      return 1;
+  }
+
+  // Whether the field had sizes everywhere.
+  bool is_valid() const { return m_query.is_valid(); }
+
+  const Query& query() const { return m_query; }
+
+  // New vertices are pending until the cells around them were looked at.
+  void set_pending(const Vertex_handle v, const double size) { m_at_vertices.set_pending(v, size); }
+  bool is_pending(const Vertex_handle v) const { return m_at_vertices.is_pending(v); }
+  void settle(const Vertex_handle v) { m_at_vertices.settle(v); }
+
+private:
+  Query m_query;
+  Vertex_sizes_3<Tr> m_at_vertices;
+  double m_constant = 0; // 0: not asked yet
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_REGION_SIZES_3_H

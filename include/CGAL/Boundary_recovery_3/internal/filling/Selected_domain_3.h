@@ -1,0 +1,92 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_SELECTED_DOMAIN_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_SELECTED_DOMAIN_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/property_map.h>
+
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * The part of a triangulation that is filled: the cells of the regions of the domain, as far as they are selected. Its
+ * walls are the constrained facets, and those to cells that do not belong to it.
+ *
+ * `Cell_is_selected_map` is a property map from cells to Booleans, which is kept up to date. `Edge_is_constrained_map`
+ * is one from pairs of vertices.
+ */
+template <typename Tr, typename Cell_is_selected_map, typename Edge_is_constrained_map>
+class Selected_domain_3
+{
+public:
+  typedef typename Tr::Vertex_handle              Vertex_handle;
+  typedef typename Tr::Cell_handle                Cell_handle;
+  typedef typename Tr::Cell::Subdomain_index      Subdomain_index;
+  typedef std::pair<Vertex_handle, Vertex_handle> Edge;
+
+  // Whether there can be constrained edges at all.
+  static constexpr bool has_constrained_edges =
+    ! std::is_same<Edge_is_constrained_map, Static_boolean_property_map<Edge, false> >::value;
+
+  // Whether there can be cells in the regions of the domain that are not selected.
+  static constexpr bool has_selection =
+    ! std::is_same<Cell_is_selected_map, Static_boolean_property_map<Cell_handle, true> >::value;
+
+  Selected_domain_3(const Tr& tr, const Cell_is_selected_map& is_selected, const Edge_is_constrained_map& is_constrained)
+    : m_tr(tr), m_is_selected(is_selected), m_is_constrained(is_constrained)
+  { }
+
+  bool contains(const Cell_handle c) const
+  {
+    return c->subdomain_index() != Subdomain_index() && ! m_tr.is_infinite(c) && get(m_is_selected, c);
+  }
+
+  // Whether the facet opposite to the vertex i of a cell of the domain must stay.
+  bool is_wall(const Cell_handle c, const int i) const
+  {
+    const Cell_handle n = c->neighbor(i);
+    return c->is_facet_on_surface(i) || n->subdomain_index() != c->subdomain_index() || ! get(m_is_selected, n);
+  }
+
+  bool is_constrained_edge(const Vertex_handle u, const Vertex_handle v) const
+  {
+    return get(m_is_constrained, Edge(u, v)) || get(m_is_constrained, Edge(v, u));
+  }
+
+  // A cell of it comes, or goes.
+  void add(const Cell_handle c) { put(c, true); }
+  void remove(const Cell_handle c) { put(c, false); }
+
+private:
+  void put(const Cell_handle c, const bool is_selected)
+  {
+    if constexpr(has_selection)
+    {
+      using boost::put;
+      put(m_is_selected, c, is_selected);
+    }
+  }
+
+  const Tr& m_tr;
+  Cell_is_selected_map m_is_selected;
+  Edge_is_constrained_map m_is_constrained;
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_SELECTED_DOMAIN_3_H

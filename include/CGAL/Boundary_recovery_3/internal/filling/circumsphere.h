@@ -1,0 +1,74 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_CIRCUMSPHERE_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_CIRCUMSPHERE_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/internal/filling/Unit_frame_3.h>
+
+#include <array>
+#include <cmath>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+struct Sphere_3
+{
+  Coordinates_3 center;
+  double squared_radius;
+};
+
+// The circumsphere of a tetrahedron, in floating point numbers; of a flat one, it is not finite.
+inline Sphere_3 circumsphere(const std::array<Coordinates_3, 4>& p)
+{
+  const Coordinates_3 u = difference(p[1], p[0]), v = difference(p[2], p[0]), w = difference(p[3], p[0]);
+  const Coordinates_3 vw = cross_product(v, w), wu = cross_product(w, u), uv = cross_product(u, v);
+  const double uu = dot_product(u, u), vv = dot_product(v, v), ww = dot_product(w, w);
+  const double scale = 0.5 / dot_product(u, vw);
+  Coordinates_3 c;
+  for(int k = 0; k < 3; ++k)
+    c[k] = scale * (uu * vw[k] + vv * wu[k] + ww * uv[k]);
+  return {{{ p[0][0] + c[0], p[0][1] + c[1], p[0][2] + c[2] }}, dot_product(c, c) };
+}
+
+inline Coordinates_3 centroid(const std::array<Coordinates_3, 4>& p)
+{
+  Coordinates_3 c;
+  for(int k = 0; k < 3; ++k)
+    c[k] = 0.25 * (p[0][k] + p[1][k] + p[2][k] + p[3][k]);
+  return c;
+}
+
+inline double distance(const Coordinates_3& p, const Coordinates_3& q)
+{
+  const Coordinates_3 d = difference(p, q);
+  return std::sqrt(dot_product(d, d));
+}
+
+template <typename Cell_handle>
+std::array<Coordinates_3, 4> corners(const Cell_handle c)
+{
+  return {{ coordinates_of(c->vertex(0)->point()), coordinates_of(c->vertex(1)->point()),
+            coordinates_of(c->vertex(2)->point()), coordinates_of(c->vertex(3)->point()) }};
+}
+
+// Six times the volume of a tetrahedron, in floating point numbers.
+inline double volume_times_6(const std::array<Coordinates_3, 4>& p)
+{
+  return dot_product(difference(p[1], p[0]), cross_product(difference(p[2], p[0]), difference(p[3], p[0])));
+}
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_CIRCUMSPHERE_H

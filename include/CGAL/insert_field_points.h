@@ -1,0 +1,152 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_INSERT_FIELD_POINTS_H
+#define CGAL_INSERT_FIELD_POINTS_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_result_3.h>
+#include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_visitor_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Field_point_insertion_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Selected_domain_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/visitor_of.h>
+#include <CGAL/Boundary_recovery_3/parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/property_map.h>
+
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+
+/*!
+ * \ingroup PkgBoundaryRecovery3Functions
+ *
+ * \brief inserts points into the regions of a domain until its cells have the sizes that are asked for; the surface
+ * stays as it is.
+ *
+ * This is step 6 of [CZZ+17, Section 4.1]. A cell is too large if its circumradius is longer than 0.75 times the size at
+ * its centroid: edges are shorter than 1.5 times the size then. Such a cell gets a point at its circumcenter, or, where that
+ * cannot be, at its centroid, unless another vertex is nearer than 0.7 times the size. The point is inserted by the
+ * Bowyer-Watson algorithm in the region of the cell: constrained facets and edges, and facets between regions, are
+ * neither crossed nor split. Where triangles of the surface are larger than the size, cells at them are, too.
+ *
+ * The triangulation may come from `mark_domain()`, from CGAL's remeshing or, by `convert_to_triangulation_3()`, from
+ * Mesh_3: constrained are the facets for which `is_facet_on_surface()` holds, those between cells of different
+ * `subdomain_index()`, and edges that are named. New cells have the region of their place, new vertices the dimension 3
+ * and its index. If vertices have `meshing_info()`, the sizes at them are there afterwards.
+ *
+ * Nothing is printed. What the size field throws does not get out.
+ *
+ * \tparam Triangulation an instance of `Triangulation_3`, or of a class derived from it, whose point type is the `Point_3`
+ *         of its geometric traits, a model of `DelaunayTriangulationTraits_3`; its cells are models of `MeshCellBase_3`
+ * \tparam SizingField a number type, or a model of `MeshDomainField_3`
+ * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+ *
+ * \param tr the triangulation
+ * \param size the lengths that edges inside are to have, in the unit of the coordinates: a number, or a function object
+ *        that is called with a point, or with a point, the dimension 3 and the number of a region, and returns a
+ *        positive number. A member function `grading()`, if there is one, says by how much sizes grow per length at
+ *        most: then far fewer places have to be asked for. `%insert_field_points()` asks in the regions of the domain
+ *        only, up to rounding.
+ * \param np an optional sequence of named parameters among the ones listed below. `maximum_number_of_vertices` starts a
+ *        chain; several chains are passed one after the other.
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{cell_is_selected_map}
+ *     \cgalParamDescription{the cells that may be replaced; the facets between them and others stay}
+ *     \cgalParamType{a model of `ReadWritePropertyMap` with `Triangulation::Cell_handle` as key type and `bool` as value
+ *                    type}
+ *     \cgalParamDefault{all cells in regions of the domain}
+ *     \cgalParamExtra{The map is kept up to date: new cells are selected, and cells that go are not.}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{edge_is_constrained_map}
+ *     \cgalParamDescription{edges that must stay beside those of constrained facets}
+ *     \cgalParamType{a model of `ReadablePropertyMap` with `std::pair<Triangulation::Vertex_handle,
+ *                    Triangulation::Vertex_handle>` as key type and `bool` as value type}
+ *     \cgalParamDefault{no edge}
+ *     \cgalParamExtra{It is asked for both orders of the vertices.}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{maximum_number_of_vertices}
+ *     \cgalParamDescription{how many vertices the triangulation may have}
+ *     \cgalParamType{`std::size_t`}
+ *     \cgalParamDefault{no limit but that of the memory}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{maximum_running_time}
+ *     \cgalParamDescription{the time in seconds after which the insertion stops soon, with a valid triangulation}
+ *     \cgalParamType{`double`}
+ *     \cgalParamDefault{no limit}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{visitor}
+ *     \cgalParamDescription{is told about the phases `forecast` and `field_point_insertion`, about progress, and about the
+ *                           cells that go and come, and can stop the insertion}
+ *     \cgalParamType{a model of `BoundaryConstrainedMeshVisitor_3`}
+ *     \cgalParamDefault{`Default_boundary_constrained_mesh_visitor_3`}
+ *     \cgalParamExtra{Pass `std::ref(visitor)` to have the object itself called and not a copy.}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \return the status, the forecast, and counts. It converts to `true` iff the status is `meshed`.
+ *         `invalid_input`: the field had no positive finite size at some place, which is told; if that was noticed only
+ *         while points were inserted, those up to then are there. `too_large`: the forecast says that the mesh will have
+ *         more vertices than allowed, or will not fit into the memory; no point was inserted, unless the forecast was too
+ *         low: then there are as many vertices as allowed. `stopped`: there are as many points as time allowed.
+ *
+ * \pre `tr` is valid, and the cells of each region are bounded by facets that are constrained or have another region
+ *      behind them.
+ */
+template <typename Triangulation, typename SizingField, typename CGAL_NP_TEMPLATE_PARAMETERS>
+Field_points_result_3<Triangulation>
+insert_field_points(Triangulation& tr, const SizingField& size, const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  namespace BR3 = Boundary_recovery_3::internal;
+  typedef typename Triangulation::Vertex_handle                    Vertex_handle;
+  typedef std::pair<Vertex_handle, Vertex_handle>                  Edge;
+  typedef Static_boolean_property_map<typename Triangulation::Cell_handle, true> All_cells;
+  typedef Static_boolean_property_map<Edge, false>                 No_edge;
+
+  const auto is_selected = choose_parameter<All_cells>(get_parameter(np, internal_np::cell_selector));
+  const auto is_constrained = choose_parameter<No_edge>(get_parameter(np, internal_np::edge_is_constrained));
+  BR3::Selected_domain_3<Triangulation, std::decay_t<decltype(is_selected)>, std::decay_t<decltype(is_constrained)> >
+    domain(tr, is_selected, is_constrained);
+
+  decltype(auto) visitor = BR3::visitor_of<Default_boundary_constrained_mesh_visitor_3>(np);
+  typedef std::decay_t<decltype(visitor)> Visitor;
+  const std::size_t max_number_of_vertices = static_cast<std::size_t>(
+    choose_parameter(get_parameter(np, BR3::maximum_number_of_vertices), (std::numeric_limits<std::size_t>::max)()));
+  const double maximum_running_time = choose_parameter(get_parameter(np, internal_np::maximum_running_time),
+                                                       std::numeric_limits<double>::infinity());
+  return BR3::Field_point_insertion_3<Triangulation, decltype(domain), SizingField, Visitor>(
+    tr, domain, size, visitor)(max_number_of_vertices, maximum_running_time);
+}
+
+#ifndef DOXYGEN_RUNNING
+
+// Several chains of named parameters, one after the other.
+template <typename Triangulation, typename SizingField,
+          typename T1, typename Tag1, typename Base1, typename T2, typename Tag2, typename Base2, typename ... NPs>
+Field_points_result_3<Triangulation>
+insert_field_points(Triangulation& tr, const SizingField& size,
+                    const Named_function_parameters<T1, Tag1, Base1>& np1,
+                    const Named_function_parameters<T2, Tag2, Base2>& np2, const NPs& ... nps)
+{
+  return insert_field_points(tr, size, Boundary_recovery_3::internal::merge_all(np1, np2, nps...));
+}
+
+#endif // DOXYGEN_RUNNING
+
+} // namespace CGAL
+
+#endif // CGAL_INSERT_FIELD_POINTS_H
