@@ -7,8 +7,10 @@
 #include <CGAL/Boundary_recovery_3/Background_mesh_sizing_field_3.h>
 #include <CGAL/Boundary_recovery_3/Source_sizing_field_3.h>
 #include <CGAL/Boundary_recovery_3/Surface_sizing_field_3.h>
+#include <CGAL/Boundary_recovery_3/read_size_sources.h>
 
 #include <algorithm>
+#include <fstream>
 #include <limits>
 #include <memory>
 #include <string>
@@ -18,9 +20,10 @@
 template <typename Triangulation>
 class Mesh_size
 {
+  typedef typename Triangulation::Geom_traits                                       Traits;
   typedef typename Triangulation::Point                                             Point;
   typedef CGAL::Boundary_recovery_3::Surface_sizing_field_3<Triangulation>          Surface_field;
-  typedef CGAL::Boundary_recovery_3::Source_sizing_field_3<Triangulation>           Source_field;
+  typedef CGAL::Boundary_recovery_3::Source_sizing_field_3<Traits>                 Source_field;
   typedef CGAL::Boundary_recovery_3::Background_mesh_sizing_field_3<Triangulation>  Background_field;
 
   double m_uniform = (std::numeric_limits<double>::infinity)();
@@ -66,11 +69,32 @@ public:
     return size;
   }
 
-private:
-  bool read_sources(const std::string&, std::string& message)
+  // by how much the size grows per length, at most
+  double grading() const
   {
-    message = "not yet";
-    return false;
+    double grading = 0;
+    if(m_surface)
+      grading = (std::max)(grading, m_surface->grading());
+    if(m_sources)
+      grading = (std::max)(grading, m_sources->grading());
+    if(m_background)
+      grading = (std::max)(grading, m_background->grading());
+    return grading;
+  }
+
+private:
+  bool read_sources(const std::string& file, std::string& message)
+  {
+    std::ifstream is(file);
+    std::vector<CGAL::Boundary_recovery_3::Size_source_3<Traits> > sources;
+    std::string what;
+    if(! is || ! CGAL::Boundary_recovery_3::read_size_sources(is, sources, what))
+    {
+      message = "cannot read " + file + (what.empty() ? "" : ": ") + what;
+      return false;
+    }
+    m_sources = std::make_shared<Source_field>(sources, m_uniform);
+    return true;
   }
 
   bool read_background(const std::string&, const double, std::string& message)

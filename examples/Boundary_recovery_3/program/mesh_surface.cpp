@@ -139,7 +139,7 @@ int run(const Meshing_options& options, Program<Point>& program)
   program.prepare_surface();
 
   Triangulation tr;
-  Progress_bar progress(std::cout, ! options.quiet && stdout_is_terminal());
+  Progress_bar progress(std::cout, options.quiet, stdout_is_terminal());
   CGAL::Real_timer timer;
   timer.start();
   size.set_surface(program.surface(), options);

@@ -4,32 +4,16 @@
 #include "edge_lengths.h"
 #include "mesh_quality.h"
 #include "print_summary.h"
+#include "round_number.h"
 
 #include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_result_3.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <iomanip>
 #include <ostream>
-#include <sstream>
 #include <string>
 #include <vector>
-
-// a large number as people say it, with two or three digits that count
-inline std::string round_number(const double x)
-{
-  static constexpr const char* units[] = { "", " thousand", " million", " billion" };
-  if(! (x >= 1e4)) // nor is it NaN
-    return std::to_string(static_cast<long long>(x > 0 ? x : 0));
-  double y = x;
-  int unit = 0;
-  for(; y >= 1000 && unit < 3; y /= 1000)
-    ++unit;
-  std::ostringstream os;
-  os << std::fixed << std::setprecision(y < 10 ? 1 : 0) << y << units[unit];
-  return os.str();
-}
 
 // prints the phases after the recovery
 inline void print_phases(std::ostream& os, const std::vector<CGAL::Boundary_recovery_3::Meshing_phase_report>& phases)

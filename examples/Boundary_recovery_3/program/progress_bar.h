@@ -1,6 +1,8 @@
 #ifndef BOUNDARY_RECOVERY_3_PROGRAM_PROGRESS_BAR_H
 #define BOUNDARY_RECOVERY_3_PROGRAM_PROGRESS_BAR_H
 
+#include "round_number.h"
+
 #include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_visitor_3.h>
 
 #include <algorithm>
@@ -9,8 +11,8 @@
 #include <ostream>
 #include <string>
 
-// Draws a bar for the phase that runs, on a terminal, and takes it away when the phase ends. Phases of less than a blink
-// are not shown.
+// Draws a bar for the phase that runs, on a terminal, and takes it away when the phase ends. What takes less than a blink
+// is not shown.
 class Progress_bar
   : public CGAL::Default_boundary_constrained_mesh_visitor_3
 {
@@ -20,15 +22,25 @@ class Progress_bar
   static constexpr std::chrono::milliseconds pause{100};
 
   std::ostream& m_os;
+  const bool m_is_quiet;
   const bool m_is_on;
   Clock::time_point m_last = Clock::now(); // when the line was changed last
   std::size_t m_length = 0;                // of what stands in the line
 
 public:
-  Progress_bar(std::ostream& os, const bool is_on) : m_os(os), m_is_on(is_on) { }
+  Progress_bar(std::ostream& os, const bool is_quiet, const bool is_terminal)
+    : m_os(os), m_is_quiet(is_quiet), m_is_on(! is_quiet && is_terminal)
+  { }
 
   void on_phase_end(const CGAL::Boundary_recovery_3::Phase_report&) { clear(); }
-  void on_phase_end(const CGAL::Boundary_recovery_3::Meshing_phase_report&) { clear(); }
+
+  // The forecast is told at once, on a terminal or not.
+  void on_phase_end(const CGAL::Boundary_recovery_3::Meshing_phase_report& report)
+  {
+    clear();
+    if(report.phase == CGAL::Boundary_recovery_3::Meshing_phase::forecast && ! m_is_quiet)
+      m_os << "about " << round_number(double(report.number_of_cells)) << " tetrahedra are to be expected" << std::endl;
+  }
 
   template <typename Phase>
   void on_progress(const Phase phase, const std::size_t done, const std::size_t total)

@@ -31,7 +31,6 @@ void write_meshing(Json_writer& json, const Result& result)
   json.entry("forecast_of_tetrahedra", result.filling.forecast_of_cells);
   json.entry("forecast_of_vertices", result.filling.forecast_of_vertices);
   json.entry("number_of_field_points", result.filling.number_of_field_points);
-  json.entry("number_of_passes", result.filling.number_of_passes);
   json.key("invalid_sizes");
   json.list(result.filling.invalid_sizes, [&](const auto& invalid)
   {
