@@ -17,11 +17,11 @@ class Wing_in_box
   typedef std::array<int, 3> Grid_point;
   typedef std::vector<Index> Section; // the vertices around the wing, from the trailing edge over the upper side
 
-  static constexpr int number_of_stations = 14;  // of a section, on each side
-  static constexpr int number_of_sections = 37;
+  static constexpr int number_of_stations = 13;  // of a section, on each side
+  static constexpr int number_of_sections = 35;
   static constexpr double span = 2.4, taper = 0.45, sweep = 0.75, thickness = 0.14;
-  static constexpr double spacing = 0.4;         // of the grid on the box
-  static constexpr Grid_point low = {{ -3, -5, -4 }}, high = {{ 7, 5, 4 }};
+  static constexpr double spacing = 0.25;        // of the grid on the box
+  static constexpr Grid_point low = {{ -3, -7, -3 }}, high = {{ 9, 7, 3 }};
 
   std::vector<Point> m_points;
   std::vector<std::vector<Index> > m_faces;

@@ -7,9 +7,11 @@
 #include <CGAL/Boundary_recovery_3/Background_mesh_sizing_field_3.h>
 #include <CGAL/Boundary_recovery_3/Source_sizing_field_3.h>
 #include <CGAL/Boundary_recovery_3/Surface_sizing_field_3.h>
+#include <CGAL/Boundary_recovery_3/read_background_mesh.h>
 #include <CGAL/Boundary_recovery_3/read_size_sources.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <memory>
@@ -24,9 +26,9 @@ class Mesh_size
   typedef typename Triangulation::Point                                             Point;
   typedef CGAL::Boundary_recovery_3::Surface_sizing_field_3<Triangulation>          Surface_field;
   typedef CGAL::Boundary_recovery_3::Source_sizing_field_3<Traits>                 Source_field;
-  typedef CGAL::Boundary_recovery_3::Background_mesh_sizing_field_3<Triangulation>  Background_field;
+  typedef CGAL::Boundary_recovery_3::Background_mesh_sizing_field_3<Traits>         Background_field;
 
-  double m_uniform = (std::numeric_limits<double>::infinity)();
+  double m_uniform = infinity();
   std::shared_ptr<const Surface_field> m_surface;
   std::shared_ptr<const Source_field> m_sources;
   std::shared_ptr<const Background_field> m_background;
@@ -45,8 +47,9 @@ public:
   {
     if(options.size > 0)
       m_uniform = options.size;
+    const double grading_of_mesh = options.has_grading ? options.grading : infinity();
     return (options.sources.empty() || read_sources(options.sources, message)) &&
-           (options.background.empty() || read_background(options.background, options.grading, message));
+           (options.background.empty() || read_background(options.background, grading_of_mesh, message));
   }
 
   // takes sizes from the surface, if these are asked for and it is valid: else nothing will be meshed
@@ -69,7 +72,7 @@ public:
     return size;
   }
 
-  // by how much the size grows per length, at most
+  // by how much the size grows per length, at most; infinity if that is not known
   double grading() const
   {
     double grading = 0;
@@ -77,12 +80,12 @@ public:
       grading = (std::max)(grading, m_surface->grading());
     if(m_sources)
       grading = (std::max)(grading, m_sources->grading());
-    if(m_background)
-      grading = (std::max)(grading, m_background->grading());
-    return grading;
+    return m_background ? infinity() : grading;
   }
 
 private:
+  static double infinity() { return (std::numeric_limits<double>::infinity)(); }
+
   bool read_sources(const std::string& file, std::string& message)
   {
     std::ifstream is(file);
@@ -97,17 +100,28 @@ private:
     return true;
   }
 
-  bool read_background(const std::string&, const double, std::string& message)
+  bool read_background(const std::string& file, const double grading, std::string& message)
   {
-    message = "not yet";
-    return false;
+    CGAL::Boundary_recovery_3::Background_mesh_3<Traits> mesh;
+    std::string what;
+    if(! CGAL::Boundary_recovery_3::read_background_mesh(file, mesh, what))
+    {
+      message = "cannot read " + file + ": " + what;
+      return false;
+    }
+    m_background = std::make_shared<Background_field>(mesh, grading);
+    return true;
   }
 };
 
-// all the files that are read
+// All the files that are read, those that stand beside the background mesh included.
 inline std::vector<std::string> input_files(const Meshing_options& options)
 {
-  return { options.input, options.sources, options.background };
+  std::vector<std::string> files = { options.input, options.sources };
+  if(! options.background.empty())
+    for(const char* extension : { ".mesh", ".sol", ".node", ".ele", ".mtr" })
+      files.push_back(std::filesystem::path(options.background).replace_extension(extension).string());
+  return files;
 }
 
 #endif // BOUNDARY_RECOVERY_3_PROGRAM_MESH_SIZE_H

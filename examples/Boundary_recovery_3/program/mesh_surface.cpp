@@ -3,6 +3,7 @@
 
 #include <CGAL/make_boundary_constrained_mesh_3.h>
 
+#include "default_flow.h"
 #include "domain.h"
 #include "edge_lengths.h"
 #include "mesh_quality.h"
@@ -130,7 +131,7 @@ int run(const Meshing_options& options, Program<Point>& program)
 {
   Size size;
   std::string message;
-  if(! program.keeps_inputs(input_files(options)) || ! program.read_surface())
+  if(! program.keeps_inputs(input_files(options)) || ! program.read_surface(default_flow<Point>))
     return program.fail();
   if(! size.read(options, message))
     return program.fail(message);

@@ -2,7 +2,6 @@
 #define BOUNDARY_RECOVERY_3_PROGRAM_PROGRAM_H
 
 #include "command_line.h"
-#include "default_surface.h"
 #include "domain.h"
 #include "read_surface.h"
 #include "repair_surface.h"
@@ -76,11 +75,13 @@ public:
     return true;
   }
 
-  bool read_surface()
+  // `default_surface` makes the surface that is taken if there is no input
+  template <typename DefaultSurface>
+  bool read_surface(const DefaultSurface& default_surface)
   {
     if(! m_options.input.empty())
       return ::read_surface(m_options.input, m_surface, m_message);
-    m_surface = default_surface<Point>();
+    m_surface = default_surface();
     return true;
   }
 

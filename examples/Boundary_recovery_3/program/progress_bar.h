@@ -11,8 +11,8 @@
 #include <ostream>
 #include <string>
 
-// Draws a bar for the phase that runs, on a terminal, and takes it away when the phase ends. What takes less than a blink
-// is not shown.
+// Draws a bar for the phase that runs, on a terminal, and takes it away when the phase ends. What takes less than a
+// blink is not shown.
 class Progress_bar
   : public CGAL::Default_boundary_constrained_mesh_visitor_3
 {

@@ -3,6 +3,7 @@
 
 #include <CGAL/recover_boundary.h>
 
+#include "default_surface.h"
 #include "mesh_quality.h"
 #include "print_summary.h"
 #include "program.h"
@@ -56,7 +57,8 @@ void write_entries(Json_writer& json, const Recovery_options& options, const Res
 
 int run(const Recovery_options& options, Program<Point>& program)
 {
-  if(! program.keeps_inputs({ options.input }) || ! program.read_surface() || ! program.can_write())
+  if(! program.keeps_inputs({ options.input }) || ! program.read_surface(default_surface<Point>) ||
+     ! program.can_write())
     return program.fail();
   program.prepare_surface();
 
