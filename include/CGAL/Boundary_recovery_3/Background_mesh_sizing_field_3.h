@@ -28,16 +28,18 @@ namespace Boundary_recovery_3 {
  *
  * \brief a size field that interpolates the sizes at the vertices of a tetrahedral mesh.
  *
- * Inside of a tetrahedron sizes are interpolated linearly. Where several tetrahedra are, as in a soup, the smallest size
- * wins; those without a volume are ignored. Outside, the size is that at the nearest point of the boundary of the mesh,
- * which is made of the facets that only one tetrahedron has. Hence sizes are never smaller, or larger, than those at the
- * vertices. If the mesh is not valid all sizes are NaN, and if it has no tetrahedron with a volume, infinite: no mesh
- * can have them.
+ * Inside of a tetrahedron sizes are interpolated linearly. Where several tetrahedra are, as in a soup, the smallest
+ * size wins; those without a volume are ignored. Outside, the size is that at the nearest point of the boundary of the
+ * mesh, which is made of the facets that only one tetrahedron has. Hence sizes are never smaller, or larger, than those
+ * at the vertices. If the mesh is not valid all sizes are NaN, and if it has no tetrahedron with a volume, infinite: no
+ * mesh can have them.
  *
  * With a *grading*, sizes at vertices are made smaller, from small to large, until they grow along no edge of the mesh
- * by more than the grading times its length. Between vertices they can grow faster, if cells are thin.
+ * by more than the grading times its length. Between vertices they can grow faster, if cells are thin. Hence there is
+ * no member function `grading()`, which would promise that they do not.
  *
- * Sizes are computed in floating point numbers, and depend on the point alone. Several threads may ask at the same time.
+ * Sizes are computed in floating point numbers, and depend on the point alone. Several threads may ask at the same
+ * time.
  *
  * \tparam GT the geometric traits
  *
@@ -47,7 +49,7 @@ template <typename GT>
 class Background_mesh_sizing_field_3
 {
 public:
-  typedef typename GT::FT       FT;      ///< the number type
+  typedef double                FT;      ///< the number type of sizes
   typedef typename GT::Point_3  Point_3; ///< the point type
   typedef int                   Index;   ///< the type of the number of a region
   typedef Background_mesh_3<GT> Mesh;    ///< the type of the mesh
@@ -70,7 +72,7 @@ public:
   /// returns the size at `p`.
   FT operator()(const Point_3& p) const
   {
-    return FT(m_is_valid ? m_interpolation(internal::coordinates_of(p)) : std::numeric_limits<double>::quiet_NaN());
+    return m_is_valid ? m_interpolation(internal::coordinates_of(p)) : std::numeric_limits<double>::quiet_NaN();
   }
 
   /// returns the size at `p`, which is the same for all dimensions and indices.

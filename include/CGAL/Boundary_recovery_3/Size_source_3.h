@@ -24,7 +24,8 @@ namespace Boundary_recovery_3 {
 class Size_growth
 {
 public:
-  /// beyond the radius `r`, the size at distance `d` is `size + grading * (d - r)`; `grading` has no unit, and may be 0.
+  /// beyond the radius `r`, the size at distance `d` is `size + grading * (d - r)`; `grading` has no unit, and may be
+  /// 0.
   static Size_growth linear(const double grading) { return Size_growth(true, grading); }
 
   /// beyond the radius `r`, the size is \f$ size \cdot e^{\ln 2 (d - r) / (D - r)} \f$: it has doubled at the distance

@@ -28,10 +28,11 @@ namespace Boundary_recovery_3 {
  *
  * \brief a size field of sources: the size at a point is the smallest one of all sources there, and of the background.
  *
- * Sources may be anywhere, also outside of the domain. If one of them, or the background, is not valid, no size is: they
- * are all NaN, which no mesh can have. If there is no source, and no background, sizes are infinite, as bad.
+ * Sources may be anywhere, also outside of the domain. If one of them, or the background, is not valid, no size is:
+ * they are all NaN, which no mesh can have. If there is no source, and no background, sizes are infinite, as bad.
  *
- * Sizes are computed in floating point numbers, and depend on the point alone. Several threads may ask at the same time.
+ * Sizes are computed in floating point numbers, and depend on the point alone. Several threads may ask at the same
+ * time.
  *
  * \tparam GT the geometric traits
  *
@@ -43,7 +44,7 @@ template <typename GT>
 class Source_sizing_field_3
 {
 public:
-  typedef typename GT::FT      FT;      ///< the number type
+  typedef double               FT;      ///< the number type of sizes
   typedef typename GT::Point_3 Point_3; ///< the point type
   typedef int                  Index;   ///< the type of the number of a region
   typedef Size_source_3<GT>    Source;  ///< the type of sources
@@ -67,7 +68,7 @@ public:
   /// returns the size at `p`.
   FT operator()(const Point_3& p) const
   {
-    return FT(m_is_valid ? m_sizes(internal::coordinates_of(p)) : std::numeric_limits<double>::quiet_NaN());
+    return m_is_valid ? m_sizes(internal::coordinates_of(p)) : std::numeric_limits<double>::quiet_NaN();
   }
 
   /// returns the size at `p`, which is the same for all dimensions and indices.

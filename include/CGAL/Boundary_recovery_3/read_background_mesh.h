@@ -13,7 +13,7 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/Background_mesh_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/Read_background_mesh.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Read_background_mesh_files.h>
 
 #include <algorithm>
 #include <fstream>
@@ -44,9 +44,9 @@ template <typename GT>
 bool read_MEDIT_background_mesh(std::istream& mesh_stream, std::istream& sol_stream, Background_mesh_3<GT>& mesh,
                                 std::string& message)
 {
-  internal::Read_background_mesh<GT> read;
-  return read.read(mesh_stream, ".mesh", &internal::Read_background_mesh<GT>::read_mesh, message)
-      && read.read(sol_stream, ".sol", &internal::Read_background_mesh<GT>::read_sol, message)
+  internal::Read_background_mesh_files<GT> read;
+  return read.read(mesh_stream, ".mesh", &internal::Read_background_mesh_files<GT>::read_mesh, message)
+      && read.read(sol_stream, ".sol", &internal::Read_background_mesh_files<GT>::read_sol, message)
       && read.finish(mesh, message);
 }
 
@@ -72,10 +72,10 @@ template <typename GT>
 bool read_TetGen_background_mesh(std::istream& node_stream, std::istream& ele_stream, std::istream& mtr_stream,
                                  Background_mesh_3<GT>& mesh, std::string& message)
 {
-  internal::Read_background_mesh<GT> read;
-  return read.read(node_stream, ".node", &internal::Read_background_mesh<GT>::read_node, message)
-      && read.read(ele_stream, ".ele", &internal::Read_background_mesh<GT>::read_ele, message)
-      && read.read(mtr_stream, ".mtr", &internal::Read_background_mesh<GT>::read_mtr, message)
+  internal::Read_background_mesh_files<GT> read;
+  return read.read(node_stream, ".node", &internal::Read_background_mesh_files<GT>::read_node, message)
+      && read.read(ele_stream, ".ele", &internal::Read_background_mesh_files<GT>::read_ele, message)
+      && read.read(mtr_stream, ".mtr", &internal::Read_background_mesh_files<GT>::read_mtr, message)
       && read.finish(mesh, message);
 }
 

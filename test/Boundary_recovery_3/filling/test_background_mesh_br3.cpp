@@ -15,7 +15,7 @@
 #include <CGAL/Boundary_recovery_3/Background_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/Background_mesh_sizing_field_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Mesh_interpolation_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/Read_background_mesh.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Read_background_mesh_files.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Read_numbers.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/graded_sizes.h>
 #include <CGAL/Boundary_recovery_3/read_background_mesh.h>
@@ -150,8 +150,9 @@ Mesh cube()
     mesh.points.emplace_back(i & 1, (i >> 1) & 1, i >> 2);
     mesh.sizes.push_back(i + 1);
   }
-  for(const auto& t : { std::array<std::size_t, 2>{{ 1, 3 }}, {{ 1, 5 }}, {{ 2, 3 }}, {{ 2, 6 }}, {{ 4, 5 }}, {{ 4, 6 }} })
-    mesh.tetrahedra.push_back({{ 0, t[0], t[1], 7 }});
+  typedef std::array<std::size_t, 2> Edge;
+  for(const Edge& e : { Edge{{ 1, 3 }}, {{ 1, 5 }}, {{ 2, 3 }}, {{ 2, 6 }}, {{ 4, 5 }}, {{ 4, 6 }} })
+    mesh.tetrahedra.push_back({{ 0, e[0], e[1], 7 }});
   return mesh;
 }
 
@@ -217,7 +218,8 @@ void test_grading()
         for(const std::size_t v : t)
           for(const std::size_t w : t)
           {
-            const double carried = sizes[v] + grading * std::sqrt(CGAL::squared_distance(mesh.points[v], mesh.points[w]));
+            const double length = std::sqrt(CGAL::squared_distance(mesh.points[v], mesh.points[w]));
+            const double carried = sizes[v] + grading * length;
             changed = changed || carried < sizes[w] - 1e-14;
             sizes[w] = (std::min)(sizes[w], carried);
           }
@@ -232,8 +234,8 @@ void test_grading()
   }
 }
 
-const std::string mesh_text = "MeshVersionFormatted 2\n# a comment\nDimension\n3\nVertices\n4\n0 0 0 1\n1 0 0 1\n0 1 0 1\n"
-                              "0 0 1 1\nTriangles\n1\n1 2 3 1\nTetrahedra 1\n1 2 3 4 7\nEnd\n";
+const std::string mesh_text = "MeshVersionFormatted 2\n# a comment\nDimension\n3\n"
+                              "Vertices\n4\n0 0 0 1\n1 0 0 1\n0 1 0 1\n0 0 1 1\nTriangles\n1\n1 2 3 1\nTetrahedra 1\n1 2 3 4 7\nEnd\n";
 const std::string sol_text = "MeshVersionFormatted 2\nDimension 3\nSolAtVertices\n4\n1 1\n.5\n1\n2\n4\nEnd\n";
 const std::string node_text = "4 3 1 1 # points\n1 0 0 0 5 1\n2 1 0 0 5 1\n3 0 1 0 5 1\n4 0 0 1 5 1\n";
 const std::string ele_text = "1 4 1\n1 1 2 3 4 -1\n";
@@ -267,7 +269,8 @@ std::string read_TetGen(const std::string& node, const std::string& ele, const s
 
 void check_read(const Mesh& mesh)
 {
-  assert(mesh.is_valid() && mesh.points.size() == 4 && mesh.tetrahedra.size() == 1 && mesh.points[3] == Point_3(0, 0, 1));
+  assert(mesh.is_valid() && mesh.points.size() == 4 && mesh.tetrahedra.size() == 1);
+  assert(mesh.points[3] == Point_3(0, 0, 1));
   assert((mesh.tetrahedra[0] == Mesh::Tetrahedron{{ 0, 1, 2, 3 }}));
   assert((mesh.sizes == std::vector<double>{ .5, 1, 2, 4 }));
 }
@@ -281,7 +284,8 @@ void test_reading()
   check_read(mesh);
   assert(read_TetGen(node_text, ele_text, mtr_text, of_TetGen).empty());
   check_read(of_TetGen);
-  assert(read_TetGen("4 3 0 0\n0 0 0 0\n1 1 0 0\n2 0 1 0\n3 0 0 1\n", "1 4 0\r\n0 0 1 2 3", mtr_text, from_zero).empty());
+  assert(read_TetGen("4 3 0 0\n0 0 0 0\n1 1 0 0\n2 0 1 0\n3 0 0 1\n", "1 4 0\r\n0 0 1 2 3", mtr_text,
+                     from_zero).empty());
   check_read(from_zero);
   assert(read_TetGen(node_text, "1 10 0\n1 1 2 3 4 1 1 1 1 1 1\n", mtr_text, quadratic).empty());
   check_read(quadratic);
@@ -305,7 +309,8 @@ void test_messages()
   assert(mesh_message("1 2 3 4 7", "0 2 3 4 7")
          == ".mesh file, line 15: a vertex of a tetrahedron is missing, or is not positive");
   assert(mesh_message("1 2 3 4 7", "1 2 3 4") == ".mesh file, line 16: the reference of a tetrahedron is missing");
-  assert(mesh_message("1 2 3 4 7", "1 2 3 5 7") == ".mesh file, line 16: a tetrahedron has a vertex 5, which is not there");
+  assert(mesh_message("1 2 3 4 7", "1 2 3 5 7")
+         == ".mesh file, line 16: a tetrahedron has a vertex 5, which is not there");
   assert(mesh_message("Tetrahedra 1\n1 2 3 4 7", "Tetrahedra 0") == ".mesh file, line 15: there are no tetrahedra");
 
   const auto sol_message = [](const std::string& what, const std::string& by)
@@ -328,7 +333,8 @@ void test_messages()
     return read_TetGen(node, ele, mtr, mesh);
   };
   assert(TetGen_message(changed(node_text, "4 3", "4 2"), ele_text, mtr_text)
-         == ".node file, line 1: it does not begin with a number of points, 3, and numbers of attributes and of markers");
+         == ".node file, line 1: it does not begin with a number of points, 3, and numbers of attributes and of "
+            "markers");
   assert(TetGen_message(changed(node_text, "4 0 0 1 5 1\n", ""), ele_text, mtr_text)
          == ".node file, line 5: a point is missing, or its numbers are not as many as announced");
   assert(TetGen_message(changed(node_text, "\n3", "\n5"), ele_text, mtr_text)

@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Boundary_recovery_3 authors
 
-// The sizes around sources are those of the formulas, with distances that CGAL computes; text files are read as they are
-// documented, and what is wrong in them is told.
+// The sizes around sources are those of the formulas, with distances that CGAL computes; text files are read as they
+// are documented, and what is wrong in them is told.
 
 #undef NDEBUG
 
@@ -101,7 +101,8 @@ Source random_source(std::mt19937& rng, const double size)
 {
   const Point_3 a = random_place(rng, size);
   const auto near = [&] { return a + .2 * (random_place(rng, size) - random_place(rng, size)); };
-  const double s = size * std::pow(10., -1 - 3 * random_number(rng)), r = rng() % 3 == 0 ? 0 : .05 * size * random_number(rng);
+  const double s = size * std::pow(10., -1 - 3 * random_number(rng));
+  const double r = rng() % 3 == 0 ? 0 : .05 * size * random_number(rng);
   const Size_growth growth = rng() % 2 == 0 ? Size_growth::linear(.5 * random_number(rng))
                                             : Size_growth::doubling_at(r + size * (.01 + random_number(rng)));
   switch(rng() % 4)
@@ -144,8 +145,8 @@ void test_shapes()
   const Point_3 a(0, 0, 0), b(4, 0, 0), c(0, 3, 0);
   std::vector<Source> shapes = { Source::point(a, 1, 0, growth), Source::segment(a, b, 1, 0, growth),
                                  Source::segment(a, a, 1, 0, growth), Source::triangle(a, b, c, 1, 0, growth),
-                                 Source::triangle(c, b, a, 1, 0, growth), Source::box(b, Point_3(0, 3, -2), 1, 0, growth),
-                                 Source::box(a, b, 1, 0, growth) };
+                                 Source::triangle(c, b, a, 1, 0, growth), Source::box(a, b, 1, 0, growth),
+                                 Source::box(b, Point_3(0, 3, -2), 1, 0, growth) };
   // CGAL 5.5 does not know the distance to triangles without an area: they are as the longest side
   const Source line = Source::triangle(a, b, Point_3(1, 0, 0), 1, 0, growth);
   const Source dot = Source::triangle(b, b, b, 1, 0, growth);
@@ -253,7 +254,8 @@ void test_messages()
       { "point 1 2 3 -1 0 0", "line 2: the size is not a positive number" },
       { "point 1 2 3 1 -1 0", "line 2: the radius is negative" },
       { "point 1 2 3 1 0 -1", "line 2: the growth is negative" },
-      { "point 1 2 3 1 2 doubling 2", "line 2: the distance where the size has doubled is not larger than the radius" } };
+      { "point 1 2 3 1 2 doubling 2", "line 2: the distance where the size has doubled is not larger than the "
+                                      "radius" } };
   for(const auto& text : cases)
   {
     std::vector<Source> sources(1, Source::point(Point_3(0, 0, 0), 1, 0, Size_growth::linear(0)));

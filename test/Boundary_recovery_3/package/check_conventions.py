@@ -39,6 +39,17 @@ FLOORS = [
     "Constrained_boundary_recovery_3.h",
     "input",        # the caller's input, and what is wrong with it
     "recover_boundary.h",
+    "Boundary_recovery_3/Background_mesh_3.h",
+    "Boundary_recovery_3/Size_source_3.h",
+    "filling",      # size fields
+    "Boundary_recovery_3/Surface_sizing_field_3.h",
+    "Boundary_recovery_3/Source_sizing_field_3.h",
+    "Boundary_recovery_3/read_size_sources.h",
+    "Boundary_recovery_3/Background_mesh_sizing_field_3.h",
+    "Boundary_recovery_3/read_background_mesh.h",
+    "Boundary_recovery_3/Minimum_sizing_field_3.h",
+    "Boundary_recovery_3/Bounded_sizing_field_3.h",
+    "Boundary_recovery_3/Region_sizing_field_3.h",
 ]
 # Internal headers that no file of test/ has to include, by their path below include/CGAL, with the reason.
 UNTESTED_HEADERS = {}

@@ -37,10 +37,10 @@ namespace internal {
  * by side, in single precision and rounded outwards, so that the compiler can compute their distances at once;
  * coordinates should be those of a unit frame.
  */
+template <std::size_t leaf_size>
 class Box_hierarchy_3
 {
 public:
-  static constexpr std::size_t leaf_size = 8;
   static constexpr std::size_t arity = 4;
 
   // Orders things whose boxes these are; `order()` tells where they went.
@@ -86,9 +86,9 @@ public:
   }
 
   /*
-   * Looks at the things near p, near ones first, roughly. `is_of_interest(child, distance)` is asked, with the square of
-   * a distance that no thing below the child is nearer than, whether it is worth while to look there, and once more when
-   * its turn has come; `visit(leaf)` looks at the things in a leaf.
+   * Looks at the things near p, near ones first, roughly. `is_of_interest(child, distance)` is asked whether it is worth
+   * while to look there, and once more when its turn has come; no thing below the child is nearer than the root of
+   * `distance`. `visit(leaf)` looks at the things in a leaf.
    */
   template <typename Is_of_interest, typename Visit>
   void search(const Coordinates_3& p, const Is_of_interest& is_of_interest, const Visit& visit) const
@@ -150,7 +150,10 @@ private:
 
   std::size_t position(const std::size_t leaf) const { return (std::min)(leaf * leaf_size, m_size); }
 
-  static std::size_t middle_of(const std::size_t first, const std::size_t last) { return first + (last - first + 1) / 2; }
+  static std::size_t middle_of(const std::size_t first, const std::size_t last)
+  {
+    return first + (last - first + 1) / 2;
+  }
 
   static Parts parts_of(const Subtree& tree)
   {

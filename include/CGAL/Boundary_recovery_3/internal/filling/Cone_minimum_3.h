@@ -62,7 +62,7 @@ public:
   double operator()(const Coordinates_3& p) const { return m_frame.from_frame(minimum(m_frame.to_frame(p))); }
 
 private:
-  static constexpr std::size_t leaf_size = Box_hierarchy_3::leaf_size;
+  static constexpr std::size_t leaf_size = 8; // as many as processors can take at once
 
   // the sites of a leaf, those that are missing in the last one with infinite sizes
   struct Leaf
@@ -83,7 +83,7 @@ private:
     std::vector<Axis_box_3> boxes(sites.size());
     for(std::size_t i = 0; i < sites.size(); ++i)
       boxes[i].add(sites[i].point);
-    m_hierarchy = Box_hierarchy_3(boxes);
+    m_hierarchy = Box_hierarchy_3<leaf_size>(boxes);
     fill_leaves(sites);
     find_smallest_sizes(sites);
     m_hierarchy.forget_order();
@@ -150,7 +150,7 @@ private:
   double m_grading = 0;
   double m_squared_grading = 0;
   Unit_frame_3 m_frame;
-  Box_hierarchy_3 m_hierarchy;
+  Box_hierarchy_3<leaf_size> m_hierarchy;
   std::vector<double> m_smallest_sizes; // of what is below the children of the hierarchy
   std::vector<Leaf> m_leaves;
 };

@@ -50,6 +50,7 @@ public:
   typedef typename Tr::Cell_handle        Cell_handle;
   typedef typename Tr::Geom_traits::Point_3 Point_3;
   typedef std::vector<Vertex_handle>      Vertices;
+  typedef std::array<Coordinates_3, 4>    Corners;
 
   Fill_domain_3(Tr& tr, Domain& domain, Sizes& sizes, Recovery_context<Visitor>& context)
     : m_tr(tr), m_domain(domain), m_sizes(sizes), m_context(context), m_cavity(tr, domain),
@@ -82,6 +83,7 @@ private:
   // As parts of the size, see "Tuning constants" in the manual.
   static constexpr double largest_radius = 0.75;
   static constexpr double smallest_distance = 0.7;
+  static constexpr int max_number_of_steps = 100;
   static constexpr std::size_t number_of_reports = 200;
 
   bool can_go_on() { return m_sizes.is_valid() && ! is_full() && m_context.go_further_after_short_step(); }
@@ -110,16 +112,63 @@ private:
 
   void look_at(const Cell_handle c)
   {
-    const std::array<Coordinates_3, 4> p = internal::corners(c);
+    const Corners p = internal::corners(c);
     const Sphere_3 sphere = internal::circumsphere(p);
     const double radius = std::sqrt(sphere.squared_radius);
     if(radius <= largest_radius * m_sizes.least_size_inside(c, p))
       return;
     const Coordinates_3 center = internal::centroid(p);
-    if(radius <= largest_radius * m_sizes(center, c))
+    const double size = m_sizes(center, c);
+    if(radius <= largest_radius * size)
       return;
-    if(! try_point(sphere.center, c))
+    const Cell_handle at_center = walk(c, sphere.center);
+    const bool is_inserted = at_center != Cell_handle() && try_point(sphere.center, at_center);
+    if(! is_inserted && is_far_from_corners(center, p, smallest_distance * size))
       try_point(center, c);
+  }
+
+  // The cell that contains a point, found by a walk from c in floating point numbers; none if a wall is in the way, or if it
+  // takes too many steps. A wrong answer makes another cavity, not an invalid one.
+  Cell_handle walk(Cell_handle c, const Coordinates_3& q) const
+  {
+    for(int step = 0; step < max_number_of_steps; ++step)
+    {
+      const int i = facet_towards(c, q);
+      if(i < 0)
+        return c;
+      if(m_domain.is_wall(c, i))
+        return Cell_handle();
+      c = c->neighbor(i);
+    }
+    return Cell_handle();
+  }
+
+  // The facet of a cell that has the point most clearly behind it; negative if the cell contains the point.
+  static int facet_towards(const Cell_handle c, const Coordinates_3& q)
+  {
+    const Corners p = internal::corners(c);
+    int facet = -1;
+    double smallest_volume = 0;
+    for(int i = 0; i < 4; ++i)
+    {
+      Corners with_q = p;
+      with_q[i] = q;
+      const double volume = internal::volume_times_6(with_q);
+      if(volume < smallest_volume)
+      {
+        smallest_volume = volume;
+        facet = i;
+      }
+    }
+    return facet;
+  }
+
+  static bool is_far_from_corners(const Coordinates_3& q, const Corners& p, const double distance)
+  {
+    return std::all_of(p.begin(), p.end(), [&](const Coordinates_3& corner)
+    {
+      return internal::distance(corner, q) >= distance;
+    });
   }
 
   // Returns whether a vertex is there now.

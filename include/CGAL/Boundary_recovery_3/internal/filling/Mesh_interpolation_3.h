@@ -22,6 +22,7 @@
 #include <cstddef>
 #include <limits>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -29,9 +30,9 @@ namespace Boundary_recovery_3 {
 namespace internal {
 
 /*
- * Numbers at the vertices of tetrahedra, between them interpolated linearly. The tetrahedra may be any: where several of
- * them are, the smallest value wins, and those without a volume are left out. Outside of them all, the value is that of
- * the nearest point of the facets that only one of them has.
+ * Numbers at the vertices of tetrahedra, between them interpolated linearly. The tetrahedra may be any: where several
+ * of them are, the smallest value wins, and those without a volume are left out. Outside of them all, the value is that
+ * of the nearest point of the facets that only one of them has.
  *
  * Values are always between those of the vertices. The function is one of the place alone, and can be called by several
  * threads.
@@ -49,8 +50,7 @@ public:
     for(const Coordinates_3& p : points)
       m_points.push_back(m_frame.to_frame(p));
     for(const Tetrahedron& t : tetrahedra)
-      if(const Parts parts = parts_of(t, m_points[t[0]]); parts.sum != 0 && std::isfinite(parts.sum))
-        m_tetrahedra.push_back(t);
+      add(t);
     find_facets();
     m_hierarchy = order(m_tetrahedra);
     m_facet_hierarchy = order(m_facets);
@@ -60,27 +60,21 @@ public:
   double operator()(const Coordinates_3& p) const
   {
     const Coordinates_3 q = m_frame.to_frame(p);
-    const double inside = value_inside(q);
-    return inside < std::numeric_limits<double>::infinity() ? inside : value_outside(q);
+    double value = value_inside(q);
+    if(value == infinity)
+      value = value_nearly_inside(q);
+    return value == infinity ? value_outside(q) : value;
   }
 
 private:
   typedef std::array<std::size_t, 3> Facet;
+  typedef Box_hierarchy_3<1>         Hierarchy;
 
   // the volumes of the tetrahedra between a point and the facets opposite to the vertices, times six, and their sum
   struct Parts
   {
     std::array<double, 4> volumes;
     double sum;
-
-    // As a share of the whole; negative outside.
-    double smallest() const
-    {
-      double smallest = std::numeric_limits<double>::infinity();
-      for(const double v : volumes)
-        smallest = (std::min)(smallest, v / sum);
-      return smallest;
-    }
   };
 
   static Axis_box_3 box_of(const std::vector<Coordinates_3>& points, const std::vector<Tetrahedron>& tetrahedra)
@@ -92,15 +86,46 @@ private:
     return box;
   }
 
-  // Relative to p, around which the numbers are the most precise ones.
+  // The tetrahedra that are kept are positive.
+  void add(Tetrahedron t)
+  {
+    const double volume = parts_of(t, m_points[t[0]]).sum;
+    if(volume == 0 || ! std::isfinite(volume))
+      return;
+    if(volume < 0)
+      std::swap(t[0], t[1]);
+    m_tetrahedra.push_back(t);
+  }
+
+  // The volume between p, which is the origin, and the facet of t opposite to the vertex i.
+  static double part(const std::array<Coordinates_3, 4>& t, const int i)
+  {
+    static constexpr int facets[4][3] = { { 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 }, { 0, 2, 1 } };
+    return dot_product(cross_product(t[facets[i][0]], t[facets[i][1]]), t[facets[i][2]]);
+  }
+
+  // The vertices relative to p, around which numbers are the most precise ones.
+  std::array<Coordinates_3, 4> seen_from(const Coordinates_3& p, const Tetrahedron& t) const
+  {
+    return {{ difference(m_points[t[0]], p), difference(m_points[t[1]], p), difference(m_points[t[2]], p),
+              difference(m_points[t[3]], p) }};
+  }
+
   Parts parts_of(const Tetrahedron& t, const Coordinates_3& p) const
   {
-    std::array<Coordinates_3, 4> q;
-    for(int i = 0; i < 4; ++i)
-      q[i] = difference(m_points[t[i]], p);
-    const auto volume = [&](const int i, const int j, const int k) { return dot_product(cross_product(q[i], q[j]), q[k]); };
-    const Parts parts = { {{ volume(1, 3, 2), volume(0, 2, 3), volume(0, 3, 1), volume(0, 1, 2) }}, 0 };
+    const std::array<Coordinates_3, 4> q = seen_from(p, t);
+    const Parts parts = { {{ part(q, 0), part(q, 1), part(q, 2), part(q, 3) }}, 0 };
     return Parts{ parts.volumes, std::accumulate(parts.volumes.begin(), parts.volumes.end(), 0.) };
+  }
+
+  // Whether p is inside or on the boundary. Most tetrahedra are refused by their first facets.
+  bool has_inside(const Tetrahedron& t, const Coordinates_3& p) const
+  {
+    const std::array<Coordinates_3, 4> q = seen_from(p, t);
+    for(int i = 0; i < 4; ++i)
+      if(! (part(q, i) >= 0))
+        return false;
+    return true;
   }
 
   void find_facets()
@@ -125,13 +150,13 @@ private:
 
   // Brings simplices into the order of a hierarchy of their boxes.
   template <typename Simplex>
-  Box_hierarchy_3 order(std::vector<Simplex>& simplices) const
+  Hierarchy order(std::vector<Simplex>& simplices) const
   {
     std::vector<Axis_box_3> boxes(simplices.size());
     for(std::size_t i = 0; i < simplices.size(); ++i)
       for(const std::size_t v : simplices[i])
         boxes[i].add(m_points[v]);
-    Box_hierarchy_3 hierarchy(boxes);
+    Hierarchy hierarchy(boxes);
     std::vector<Simplex> ordered;
     ordered.reserve(simplices.size());
     for(const std::size_t i : hierarchy.order())
@@ -141,52 +166,61 @@ private:
     return hierarchy;
   }
 
-  template <typename Simplex, typename Visit>
-  static void visit_leaf(const std::vector<Simplex>& simplices, const std::size_t leaf, const Visit& visit)
+  // Visits the tetrahedra whose boxes are around p.
+  template <typename Visit>
+  void visit_around(const Coordinates_3& p, const Visit& visit) const
   {
-    const std::size_t first = leaf * Box_hierarchy_3::leaf_size;
-    for(std::size_t k = first; k < (std::min)(first + Box_hierarchy_3::leaf_size, simplices.size()); ++k)
-      visit(simplices[k]);
+    const auto is_of_interest = [](const std::size_t, const double squared_distance) { return squared_distance <= 0; };
+    m_hierarchy.search(p, is_of_interest, [&](const std::size_t i) { visit(m_tetrahedra[i]); });
   }
 
-  // Infinity if p is not in a tetrahedron. If it is in none because of rounding errors, it is in that which it is least
-  // outside of.
+  // Infinity if p is not in a tetrahedron.
   double value_inside(const Coordinates_3& p) const
   {
-    double value = std::numeric_limits<double>::infinity(), best = - tolerance;
-    const auto is_of_interest = [](const std::size_t, const double squared_distance) { return squared_distance <= 0; };
-    m_hierarchy.search(p, is_of_interest, [&](const std::size_t leaf)
+    double value = infinity;
+    visit_around(p, [&](const Tetrahedron& t)
     {
-      visit_leaf(m_tetrahedra, leaf, [&](const Tetrahedron& t)
-      {
-        const Parts parts = parts_of(t, p);
-        const double inside = (std::min)(0., parts.smallest());
-        if(inside < best || std::isnan(inside))
-          return;
-        const double here = interpolate(t, parts);
-        value = inside > best ? here : (std::min)(value, here);
-        best = inside;
-      });
+      if(has_inside(t, p))
+        value = (std::min)(value, interpolate(t, parts_of(t, p)));
+    });
+    return value;
+  }
+
+  // If p is in no tetrahedron because of rounding errors, it is in that which it is least outside of.
+  double value_nearly_inside(const Coordinates_3& p) const
+  {
+    double value = infinity, best = - tolerance;
+    visit_around(p, [&](const Tetrahedron& t)
+    {
+      const Parts parts = parts_of(t, p);
+      const double inside = *std::min_element(parts.volumes.begin(), parts.volumes.end()) / parts.sum;
+      if(! (inside >= best))
+        return;
+      const double here = interpolate(t, parts);
+      value = inside > best ? here : (std::min)(value, here);
+      best = inside;
     });
     return value;
   }
 
   double value_outside(const Coordinates_3& p) const
   {
-    double value = std::numeric_limits<double>::infinity(), nearest = value;
-    const auto is_of_interest = [&](const std::size_t, const double squared_distance) { return squared_distance <= nearest; };
-    m_facet_hierarchy.search(p, is_of_interest, [&](const std::size_t leaf)
+    double value = infinity, nearest = infinity;
+    const auto is_of_interest = [&](const std::size_t, const double squared_distance)
     {
-      visit_leaf(m_facets, leaf, [&](const Facet& f)
-      {
-        const Near_triangle_3 triangle(std::array<Coordinates_3, 3>{{ m_points[f[0]], m_points[f[1]], m_points[f[2]] }});
-        const double distance = triangle.squared_distance(p);
-        if(! (distance <= nearest))
-          return;
-        const double here = weighted_sum(f, triangle.nearest(p));
-        value = distance < nearest ? here : (std::min)(value, here);
-        nearest = distance;
-      });
+      return squared_distance <= nearest;
+    };
+    m_facet_hierarchy.search(p, is_of_interest, [&](const std::size_t i)
+    {
+      typedef std::array<Coordinates_3, 3> Vertices;
+      const Facet& f = m_facets[i];
+      const Near_triangle_3 triangle(Vertices{{ m_points[f[0]], m_points[f[1]], m_points[f[2]] }});
+      const double distance = triangle.squared_distance(p);
+      if(! (distance <= nearest))
+        return;
+      const double here = weighted_sum(f, triangle.nearest(p));
+      value = distance < nearest ? here : (std::min)(value, here);
+      nearest = distance;
     });
     return value;
   }
@@ -217,6 +251,7 @@ private:
     return (std::min)((std::max)(sum, smallest), largest);
   }
 
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr double tolerance = 1e-6; // of shares of a volume
 
   Unit_frame_3 m_frame;
@@ -224,8 +259,8 @@ private:
   std::vector<Coordinates_3> m_points;  // in the unit frame
   std::vector<Tetrahedron> m_tetrahedra;
   std::vector<Facet> m_facets;          // those that one tetrahedron has
-  Box_hierarchy_3 m_hierarchy;
-  Box_hierarchy_3 m_facet_hierarchy;
+  Hierarchy m_hierarchy;
+  Hierarchy m_facet_hierarchy;
 };
 
 } // namespace internal

@@ -22,8 +22,8 @@ namespace Boundary_recovery_3 {
 namespace internal {
 
 /*
- * Reads words and numbers from a text with comments, which begin with `#` and end with the line, and knows in which line
- * it is. Numbers are written as in C++, with a point, whatever the locale of the stream is.
+ * Reads words and numbers from a text with comments, which begin with `#` and end with the line, and knows in which
+ * line it is. Numbers are written as in C++, with a point, whatever the locale of the stream is.
  */
 class Read_numbers
 {

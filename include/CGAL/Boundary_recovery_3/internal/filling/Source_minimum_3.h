@@ -52,7 +52,7 @@ public:
       places.push_back(place_of(s));
       boxes.push_back(places.back().box);
     }
-    m_hierarchy = Box_hierarchy_3(boxes);
+    m_hierarchy = Box_hierarchy_3<1>(boxes);
     for(const std::size_t i : m_hierarchy.order())
       m_places.push_back(places[i]);
     find_reaches();
@@ -129,12 +129,7 @@ private:
     {
       return squared_distance <= m_reaches[child].squared(smallest);
     };
-    m_hierarchy.search(p, is_of_interest, [&](const std::size_t leaf)
-    {
-      const std::size_t first = leaf * Box_hierarchy_3::leaf_size;
-      for(std::size_t k = first; k < (std::min)(first + Box_hierarchy_3::leaf_size, m_places.size()); ++k)
-        look_at(m_places[k], p, smallest);
-    });
+    m_hierarchy.search(p, is_of_interest, [&](const std::size_t i) { look_at(m_places[i], p, smallest); });
     return smallest;
   }
 
@@ -150,7 +145,7 @@ private:
 
   Unit_frame_3 m_frame;
   double m_background; // in the unit frame
-  Box_hierarchy_3 m_hierarchy;
+  Box_hierarchy_3<1> m_hierarchy;
   std::vector<Place> m_places;
   std::vector<Reach_of_sources_3> m_reaches; // of what is below the children of the hierarchy
 };

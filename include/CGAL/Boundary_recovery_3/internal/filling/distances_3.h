@@ -72,7 +72,8 @@ public:
   explicit Near_triangle_3(const std::array<Coordinates_3, 3>& vertices)
     : m_vertices(vertices)
   {
-    const Coordinates_3 normal = cross_product(difference(vertices[1], vertices[0]), difference(vertices[2], vertices[0]));
+    const Coordinates_3 normal = cross_product(difference(vertices[1], vertices[0]),
+                                               difference(vertices[2], vertices[0]));
     for(int i = 0; i < 3; ++i)
       m_inwards[i] = cross_product(normal, difference(vertices[(i + 2) % 3], vertices[(i + 1) % 3]));
   }

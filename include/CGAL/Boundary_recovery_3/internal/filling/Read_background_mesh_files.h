@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Boundary_recovery_3 authors
 
-#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_READ_BACKGROUND_MESH_H
-#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_READ_BACKGROUND_MESH_H
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_READ_BACKGROUND_MESH_FILES_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_READ_BACKGROUND_MESH_FILES_H
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
@@ -27,12 +27,12 @@ namespace internal {
 
 // Reads the files of a background mesh one after the other: each function returns what is wrong, or nothing.
 template <typename GT>
-class Read_background_mesh
+class Read_background_mesh_files
 {
 public:
   typedef Background_mesh_3<GT>      Mesh;
   typedef typename Mesh::Tetrahedron Tetrahedron;
-  typedef std::string (Read_background_mesh::*Read_file)(Read_numbers&);
+  typedef std::string (Read_background_mesh_files::*Read_file)(Read_numbers&);
 
   // Returns whether the file is all right.
   bool read(std::istream& in, const std::string& extension, const Read_file read_file, std::string& message)
@@ -225,4 +225,4 @@ private:
 } // namespace Boundary_recovery_3
 } // namespace CGAL
 
-#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_READ_BACKGROUND_MESH_H
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_READ_BACKGROUND_MESH_FILES_H
