@@ -81,8 +81,20 @@ private:
     report.phase = phase;
     report.number_of_vertices = m_tr.number_of_vertices();
     report.number_of_cells = m_tr.number_of_finite_cells();
+    if(phase == Meshing_phase::forecast)
+    {
+      report.number_of_vertices = rounded(m_result.forecast_of_vertices);
+      report.number_of_cells = rounded(m_result.forecast_of_cells);
+    }
     report.seconds = m_context.seconds() - start;
     m_context.visitor().on_phase_end(report);
+  }
+
+  // Forecasts may be larger than all integers.
+  static std::size_t rounded(const double number)
+  {
+    const double largest = static_cast<double>((std::numeric_limits<std::size_t>::max)() / 2);
+    return static_cast<std::size_t>(number < largest ? number : largest);
   }
 
   void forecast()
