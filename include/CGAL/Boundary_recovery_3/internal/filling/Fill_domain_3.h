@@ -38,8 +38,8 @@ namespace internal {
  * sizes around it, at its circumcenter, or where that cannot be, at its centroid.
  *
  * A cell is too large if its circumradius is longer than `largest_radius` times the size. Each cell is looked at once:
- * those that are there at first, and after each of them those around the new vertices. No vertex of the cavity of a point is nearer to it than `smallest_distance` times the size there,
- * so the work ends.
+ * those that are there at first, and after each of them those around the new vertices. No vertex of the cavity of a
+ * point is nearer to it than `smallest_distance` times the size there, so the work ends.
  */
 template <typename Tr, typename Domain, typename Sizes, typename Visitor>
 class Fill_domain_3
@@ -137,8 +137,8 @@ private:
       try_point(center, c);
   }
 
-  // The cell that contains a point, found by a walk from c in floating point numbers; none if a wall is in the way, or if it
-  // takes too many steps. A wrong answer makes another cavity, not an invalid one.
+  // The cell that contains a point, found by a walk from c in floating point numbers; none if a wall is in the way, or
+  // if it takes too many steps. A wrong answer makes another cavity, not an invalid one.
   Cell_handle walk(Cell_handle c, const Coordinates_3& q) const
   {
     for(int step = 0; step < max_number_of_steps; ++step)
