@@ -61,17 +61,15 @@ public:
 
   Field_point_cavity_3(const Tr& tr, const Domain& domain) : m_tr(tr), m_domain(domain) { }
 
-  // Finds the cavity of p, which begins with the first cell. Returns whether it can be starred.
-  bool find(const Point& p, const Cell_handle first)
+  // Finds the cavity of p, which begins with the first cell. Returns whether it can be starred, and no vertex that is
+  // met is nearer than `min_distance`.
+  bool find(const Point& p, const Cell_handle first, const double min_distance = 0)
   {
     m_point = p;
     m_coordinates = internal::coordinates_of(p);
-    start(first);
-    for(std::size_t k = 0; k < m_cells.size(); ++k) // it grows
-      for(int i = 0; i < 4; ++i)
-        if(! look_behind(m_cells[k], i))
-          return false;
-    return (are_faces_seen() || shrink_until_seen()) && is_no_vertex_inside() && ! has_constrained_edge_inside();
+    m_min_squared_distance = min_distance * min_distance;
+    return start(first) && grow()
+        && (are_faces_seen() || shrink_until_seen()) && is_no_vertex_inside() && ! has_constrained_edge_inside();
   }
 
   const Cells& cells() const { return m_cells; }
@@ -80,7 +78,8 @@ public:
 
   const Vertices& vertices() const { return m_vertices; }
 
-  // Takes the marks from the cells around the cavity, and from its cells if they are still there.
+  // Takes the marks from the cells around the cavity, and from its cells if they are still there; also after a search
+  // without success.
   void clear(const bool are_cells_there)
   {
     if(are_cells_there)
@@ -92,14 +91,38 @@ public:
   }
 
 private:
-  void start(const Cell_handle first)
+  // From so many cells on, only those are added that are behind facets which the point sees. In meshes that are nearly
+  // Delaunay that makes no difference; else circumspheres are large, and most of what they contain is hidden.
+  static constexpr std::size_t max_number_of_hidden_cells = 64;
+
+  bool start(const Cell_handle first)
   {
     m_cells.clear();
     m_faces.clear();
     m_vertices.clear();
     for(int i = 0; i < 4; ++i)
-      m_vertices.insert(first->vertex(i));
+      if(! add(first->vertex(i)))
+        return false;
     add(first);
+    return true;
+  }
+
+  bool grow()
+  {
+    for(std::size_t k = 0; k < m_cells.size(); ++k) // it grows
+      for(int i = 0; i < 4; ++i)
+        if(! look_behind(m_cells[k], i))
+          return false;
+    return true;
+  }
+
+  // Returns whether it is far enough.
+  bool add(const Vertex_handle v)
+  {
+    if(! m_vertices.insert(v))
+      return true;
+    const Coordinates_3 d = internal::difference(internal::coordinates_of(v->point()), m_coordinates);
+    return internal::dot_product(d, d) >= m_min_squared_distance;
   }
 
   void add(const Cell_handle c)
@@ -108,21 +131,30 @@ private:
     m_cells.push_back(c);
   }
 
-  // Returns false if there is a constrained facet inside.
+  // Returns false if there is a constrained facet inside, or a vertex that is too near.
   bool look_behind(const Cell_handle c, const int i)
   {
     const Cell_handle n = c->neighbor(i);
     const bool is_wall = m_domain.is_wall(c, i);
     if(n->tds_data().is_in_conflict())
       return ! is_wall;
-    if(is_wall || n->tds_data().is_on_boundary() || ! is_in_conflict(n))
+    if(is_wall || n->tds_data().is_on_boundary() || is_hidden(c, i) || ! is_in_conflict(n))
     {
       m_faces.push_back(Face{ internal::facet_vertices(c, i), c, i });
       return true;
     }
-    m_vertices.insert(n->vertex(n->index(c)));
     add(n);
-    return true;
+    return add(n->vertex(n->index(c)));
+  }
+
+  // Whether the point does not see a facet from inside; only asked for in large cavities.
+  bool is_hidden(const Cell_handle c, const int i) const
+  {
+    if(m_cells.size() < max_number_of_hidden_cells)
+      return false;
+    std::array<Coordinates_3, 4> with_point = internal::corners(c);
+    with_point[i] = m_coordinates;
+    return ! (internal::volume_times_6(with_point) > 0);
   }
 
   // Whether the circumsphere of a cell contains the point, in floating point numbers: a wrong answer makes another
@@ -136,35 +168,49 @@ private:
     return false;
   }
 
-  bool is_seen(const Face& f) const
+  bool is_seen(const std::array<Vertex_handle, 3>& face) const
   {
-    return m_tr.geom_traits().orientation_3_object()(f.vertices[0]->point(), f.vertices[1]->point(),
-                                                     f.vertices[2]->point(), m_point) == POSITIVE;
+    return m_tr.geom_traits().orientation_3_object()(face[0]->point(), face[1]->point(), face[2]->point(), m_point)
+      == POSITIVE;
   }
 
   bool are_faces_seen() const
   {
-    return std::all_of(m_faces.begin(), m_faces.end(), [this](const Face& f) { return this->is_seen(f); });
+    return std::all_of(m_faces.begin(), m_faces.end(), [this](const Face& f) { return this->is_seen(f.vertices); });
   }
 
-  // Takes out the cells at faces that the point does not see, until it sees all. Returns false if nothing is left.
+  // Takes out the cells at faces that the point does not see, until it sees all. Whatever the order, the same cells
+  // stay. Returns false if none does.
   bool shrink_until_seen()
   {
-    bool is_every_face_seen = false;
-    while(! is_every_face_seen)
+    Cells hidden;
+    const auto remove = [&](const Cell_handle c)
     {
-      for(const Face& f : m_faces)
-        if(! is_seen(f))
-          f.cell->tds_data().clear();
-      const auto kept = std::partition(m_cells.begin(), m_cells.end(),
-                                       [](const Cell_handle c) { return c->tds_data().is_in_conflict(); });
-      if(kept == m_cells.begin())
-        return false;
-      m_cells.erase(kept, m_cells.end());
-      collect_faces();
-      is_every_face_seen = are_faces_seen();
+      if(c->tds_data().is_in_conflict())
+      {
+        c->tds_data().clear();
+        hidden.push_back(c);
+      }
+    };
+    collect_faces(); // where facets were hidden in a large cavity, there may be cells on both sides
+    for(const Face& f : m_faces)
+      if(! is_seen(f.vertices))
+        remove(f.cell);
+    while(! hidden.empty())
+    {
+      const Cell_handle c = hidden.back();
+      hidden.pop_back();
+      for(int i = 0; i < 4; ++i)
+      {
+        const Cell_handle n = c->neighbor(i);
+        if(n->tds_data().is_in_conflict() && ! is_seen(internal::facet_vertices(n, n->index(c))))
+          remove(n);
+      }
     }
-    return true;
+    m_cells.erase(std::remove_if(m_cells.begin(), m_cells.end(),
+                                 [](const Cell_handle c) { return ! c->tds_data().is_in_conflict(); }), m_cells.end());
+    collect_faces();
+    return ! m_cells.empty();
   }
 
   void collect_faces()
@@ -209,6 +255,7 @@ private:
   const Domain& m_domain;
   Point m_point;
   Coordinates_3 m_coordinates; // the same
+  double m_min_squared_distance = 0;
   Cells m_cells;
   Cells m_cells_around; // those that are marked
   std::vector<Face> m_faces;

@@ -132,15 +132,16 @@ private:
     if(radius <= largest_radius * size)
       return;
     const Cell_handle at_center = walk(c, sphere.center);
-    const bool is_inserted = at_center != Cell_handle() && try_point(sphere.center, at_center);
-    if(! is_inserted && is_far_from_corners(center, p, smallest_distance * size))
-      try_point(center, c);
+    if(at_center == Cell_handle() || ! try_point(sphere.center, at_center, m_sizes(sphere.center, at_center)))
+      try_point(center, c, size);
   }
 
   // The cell that contains a point, found by a walk from c in floating point numbers; none if a wall is in the way, or
   // if it takes too many steps. A wrong answer makes another cavity, not an invalid one.
   Cell_handle walk(Cell_handle c, const Coordinates_3& q) const
   {
+    if(! std::isfinite(q[0] + q[1] + q[2]))
+      return Cell_handle();
     for(int step = 0; step < max_number_of_steps; ++step)
     {
       const int i = facet_towards(c, q);
@@ -173,41 +174,21 @@ private:
     return facet;
   }
 
-  static bool is_far_from_corners(const Coordinates_3& q, const Corners& p, const double distance)
+  // The cell contains the point. Returns whether a vertex is there now.
+  bool try_point(const Coordinates_3& coordinates, const Cell_handle c, const double size)
   {
-    return std::all_of(p.begin(), p.end(), [&](const Coordinates_3& corner)
-    {
-      return internal::distance(corner, q) >= distance;
-    });
-  }
-
-  // Returns whether a vertex is there now.
-  bool try_point(const Coordinates_3& coordinates, const Cell_handle c)
-  {
+    if(! (size > 0)) // there is none
+      return false;
     const Point_3 p(coordinates[0], coordinates[1], coordinates[2]);
-    const bool is_finite = std::isfinite(coordinates[0] + coordinates[1] + coordinates[2]);
-    const bool is_good = is_finite && m_cavity.find(p, c) && has_room(coordinates, c);
+    const bool is_good = m_cavity.find(p, c, smallest_distance * size);
     if(is_good)
-      insert(p);
-    else if(is_finite)
+      insert(p, size);
+    else
       m_cavity.clear(true);
     return is_good;
   }
 
-  // Asks for the size only now, as the point is known to be in the region of the cell.
-  bool has_room(const Coordinates_3& p, const Cell_handle c)
-  {
-    m_size = m_sizes(p, c);
-    const double distance = smallest_distance * m_size;
-    const Vertices& vertices = m_cavity.vertices().vertices();
-    return std::all_of(vertices.begin(), vertices.end(), [&](const Vertex_handle v)
-    {
-      const Coordinates_3 d = internal::difference(internal::coordinates_of(v->point()), p);
-      return internal::dot_product(d, d) >= distance * distance; // false if there is no size
-    });
-  }
-
-  void insert(const Point_3& p)
+  void insert(const Point_3& p, const double size)
   {
     const auto region = m_cavity.cells().front()->subdomain_index();
     const Vertex_handle v = m_insert(m_cavity, p);
@@ -216,7 +197,7 @@ private:
       v->set_dimension(3);
       v->set_index(internal::mesh_index<std::decay_t<decltype(v->index())> >(region));
     }
-    m_sizes.set_pending(v, m_size);
+    m_sizes.set_pending(v, size);
     m_vertices.push_back(v);
     m_pending.push_back(v);
     report();
@@ -242,7 +223,6 @@ private:
   Vertices m_vertices;
   Vertices m_pending; // those around which nobody has looked yet
   std::vector<Cell_handle> m_star;
-  double m_size = 0; // of the point that is tried
   std::size_t m_max_number_of_vertices = 0;
   std::size_t m_expected_number = 0;
   std::size_t m_next_report = 0;
