@@ -44,7 +44,7 @@ template <typename Tr>
 class Surface_sizing_field_3
 {
 public:
-  typedef typename Tr::Geom_traits::FT      FT;      ///< the number type
+  typedef double                            FT;      ///< the number type of sizes
   typedef typename Tr::Geom_traits::Point_3 Point_3; ///< the point type
   typedef int                               Index;   ///< the type of the number of a region
 
@@ -82,7 +82,7 @@ public:
   }
 
   /// returns the size at `p`.
-  FT operator()(const Point_3& p) const { return FT(m_sizes(internal::coordinates_of(p))); }
+  FT operator()(const Point_3& p) const { return m_sizes(internal::coordinates_of(p)); }
 
   /// returns the size at `p`, which is the same for all dimensions and indices.
   template <typename AnyIndex>

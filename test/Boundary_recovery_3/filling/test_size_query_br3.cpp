@@ -21,6 +21,7 @@
 
 #if CGAL_VERSION_NR >= 1060000000
 #include <CGAL/Adaptive_remeshing_sizing_field.h>
+#include <CGAL/Tetrahedral_remeshing/Remeshing_triangulation_3.h>
 #include <CGAL/Uniform_sizing_field.h>
 #include <CGAL/tetrahedral_remeshing.h>
 #else

@@ -134,7 +134,8 @@ void test_grading(const Field& field, const double grading)
 
 // The mean length of the edges at each vertex, in another way.
 template <typename Point_3>
-std::vector<Site> brute_force_sites(const std::vector<Point_3>& points, const std::vector<std::array<int, 3> >& triangles)
+std::vector<Site> brute_force_sites(const std::vector<Point_3>& points,
+                                    const std::vector<std::array<int, 3> >& triangles)
 {
   std::vector<Site> sites;
   for(int i = 0; i < static_cast<int>(points.size()); ++i)

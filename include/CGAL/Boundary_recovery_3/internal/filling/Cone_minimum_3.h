@@ -45,7 +45,7 @@ public:
 
   // Sites that change nothing are left out: what others carry to them is smaller than their own size.
   Cone_minimum_3(const std::vector<Site>& sites, const double grading)
-    : m_grading(grading), m_frame(box_of(sites))
+    : m_grading(grading), m_squared_grading(grading * grading), m_frame(box_of(sites))
   {
     std::vector<Site> scaled;
     for(const Site& q : sites)
@@ -62,7 +62,7 @@ public:
   double operator()(const Coordinates_3& p) const { return m_frame.from_frame(minimum(m_frame.to_frame(p))); }
 
 private:
-  static constexpr std::size_t leaf_size = Box_hierarchy_3::leaf_size;
+  static constexpr std::size_t leaf_size = 8; // as many as processors can take at once
 
   // the sites of a leaf, those that are missing in the last one with infinite sizes
   struct Leaf
@@ -83,7 +83,7 @@ private:
     std::vector<Axis_box_3> boxes(sites.size());
     for(std::size_t i = 0; i < sites.size(); ++i)
       boxes[i].add(sites[i].point);
-    m_hierarchy = Box_hierarchy_3(boxes);
+    m_hierarchy = Box_hierarchy_3<leaf_size>(boxes);
     fill_leaves(sites);
     find_smallest_sizes(sites);
     m_hierarchy.forget_order();
@@ -107,46 +107,51 @@ private:
 
   void find_smallest_sizes(const std::vector<Site>& sites)
   {
-    m_smallest_sizes.resize(m_hierarchy.number_of_nodes());
-    m_hierarchy.visit_nodes([&](const std::size_t node, const std::size_t first, const std::size_t last)
+    m_smallest_sizes.assign(m_hierarchy.number_of_children(), 0);
+    m_hierarchy.visit_children([&](const std::size_t child, const std::size_t first, const std::size_t last)
     {
       double smallest = std::numeric_limits<double>::infinity();
       for(std::size_t k = first; k < last; ++k)
         smallest = (std::min)(smallest, sites[m_hierarchy.order()[k]].size);
-      m_smallest_sizes[node] = smallest;
+      m_smallest_sizes[child] = smallest;
     });
   }
 
-  // In the unit frame.
+  // In the unit frame. Roots are drawn only of what may become the minimum: h + g d <= m if (g d)^2 <= (m - h)^2.
   double minimum(const Coordinates_3& p) const
   {
     double smallest = std::numeric_limits<double>::infinity();
-    const auto bound = [&](const std::size_t node, const double distance)
+    const auto is_of_interest = [&](const std::size_t child, const double squared_distance)
     {
-      return m_smallest_sizes[node] + m_grading * distance;
+      const double rest = smallest - m_smallest_sizes[child];
+      return rest > 0 && m_squared_grading * squared_distance <= rest * rest;
     };
-    m_hierarchy.search(p, bound, [&](const std::size_t leaf)
-    {
-      return smallest = (std::min)(smallest, minimum_in_leaf(m_leaves[leaf], p));
-    });
+    m_hierarchy.search(p, is_of_interest, [&](const std::size_t leaf) { look_at(m_leaves[leaf], p, smallest); });
     return smallest;
   }
 
-  double minimum_in_leaf(const Leaf& leaf, const Coordinates_3& p) const
+  // Makes the number smaller, if the sites of a leaf do.
+  void look_at(const Leaf& leaf, const Coordinates_3& p, double& smallest) const
   {
-    std::array<double, leaf_size> sizes;
+    std::array<double, leaf_size> squares;
     for(std::size_t i = 0; i < leaf_size; ++i)
     {
       const double x = leaf.x[i] - p[0], y = leaf.y[i] - p[1], z = leaf.z[i] - p[2];
-      sizes[i] = leaf.size[i] + m_grading * std::sqrt(x * x + y * y + z * z);
+      squares[i] = x * x + y * y + z * z;
     }
-    return *std::min_element(sizes.begin(), sizes.end());
+    for(std::size_t i = 0; i < leaf_size; ++i)
+    {
+      const double rest = smallest - leaf.size[i];
+      if(rest > 0 && m_squared_grading * squares[i] <= rest * rest)
+        smallest = (std::min)(smallest, leaf.size[i] + m_grading * std::sqrt(squares[i]));
+    }
   }
 
   double m_grading = 0;
+  double m_squared_grading = 0;
   Unit_frame_3 m_frame;
-  Box_hierarchy_3 m_hierarchy;
-  std::vector<double> m_smallest_sizes; // of the nodes
+  Box_hierarchy_3<leaf_size> m_hierarchy;
+  std::vector<double> m_smallest_sizes; // of what is below the children of the hierarchy
   std::vector<Leaf> m_leaves;
 };
 

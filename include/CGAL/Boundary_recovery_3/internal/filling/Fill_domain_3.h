@@ -38,9 +38,8 @@ namespace internal {
  * sizes around it, at its circumcenter, or where that cannot be, at its centroid.
  *
  * A cell is too large if its circumradius is longer than `largest_radius` times the size. Each cell is looked at once:
- * those that are there at first, then those around each new vertex in the order of their insertion, which keeps
- * neighbors together. No vertex of the cavity of a point is nearer to it than `smallest_distance` times the size there,
- * so the work ends.
+ * those that are there at first, and after each of them those around the new vertices. No vertex of the cavity of a
+ * point is nearer to it than `smallest_distance` times the size there, so the work ends.
  */
 template <typename Tr, typename Domain, typename Sizes, typename Visitor>
 class Fill_domain_3
@@ -50,6 +49,7 @@ public:
   typedef typename Tr::Cell_handle        Cell_handle;
   typedef typename Tr::Geom_traits::Point_3 Point_3;
   typedef std::vector<Vertex_handle>      Vertices;
+  typedef std::array<Coordinates_3, 4>    Corners;
 
   Fill_domain_3(Tr& tr, Domain& domain, Sizes& sizes, Recovery_context<Visitor>& context)
     : m_tr(tr), m_domain(domain), m_sizes(sizes), m_context(context), m_cavity(tr, domain),
@@ -65,12 +65,12 @@ public:
     m_expected_number = expected_number;
     for(std::size_t k = 0; k < cells.size() && can_go_on(); ++k)
       if(is_there(cells[k]))
+      {
         look_at(cells[k]);
-    std::size_t settled = 0;
-    for(; settled < m_vertices.size() && can_go_on(); ++settled)
-      look_around(m_vertices[settled]);
-    for(; settled < m_vertices.size(); ++settled)
-      m_sizes.settle(m_vertices[settled]);
+        look_around_new_vertices();
+      }
+    for(const Vertex_handle v : m_pending)
+      m_sizes.settle(v);
   }
 
   // The vertices that were inserted, in order.
@@ -82,6 +82,7 @@ private:
   // As parts of the size, see "Tuning constants" in the manual.
   static constexpr double largest_radius = 0.75;
   static constexpr double smallest_distance = 0.7;
+  static constexpr int max_number_of_steps = 100;
   static constexpr std::size_t number_of_reports = 200;
 
   bool can_go_on() { return m_sizes.is_valid() && ! is_full() && m_context.go_further_after_short_step(); }
@@ -97,6 +98,17 @@ private:
     return true;
   }
 
+  // The last one first: what is near was touched a moment ago, and is in the cache.
+  void look_around_new_vertices()
+  {
+    while(! m_pending.empty() && can_go_on())
+    {
+      const Vertex_handle v = m_pending.back();
+      m_pending.pop_back();
+      look_around(v);
+    }
+  }
+
   // Cells with another new vertex are left to that one.
   void look_around(const Vertex_handle v)
   {
@@ -110,16 +122,63 @@ private:
 
   void look_at(const Cell_handle c)
   {
-    const std::array<Coordinates_3, 4> p = internal::corners(c);
+    const Corners p = internal::corners(c);
     const Sphere_3 sphere = internal::circumsphere(p);
     const double radius = std::sqrt(sphere.squared_radius);
     if(radius <= largest_radius * m_sizes.least_size_inside(c, p))
       return;
     const Coordinates_3 center = internal::centroid(p);
-    if(radius <= largest_radius * m_sizes(center, c))
+    const double size = m_sizes(center, c);
+    if(radius <= largest_radius * size)
       return;
-    if(! try_point(sphere.center, c))
+    const Cell_handle at_center = walk(c, sphere.center);
+    const bool is_inserted = at_center != Cell_handle() && try_point(sphere.center, at_center);
+    if(! is_inserted && is_far_from_corners(center, p, smallest_distance * size))
       try_point(center, c);
+  }
+
+  // The cell that contains a point, found by a walk from c in floating point numbers; none if a wall is in the way, or
+  // if it takes too many steps. A wrong answer makes another cavity, not an invalid one.
+  Cell_handle walk(Cell_handle c, const Coordinates_3& q) const
+  {
+    for(int step = 0; step < max_number_of_steps; ++step)
+    {
+      const int i = facet_towards(c, q);
+      if(i < 0)
+        return c;
+      if(m_domain.is_wall(c, i))
+        return Cell_handle();
+      c = c->neighbor(i);
+    }
+    return Cell_handle();
+  }
+
+  // The facet of a cell that has the point most clearly behind it; negative if the cell contains the point.
+  static int facet_towards(const Cell_handle c, const Coordinates_3& q)
+  {
+    const Corners p = internal::corners(c);
+    int facet = -1;
+    double smallest_volume = 0;
+    for(int i = 0; i < 4; ++i)
+    {
+      Corners with_q = p;
+      with_q[i] = q;
+      const double volume = internal::volume_times_6(with_q);
+      if(volume < smallest_volume)
+      {
+        smallest_volume = volume;
+        facet = i;
+      }
+    }
+    return facet;
+  }
+
+  static bool is_far_from_corners(const Coordinates_3& q, const Corners& p, const double distance)
+  {
+    return std::all_of(p.begin(), p.end(), [&](const Coordinates_3& corner)
+    {
+      return internal::distance(corner, q) >= distance;
+    });
   }
 
   // Returns whether a vertex is there now.
@@ -159,6 +218,7 @@ private:
     }
     m_sizes.set_pending(v, m_size);
     m_vertices.push_back(v);
+    m_pending.push_back(v);
     report();
   }
 
@@ -180,6 +240,7 @@ private:
   Field_point_cavity_3<Tr, Domain> m_cavity;
   Insert_field_point_3<Tr, Domain, Visitor> m_insert;
   Vertices m_vertices;
+  Vertices m_pending; // those around which nobody has looked yet
   std::vector<Cell_handle> m_star;
   double m_size = 0; // of the point that is tried
   std::size_t m_max_number_of_vertices = 0;

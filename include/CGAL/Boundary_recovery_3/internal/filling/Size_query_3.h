@@ -105,6 +105,21 @@ struct Unwrapped_field { typedef Field type; };
 template <typename Field>
 struct Unwrapped_field<std::reference_wrapper<Field> > { typedef std::remove_const_t<Field> type; };
 
+// The same for a field, or a reference wrapper of one.
+template <typename GT, typename Field>
+double size_of_field(const Field& field, const typename GT::Point_3& p, const int dimension, const int index)
+{
+  const typename Unwrapped_field<Field>::type& unwrapped = field;
+  return size_at<typename GT::FT>(unwrapped, p, dimension, index);
+}
+
+template <typename GT, typename Field>
+double grading_of_field(const Field& field)
+{
+  const typename Unwrapped_field<Field>::type& unwrapped = field;
+  return grading_of<typename GT::Point_3, typename GT::FT>(unwrapped);
+}
+
 /*
  * Asks the size field that the caller passed, of whatever kind it is, and watches what it answers.
  *

@@ -40,6 +40,16 @@ inline Sphere_3 circumsphere(const std::array<Coordinates_3, 4>& p)
   return {{{ p[0][0] + c[0], p[0][1] + c[1], p[0][2] + c[2] }}, dot_product(c, c) };
 }
 
+// Whether the circumsphere of a positively oriented tetrahedron contains a point, in floating point numbers.
+inline bool is_in_circumsphere(const std::array<Coordinates_3, 4>& p, const Coordinates_3& q)
+{
+  const Coordinates_3 a = difference(p[0], q), b = difference(p[1], q);
+  const Coordinates_3 c = difference(p[2], q), d = difference(p[3], q);
+  const Coordinates_3 ab = cross_product(a, b), cd = cross_product(c, d);
+  const double bcd = dot_product(b, cd), acd = dot_product(a, cd), abd = dot_product(d, ab), abc = dot_product(c, ab);
+  return dot_product(a, a) * bcd + dot_product(c, c) * abd > dot_product(b, b) * acd + dot_product(d, d) * abc;
+}
+
 inline Coordinates_3 centroid(const std::array<Coordinates_3, 4>& p)
 {
   Coordinates_3 c;

@@ -1,0 +1,102 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_BACKGROUND_MESH_SIZING_FIELD_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_BACKGROUND_MESH_SIZING_FIELD_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/Background_mesh_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Mesh_interpolation_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Unit_frame_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/graded_sizes.h>
+
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+
+/*!
+ * \ingroup PkgBoundaryRecovery3Classes
+ *
+ * \brief a size field that interpolates the sizes at the vertices of a tetrahedral mesh.
+ *
+ * Inside of a tetrahedron sizes are interpolated linearly. Where several tetrahedra are, as in a soup, the smallest
+ * size wins; those without a volume are ignored. Outside, the size is that at the nearest point of the boundary of the
+ * mesh, which is made of the facets that only one tetrahedron has. Hence sizes are never smaller, or larger, than those
+ * at the vertices. If the mesh is not valid all sizes are NaN, and if it has no tetrahedron with a volume, infinite: no
+ * mesh can have them.
+ *
+ * With a *grading*, sizes at vertices are made smaller, from small to large, until they grow along no edge of the mesh
+ * by more than the grading times its length. Between vertices they can grow faster, if cells are thin. Hence there is
+ * no member function `grading()`, which would promise that they do not.
+ *
+ * Sizes are computed in floating point numbers, and depend on the point alone. Several threads may ask at the same
+ * time.
+ *
+ * \tparam GT the geometric traits
+ *
+ * \cgalModels{MeshDomainField_3}
+ */
+template <typename GT>
+class Background_mesh_sizing_field_3
+{
+public:
+  typedef double                FT;      ///< the number type of sizes
+  typedef typename GT::Point_3  Point_3; ///< the point type
+  typedef int                   Index;   ///< the type of the number of a region
+  typedef Background_mesh_3<GT> Mesh;    ///< the type of the mesh
+
+  /*!
+   * \brief makes the field of a mesh, which is not used afterwards.
+   *
+   * \param mesh the mesh
+   * \param grading by how much sizes may grow per length along edges, without unit; infinity for any
+   */
+  explicit Background_mesh_sizing_field_3(const Mesh& mesh,
+                                          const double grading = std::numeric_limits<double>::infinity())
+    : m_is_valid(mesh.is_valid() && grading >= 0),
+      m_interpolation(make_interpolation(m_is_valid ? mesh : Mesh(), grading))
+  { }
+
+  /// returns whether the mesh is valid, and the grading is not negative.
+  bool is_valid() const { return m_is_valid; }
+
+  /// returns the size at `p`.
+  FT operator()(const Point_3& p) const
+  {
+    return m_is_valid ? m_interpolation(internal::coordinates_of(p)) : std::numeric_limits<double>::quiet_NaN();
+  }
+
+  /// returns the size at `p`, which is the same for all dimensions and indices.
+  template <typename AnyIndex>
+  FT operator()(const Point_3& p, const int /* dimension */, const AnyIndex& /* index */) const { return (*this)(p); }
+
+private:
+  static internal::Mesh_interpolation_3 make_interpolation(const Mesh& mesh, const double grading)
+  {
+    std::vector<internal::Coordinates_3> points;
+    points.reserve(mesh.points.size());
+    for(const Point_3& p : mesh.points)
+      points.push_back(internal::coordinates_of(p));
+    std::vector<double> sizes = mesh.sizes;
+    if(grading < std::numeric_limits<double>::infinity())
+      internal::grade_sizes(points, mesh.tetrahedra, grading, sizes);
+    return internal::Mesh_interpolation_3(points, mesh.tetrahedra, sizes);
+  }
+
+  bool m_is_valid;
+  internal::Mesh_interpolation_3 m_interpolation;
+};
+
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_BACKGROUND_MESH_SIZING_FIELD_3_H

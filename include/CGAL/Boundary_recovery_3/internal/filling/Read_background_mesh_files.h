@@ -1,0 +1,228 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_READ_BACKGROUND_MESH_FILES_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_READ_BACKGROUND_MESH_FILES_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/Background_mesh_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Read_numbers.h>
+
+#include <array>
+#include <cstddef>
+#include <istream>
+#include <string>
+#include <utility>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+// Reads the files of a background mesh one after the other: each function returns what is wrong, or nothing.
+template <typename GT>
+class Read_background_mesh_files
+{
+public:
+  typedef Background_mesh_3<GT>      Mesh;
+  typedef typename Mesh::Tetrahedron Tetrahedron;
+  typedef std::string (Read_background_mesh_files::*Read_file)(Read_numbers&);
+
+  // Returns whether the file is all right.
+  bool read(std::istream& in, const std::string& extension, const Read_file read_file, std::string& message)
+  {
+    if(! in)
+    {
+      message = extension + " file: it cannot be opened";
+      return false;
+    }
+    Read_numbers numbers(in);
+    const std::string error = (this->*read_file)(numbers);
+    if(! error.empty())
+      message = extension + " file, " + numbers.message(error);
+    return error.empty();
+  }
+
+  // Gives the mesh away, if each of its vertices has a size.
+  bool finish(Mesh& mesh, std::string& message)
+  {
+    if(m_mesh.sizes.size() == m_mesh.points.size())
+    {
+      std::swap(mesh, m_mesh);
+      return true;
+    }
+    message = "there are " + std::to_string(m_mesh.sizes.size()) + " sizes for "
+              + std::to_string(m_mesh.points.size()) + " vertices";
+    return false;
+  }
+
+  // The vertices of tetrahedra may come before the vertices, whose number is known in the end.
+  std::string read_mesh(Read_numbers& read)
+  {
+    std::string word;
+    if(! read(word) || word != "MeshVersionFormatted")
+      return "it does not begin with MeshVersionFormatted";
+    for(read.skip_numbers(); read(word) && word != "End"; read.skip_numbers())
+    {
+      std::string error;
+      if(word == "Dimension")
+        error = read_dimension(read);
+      else if(word == "Vertices")
+        error = read_vertices(read);
+      else if(word == "Tetrahedra")
+        error = read_tetrahedra(read);
+      if(! error.empty())
+        return error;
+    }
+    for(const Tetrahedron& t : m_mesh.tetrahedra)
+      for(const std::size_t v : t)
+        if(v >= m_mesh.points.size())
+          return "a tetrahedron has a vertex " + std::to_string(v + 1) + ", which is not there";
+    return m_mesh.tetrahedra.empty() ? "there are no tetrahedra" : "";
+  }
+
+  std::string read_sol(Read_numbers& read)
+  {
+    std::string word;
+    if(! read(word) || word != "MeshVersionFormatted")
+      return "it does not begin with MeshVersionFormatted";
+    for(read.skip_numbers(); read(word) && word != "SolAtVertices"; read.skip_numbers())
+      if(const std::string error = word == "Dimension" ? read_dimension(read) : ""; ! error.empty())
+        return error;
+    std::size_t n, number_of_solutions, type;
+    if(word != "SolAtVertices" || ! read(n))
+      return "there is no SolAtVertices with a number";
+    if(! read(number_of_solutions) || ! read(type) || number_of_solutions != 1 || type != 1)
+      return "the solution is not one scalar for each vertex, which '1 1' stands for";
+    return read_sizes(read, n);
+  }
+
+  std::string read_node(Read_numbers& read)
+  {
+    std::size_t n, dimension, number_of_attributes, number_of_markers;
+    if(! read(n) || ! read(dimension) || ! read(number_of_attributes) || ! read(number_of_markers) || dimension != 3)
+      return "it does not begin with a number of points, 3, and numbers of attributes and of markers";
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      std::size_t number;
+      std::array<double, 3> p;
+      if(! read(number) || ! read(p[0]) || ! read(p[1]) || ! read(p[2])
+         || ! skip_numbers(read, number_of_attributes + number_of_markers))
+        return "a point is missing, or its numbers are not as many as announced";
+      if(i == 0)
+        m_first = number;
+      if(number != m_first + i || m_first > 1)
+        return "points are not numbered one after the other, from 0 or from 1";
+      m_mesh.points.emplace_back(p[0], p[1], p[2]);
+    }
+    return "";
+  }
+
+  std::string read_ele(Read_numbers& read)
+  {
+    std::size_t n, number_of_vertices, number_of_attributes;
+    if(! read(n) || ! read(number_of_vertices) || ! read(number_of_attributes)
+       || (number_of_vertices != 4 && number_of_vertices != 10))
+      return "it does not begin with a number of tetrahedra, 4 or 10, and a number of attributes";
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      long long number;
+      Tetrahedron t;
+      if(! read(number))
+        return "a tetrahedron is missing";
+      for(std::size_t& v : t)
+        if(! read.read_position(v, m_first, m_mesh.points.size()))
+          return "a vertex of a tetrahedron is missing, or is none of the points";
+      if(! skip_numbers(read, number_of_vertices - 4 + number_of_attributes))
+        return "the numbers of a tetrahedron are not as many as announced";
+      m_mesh.tetrahedra.push_back(t);
+    }
+    return n == 0 ? "there are no tetrahedra" : "";
+  }
+
+  std::string read_mtr(Read_numbers& read)
+  {
+    std::size_t n, number_of_values;
+    if(! read(n) || ! read(number_of_values) || number_of_values != 1)
+      return "it does not begin with a number of points, and 1";
+    return read_sizes(read, n);
+  }
+
+private:
+  static bool skip_numbers(Read_numbers& read, const std::size_t n)
+  {
+    double number;
+    for(std::size_t i = 0; i < n; ++i)
+      if(! read(number))
+        return false;
+    return true;
+  }
+
+  static std::string read_dimension(Read_numbers& read)
+  {
+    int dimension;
+    return read(dimension) && dimension == 3 ? "" : "the dimension is not 3";
+  }
+
+  std::string read_vertices(Read_numbers& read)
+  {
+    std::size_t n;
+    if(! read(n))
+      return "the number of vertices is missing";
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      double x, y, z;
+      if(! read(x) || ! read(y) || ! read(z) || ! skip_numbers(read, 1))
+        return "a vertex is missing, or is not three coordinates and a reference";
+      m_mesh.points.emplace_back(x, y, z);
+    }
+    return "";
+  }
+
+  std::string read_tetrahedra(Read_numbers& read)
+  {
+    std::size_t n;
+    if(! read(n))
+      return "the number of tetrahedra is missing";
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      Tetrahedron t;
+      for(std::size_t& v : t)
+        if(! read.read_position(v, 1, std::size_t(-1)))
+          return "a vertex of a tetrahedron is missing, or is not positive";
+      if(! skip_numbers(read, 1))
+        return "the reference of a tetrahedron is missing";
+      m_mesh.tetrahedra.push_back(t);
+    }
+    return "";
+  }
+
+  std::string read_sizes(Read_numbers& read, const std::size_t n)
+  {
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      double size;
+      if(! read(size))
+        return "a size is missing, or is not a number";
+      if(! (size > 0))
+        return "a size is not positive";
+      m_mesh.sizes.push_back(size);
+    }
+    return "";
+  }
+
+  Mesh m_mesh;
+  std::size_t m_first = 0; // the number of the first point of TetGen
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_READ_BACKGROUND_MESH_FILES_H

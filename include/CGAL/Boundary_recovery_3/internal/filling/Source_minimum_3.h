@@ -1,0 +1,157 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_SOURCE_MINIMUM_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_SOURCE_MINIMUM_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/Size_source_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Box_hierarchy_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Size_around_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Unit_frame_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/distances_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * The smallest size that one of many sources, or the background, has at a place.
+ *
+ * It can be called by several threads.
+ */
+template <typename GT>
+class Source_minimum_3
+{
+public:
+  typedef Size_source_3<GT>      Source;
+  typedef typename Source::Shape Shape;
+
+  // All sources are valid.
+  Source_minimum_3(const std::vector<Source>& sources, const double background)
+    : m_frame(box_of(sources)), m_background(m_frame.to_frame(background))
+  {
+    std::vector<Place> places;
+    std::vector<Axis_box_3> boxes;
+    for(const Source& s : sources)
+    {
+      places.push_back(place_of(s));
+      boxes.push_back(places.back().box);
+    }
+    m_hierarchy = Box_hierarchy_3<1>(boxes);
+    for(const std::size_t i : m_hierarchy.order())
+      m_places.push_back(places[i]);
+    find_reaches();
+    m_hierarchy.forget_order();
+  }
+
+  double operator()(const Coordinates_3& p) const { return m_frame.from_frame(minimum(m_frame.to_frame(p))); }
+
+  // By how much sizes grow per length, at most. Those that double do without bound, if there is no background.
+  double grading() const
+  {
+    double largest = 0;
+    for(const Place& place : m_places)
+      largest = (std::max)(largest, place.around.grading(m_background));
+    return largest;
+  }
+
+private:
+  // where a source is in the unit frame, and the size around it
+  struct Place
+  {
+    Shape shape;
+    Near_triangle_3 triangle; // of the points of the source, some of which are the same unless it is a triangle
+    Axis_box_3 box;
+    Size_around_3 around;
+
+    double squared_distance(const Coordinates_3& p) const
+    {
+      switch(shape)
+      {
+        case Shape::segment:  return squared_distance_to_segment(p, triangle.vertex(0), triangle.vertex(1));
+        case Shape::triangle: return triangle.squared_distance(p);
+        default:              return internal::squared_distance(p, box); // that of a point has no length
+      }
+    }
+  };
+
+  static Axis_box_3 box_of(const std::vector<Source>& sources)
+  {
+    Axis_box_3 box;
+    for(const Source& s : sources)
+      for(int i = 0; i < 3; ++i)
+        box.add(coordinates_of(s.vertex(i)));
+    return box;
+  }
+
+  Place place_of(const Source& s) const
+  {
+    std::array<Coordinates_3, 3> vertices;
+    Axis_box_3 box;
+    for(int i = 0; i < 3; ++i)
+    {
+      vertices[i] = m_frame.to_frame(coordinates_of(s.vertex(i)));
+      box.add(vertices[i]);
+    }
+    return Place{ s.shape(), Near_triangle_3(vertices), box, size_around(s, m_frame.from_frame(1)) };
+  }
+
+  void find_reaches()
+  {
+    m_reaches.resize(m_hierarchy.number_of_children());
+    m_hierarchy.visit_children([&](const std::size_t child, const std::size_t first, const std::size_t last)
+    {
+      for(std::size_t k = first; k < last; ++k)
+        m_reaches[child].add(m_places[k].around);
+    });
+  }
+
+  // In the unit frame.
+  double minimum(const Coordinates_3& p) const
+  {
+    double smallest = m_background;
+    const auto is_of_interest = [&](const std::size_t child, const double squared_distance)
+    {
+      return squared_distance <= m_reaches[child].squared(smallest);
+    };
+    m_hierarchy.search(p, is_of_interest, [&](const std::size_t i) { look_at(m_places[i], p, smallest); });
+    return smallest;
+  }
+
+  // Makes the number smaller, if the source does.
+  static void look_at(const Place& place, const Coordinates_3& p, double& smallest)
+  {
+    if(! (place.around.size < smallest))
+      return;
+    const double distance = std::sqrt(place.squared_distance(p));
+    if(place.around.bound_at(distance) < smallest)
+      smallest = (std::min)(smallest, place.around.at(distance));
+  }
+
+  Unit_frame_3 m_frame;
+  double m_background; // in the unit frame
+  Box_hierarchy_3<1> m_hierarchy;
+  std::vector<Place> m_places;
+  std::vector<Reach_of_sources_3> m_reaches; // of what is below the children of the hierarchy
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_SOURCE_MINIMUM_3_H
