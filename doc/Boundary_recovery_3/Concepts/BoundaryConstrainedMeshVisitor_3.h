@@ -36,7 +36,8 @@ public:
   void on_phase_begin(CGAL::Boundary_recovery_3::Meshing_phase phase);
 
   /*!
-  is called after a phase ended, also where it was stopped, with its duration and the sizes of the triangulation.
+  is called after a phase ended, also where it was stopped, with its duration and the sizes of the triangulation; after
+  the forecast, with those that are to be expected.
   */
   void on_phase_end(const CGAL::Boundary_recovery_3::Meshing_phase_report& report);
 

@@ -1,5 +1,5 @@
-// make_boundary_constrained_mesh_3() on surface meshes: the visitor is called in order, and stops the work wherever it is
-// asked to, by its answer or by an exception; all overloads are there.
+// make_boundary_constrained_mesh_3() on surface meshes: the visitor is called in order, and stops the work wherever it
+// is asked to, by its answer or by an exception; all overloads are there.
 
 #undef NDEBUG // the checks are assertions, also in a Release build
 
@@ -53,6 +53,8 @@ struct Visitor
     call();
     end();
     assert(report.phase == phases.back() && report.seconds >= 0);
+    if(report.phase == BR3::Meshing_phase::forecast) // which tells about the mesh that is to be
+      return;
     assert(report.number_of_vertices == tr->number_of_vertices());
     assert(report.number_of_cells == tr->number_of_finite_cells());
   }
