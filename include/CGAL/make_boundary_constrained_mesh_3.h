@@ -101,8 +101,8 @@ make_mesh_of_surface(Tr& tr, const FaceListGraph& surface, const SizingField& si
  * - the domain is marked, see `mark_domain()` (step 5);
  * - field points are inserted, see `insert_field_points()` (step 6).
  *
- * The improvement of the mesh quality (step 7) is not here yet: cells are as the insertion leaves them, and some of them
- * are thin.
+ * The improvement of the mesh quality (step 7) is not here yet: cells are as the insertion leaves them, and some of
+ * them are thin.
  *
  * What is outside of the domain is not meshed, but is in the triangulation, in the region 0: its cells reach to the
  * convex hull. As after a recovery, the triangulation is valid as a `Triangulation_3`, but not Delaunay any more,

@@ -27,7 +27,8 @@ namespace CGAL {
 namespace Boundary_recovery_3 {
 namespace internal {
 
-// The position of a facet in the input: that which it has with it, as `Surface_facet_3` does, or else that in its range.
+// The position of a facet in the input: that which it has with it, as `Surface_facet_3` does, or else that in its
+// range.
 template <typename Facet>
 auto input_position(const Facet& facet, std::size_t, int) -> std::enable_if_t<sizeof(facet.index) != 0, std::size_t>
 {
@@ -78,9 +79,9 @@ std::vector<Patch> patches_of_facets(const FacetRange& facets, const NamedParame
  * Nothing else in the triangulation is changed. What was marked before is overwritten. The time is about linear.
  *
  * \tparam Triangulation an instance of `CGAL::Triangulation_3`, or of a class derived from it, such as
- *         `Boundary_constrained_mesh_triangulation_3::type`. Its vertices and cells are models of `MeshVertexBase_3` and
- *         `MeshCellBase_3`, whose `Subdomain_index` can be made from an `int`, and `Index` from a `Subdomain_index` and a
- *         `Surface_patch_index`.
+ *         `Boundary_constrained_mesh_triangulation_3::type`. Its vertices and cells are models of `MeshVertexBase_3`
+ *         and `MeshCellBase_3`, whose `Subdomain_index` can be made from an `int`. If `Index` cannot be made from what
+ *         it is to be, it is the default one.
  * \tparam FacetRange a model of `ConstRange` whose value type is an array of three vertex handles. If they have a
  *         member `index`, as those of `Boundary_recovery_result_3::surface_facets()`, this is the position of the facet
  *         in the input, else the position in this range is.
@@ -99,9 +100,9 @@ std::vector<Patch> patches_of_facets(const FacetRange& facets, const NamedParame
  *     \cgalParamType{a model of `ReadablePropertyMap` whose key type is `std::size_t`, the position of a facet in the
  *                    input, and whose values can be made a `Surface_patch_index`}
  *     \cgalParamDefault{the position of the facet in the input + 1}
- *     \cgalParamExtra{0 is no patch, for CGAL's packages would lose the facet. Facets that the map has 0 for get a patch
- *                     of their own, all the same: the smallest positive number that is no patch of another facet. If
- *                     patches are no integers, the default value of their type is not allowed.}
+ *     \cgalParamExtra{0 is no patch, for CGAL's packages would lose the facet. Facets that the map has 0 for get a
+ *                     patch of their own, all the same: the smallest positive number that is no patch of another
+ *                     facet. If patches are no integers, the default value of their type is not allowed.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{constrained_edges}
  *     \cgalParamDescription{edges that are constrained, beside those of the facets}

@@ -69,7 +69,8 @@ public:
   bool is_facet_on_surface(const int i) const { return m_patches[i] != 0; }
 
   /// \name Qualities
-  /// CGAL's remeshing wants to remember the quality of cells, and computes it again where that is not possible, as here.
+  /// CGAL's remeshing wants to remember the quality of cells, and computes it again where that is not possible, as
+  /// here.
   /// @{
 
   /// returns `false`.

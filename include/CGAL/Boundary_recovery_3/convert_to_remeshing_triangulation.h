@@ -27,8 +27,8 @@ namespace Boundary_recovery_3 {
 namespace internal {
 
 /*
- * Copies a triangulation into one with other vertices, cells, and maybe another kernel, with the indices that both have.
- * `copy_tds()` would give cells of CGAL 5.5 time stamps that nobody has set.
+ * Copies a triangulation into one with other vertices, cells, and maybe another kernel, with the indices that both
+ * have. `copy_tds()` would give cells of CGAL 5.5 time stamps that nobody has set.
  */
 template <typename Source, typename Target>
 class Copy_mesh_3

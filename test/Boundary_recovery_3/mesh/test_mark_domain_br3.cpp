@@ -1,5 +1,5 @@
-// mark_domain(): the regions of cells, the patches of facets, and the dimensions of vertices, each found a second time by
-// other means; on vertices and cells of ours, and on those of CGAL's packages.
+// mark_domain(): the regions of cells, the patches of facets, and the dimensions of vertices, each found a second time
+// by other means; on vertices and cells of ours, and on those of CGAL's packages.
 
 #undef NDEBUG // the checks are assertions, also in a Release build
 

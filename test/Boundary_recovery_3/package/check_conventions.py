@@ -17,8 +17,13 @@ SKIPPED_FOLDERS = {".git", "build", "__pycache__"}
 FLOORS = [
     "license/Boundary_recovery_3.h",
     "Boundary_recovery_3/Boundary_recovery_result_3.h",
+    "Boundary_recovery_3/Boundary_constrained_mesh_result_3.h",
+    "Boundary_recovery_3/Boundary_constrained_mesh_vertex_base_3.h",
+    "Boundary_recovery_3/Boundary_constrained_mesh_cell_base_3.h",
+    "Boundary_constrained_mesh_triangulation_3.h",
     "Boundary_recovery_3/Cell_replacement_visitor_3.h",
     "Boundary_recovery_3/Boundary_recovery_visitor_3.h",
+    "Boundary_recovery_3/Boundary_constrained_mesh_visitor_3.h",
     "Boundary_recovery_3/parameters.h",
     "Boundary_recovery_3/Partial_triangulation.h",
     "Boundary_recovery_3/Shell_3.h",
@@ -27,6 +32,9 @@ FLOORS = [
     "mesh",         # simplices of cells, constraints, replacement of cells and its undo, regions
     "Boundary_recovery_3/Mesh_indices_keeper_3.h",
     "Boundary_recovery_3/label_regions.h",
+    "mark_domain.h",
+    "Boundary_recovery_3/Constrained_edge_map_3.h",
+    "Boundary_recovery_3/convert_to_remeshing_triangulation.h",
     "geometry",     # exact positions, predicates of vertices, visibility, walks
     "Boundary_recovery_3/Shell_quality_3.h",
     "Boundary_recovery_3/Shell_validity_3.h",
@@ -50,6 +58,9 @@ FLOORS = [
     "Boundary_recovery_3/Minimum_sizing_field_3.h",
     "Boundary_recovery_3/Bounded_sizing_field_3.h",
     "Boundary_recovery_3/Region_sizing_field_3.h",
+    "insert_field_points.h",
+    "meshing",      # all steps, one after the other
+    "make_boundary_constrained_mesh_3.h",
 ]
 # Internal headers that no file of test/ has to include, by their path below include/CGAL, with the reason.
 UNTESTED_HEADERS = {}
