@@ -26,8 +26,8 @@ int main()
     return EXIT_FAILURE;
 
   //! [background]
-  // Six tetrahedra around the cube, as a solver writes them with the sizes that it wants next: small at one corner. Here
-  // the two files are strings; `read_background_mesh("x.mesh", ...)` reads x.mesh and x.sol.
+  // Six tetrahedra that fill the cube, as a solver writes them, with the sizes that it wants next: small at one corner.
+  // Here the two files are strings; `read_background_mesh("x.mesh", ...)` reads x.mesh and x.sol.
   std::istringstream mesh_file("MeshVersionFormatted 2\nDimension 3\n"
                                "Vertices 8\n"
                                "0 0 0 0\n1 0 0 0\n0 1 0 0\n1 1 0 0\n0 0 1 0\n1 0 1 0\n0 1 1 0\n1 1 1 0\n"
