@@ -1,22 +1,30 @@
 #!/usr/bin/env python3
 """Draws a tetrahedral mesh that is cut open, as SVG: boundary triangles in blue, what the cut lays bare in orange, and
-Steiner points, the vertices that no boundary triangle has, as red dots.
+Steiner points, the vertices that no boundary triangle has, as red dots if they are few.
 
-usage: draw_cut_mesh.py IN.mesh OUT.svg [WIDTH]
+usage: draw_cut_mesh.py IN.mesh OUT.svg [WIDTH] [--cut X,Y,Z,D] [--view AZIMUTH,ELEVATION] [--around X,Y,Z,RADIUS]
 
-recovered_gear.svg is the default surface of the program:
+meshed_wing.svg is the default surface of mesh_surface, cut along the middle of the wing:
+  mesh_surface -o wing.mesh
+  draw_cut_mesh.py wing.mesh meshed_wing.svg --cut 0,-1,0,0 --view -60,24
+recovered_gear.svg is the default surface of recover_boundary:
   recover_boundary -o gear.mesh && draw_cut_mesh.py gear.mesh recovered_gear.svg
 recovered_schoenhardt.svg is the smallest surface of data/meshes that takes a point:
   recover_boundary schoenhardt_br3.off -o prism.mesh && draw_cut_mesh.py prism.mesh recovered_schoenhardt.svg 440
 
-To cut it open, tetrahedra whose centroid lies to the right and to the front of the middle (larger x, smaller y) are left
-out. Only Python's standard library is used.
+Without --cut, tetrahedra whose centroid lies to the right and to the front of the middle (larger x, smaller y) are left
+out; with it, those whose centroid p has (X,Y,Z) * p > D. Surfaces inside the outer one are drawn as a whole all the same.
+--view tells from where the mesh is seen, in degrees, and --around draws only what is in a ball. What is hidden is left out
+of the file. Only Python's standard library is used.
 """
+import argparse
+import heapq
 import math
 import sys
 
-AZIMUTH, ELEVATION, WIDTH, MARGIN = math.radians(-62), math.radians(38), 880, 8
+MARGIN, DOTS = 8, 50
 BOUNDARY, INSIDE, LIGHT = (96, 141, 186), (240, 163, 74), (-0.35, -0.5, 0.79)
+SCALE = 2  # of the numbers in the file: integers are short
 
 
 def read_medit(path):
@@ -55,27 +63,63 @@ def normal(points, t):
     return tuple(c / length for c in n) if length else None
 
 
-def visible_skin(points, tetrahedra):
-    """The outer triangles, turned outwards, of the tetrahedra that are kept."""
+def facets(t):
+    """Those of a tetrahedron, turned outwards."""
+    return (t[1], t[2], t[3]), (t[0], t[3], t[2]), (t[0], t[1], t[3]), (t[0], t[2], t[1])
+
+
+def is_cut_off(points, cut):
+    """A function that tells whether a tetrahedron is left out."""
     middle = [(min(c) + max(c)) / 2 for c in zip(*points)]
+
+    def centroid(t):
+        return [sum(points[v][i] for v in t) / 4 for i in range(3)]
+    if cut:
+        return lambda t: dot(cut[:3], centroid(t)) > cut[3]
+    return lambda t: centroid(t)[0] > middle[0] and centroid(t)[1] < middle[1]
+
+
+def outer_vertices(points, boundary):
+    """The vertices of the boundary that are connected with the one at the very left."""
+    parent = {v: v for t in boundary for v in t}
+
+    def root(v):
+        while parent[v] != v:
+            parent[v] = parent[parent[v]]
+            v = parent[v]
+        return v
+    for t in boundary:
+        for v in t[1:]:
+            parent[root(v)] = root(t[0])
+    outer = root(min(parent, key=lambda v: points[v]))
+    return {v for v in parent if root(v) == outer}
+
+
+def visible_skin(points, tetrahedra, boundary, cut):
+    """The outer triangles, turned outwards, of the tetrahedra that are kept, and inner surfaces as the others see them."""
+    leave_out = is_cut_off(points, cut)
+    outer = outer_vertices(points, boundary)
+    boundary = {frozenset(t) for t in boundary}
     skin = {}
     for t in tetrahedra:
-        centroid = [sum(points[v][i] for v in t) / 4 for i in range(3)]
-        if centroid[0] > middle[0] and centroid[1] < middle[1]:
-            continue
-        for f in ((t[1], t[2], t[3]), (t[0], t[3], t[2]), (t[0], t[1], t[3]), (t[0], t[2], t[1])):
+        is_left_out = leave_out(t)
+        for f in facets(t):
             key = frozenset(f)
-            if key in skin:
+            if is_left_out:
+                if key in boundary and f[0] not in outer:
+                    skin[key] = f[::-1]
+            elif key in skin:
                 del skin[key]  # the other side is a tetrahedron that is kept, too
             else:
                 skin[key] = f
     return skin
 
 
-def project(points):
+def project(points, azimuth, elevation):
     """Orthogonal view: to the right, upwards, towards the eye."""
-    eye = (math.cos(AZIMUTH) * math.cos(ELEVATION), math.sin(AZIMUTH) * math.cos(ELEVATION), math.sin(ELEVATION))
-    right = (-math.sin(AZIMUTH), math.cos(AZIMUTH), 0.0)
+    a, e = math.radians(azimuth), math.radians(elevation)
+    eye = (math.cos(a) * math.cos(e), math.sin(a) * math.cos(e), math.sin(e))
+    right = (-math.sin(a), math.cos(a), 0.0)
     up = cross(eye, right)
     return [(dot(p, right), dot(p, up), dot(p, eye)) for p in points]
 
@@ -113,25 +157,65 @@ def is_behind(s, t, tolerance):
     return depth(t, x, y) - depth(s, x, y) > tolerance
 
 
+def box(triangle):
+    return [f(p[i] for p in triangle) for i in (0, 1) for f in (min, max)]
+
+
+def shown(triangles, low, pixel):
+    """The numbers of the triangles that are seen in some pixel."""
+    nearest = {}
+    for k, t in enumerate(triangles):
+        x_low, x_high, y_low, y_high = box(t)
+        columns = range(math.ceil((x_low - low[0]) / pixel), math.floor((x_high - low[0]) / pixel) + 1)
+        for row in range(math.ceil((y_low - low[1]) / pixel), math.floor((y_high - low[1]) / pixel) + 1):
+            y = low[1] + row * pixel
+            for column in columns:
+                x = low[0] + column * pixel
+                if all((b[0] - a[0]) * (y - a[1]) >= (b[1] - a[1]) * (x - a[0]) for a, b in zip(t, t[1:] + t[:1])):
+                    z = depth(t, x, y)
+                    if z > nearest.get((row, column), (-math.inf, 0))[0]:
+                        nearest[row, column] = (z, k)
+    return sorted({k for _, k in nearest.values()})
+
+
+def overlapping_boxes(boxes):
+    """Pairs of numbers of boxes that overlap: a sweep from left to right, with those that are open in strips."""
+    strip = 2 * sum(b[3] - b[2] for b in boxes) / len(boxes)
+    strips, pairs = {}, set()
+    for i in sorted(range(len(boxes)), key=lambda i: boxes[i][0]):
+        a = boxes[i]
+        for s in range(math.floor(a[2] / strip), math.floor(a[3] / strip) + 1):
+            strips[s] = [j for j in strips.get(s, []) if boxes[j][1] > a[0]]
+            pairs.update((j, i) for j in strips[s] if a[2] < boxes[j][3] and boxes[j][2] < a[3])
+            strips[s].append(i)
+    return pairs
+
+
 def back_to_front(triangles, tolerance):
     """An order for painting. Where triangles hide each other in a circle, the farther centroid comes first."""
-    n = len(triangles)
-    boxes = [[f(p[i] for p in t) for i in (0, 1) for f in (min, max)] for t in triangles]
-    behind = [set() for _ in range(n)]  # what is to be painted before
-    for i in range(n):
-        for j in range(n):
-            a, b = boxes[i], boxes[j]
-            if i != j and a[0] < b[1] and b[0] < a[1] and a[2] < b[3] and b[2] < a[3]:
-                if is_behind(triangles[i], triangles[j], tolerance):
-                    behind[j].add(i)
-    rest = sorted(range(n), key=lambda i: sum(p[2] for p in triangles[i]))
-    order = []
+    before = [0] * len(triangles)  # how many are to be painted before
+    after = [[] for _ in triangles]
+    for pair in sorted(overlapping_boxes([box(t) for t in triangles])):
+        for i, j in (pair, pair[::-1]):
+            if is_behind(triangles[i], triangles[j], tolerance):
+                after[i].append(j)
+                before[j] += 1
+    distance = [(sum(p[2] for p in t), i) for i, t in enumerate(triangles)]
+    ready = [distance[i] for i in range(len(triangles)) if before[i] == 0]
+    heapq.heapify(ready)
+    rest = sorted(distance, reverse=True)
+    order, is_done = [], [False] * len(triangles)
     while rest:
-        chosen = [i for i in rest if not behind[i]] or rest[:1]
-        order += chosen
-        rest = [i for i in rest if i not in set(chosen)]
-        for i in rest:
-            behind[i].difference_update(chosen)
+        _, i = heapq.heappop(ready) if ready else rest[-1]
+        if not is_done[i]:
+            is_done[i] = True
+            order.append(i)
+            for j in after[i]:
+                before[j] -= 1
+                if before[j] == 0:
+                    heapq.heappush(ready, distance[j])
+        while rest and is_done[rest[-1][1]]:
+            rest.pop()
     return order
 
 
@@ -140,42 +224,63 @@ def colour(base, n):
     return "#%02x%02x%02x" % tuple(min(255, round(c * light * 1.12)) for c in base)
 
 
-def draw(points, tetrahedra, boundary, width):
-    seen = project(points)
+def path(corners):
+    """The first corner, and the ways from each to the next, as short as SVG has them."""
+    ways = [minus(q, p) for p, q in zip(corners, corners[1:])]
+    text = "M%d,%dl" % corners[0] + " ".join("%d,%d" % way for way in ways)
+    return text.replace(" -", "-").replace(",-", "-") + "z"
+
+
+def draw(points, tetrahedra, boundary, width, cut, view, around):
+    seen = project(points, *view)
     given = {v for t in boundary for v in t}
-    boundary = {frozenset(t) for t in boundary}
+    is_boundary = {frozenset(t) for t in boundary}
     faces = []
-    for key, f in visible_skin(points, tetrahedra).items():
+    for key, f in visible_skin(points, tetrahedra, boundary, cut).items():
         n = normal(seen, f)
-        if n and n[2] > 1e-6:  # else it turns its back on the eye
-            faces.append((f, colour(BOUNDARY if key in boundary else INSIDE, normal(points, f))))
+        is_near = around is None or all(math.dist(points[v], around[:3]) < around[3] for v in f)
+        if n and n[2] > 1e-6 and is_near:  # else it turns its back on the eye
+            faces.append((f, colour(BOUNDARY if key in is_boundary else INSIDE, normal(points, f))))
     used = [seen[v] for f, _ in faces for v in f]
     low, high = ([f(p[i] for p in used) for i in (0, 1)] for f in (min, max))
     scale = (width - 2 * MARGIN) / (high[0] - low[0])
+    faces = [faces[k] for k in shown([[seen[v] for v in f] for f, _ in faces], low, 0.5 / scale)]
 
     def corner(v):
-        return MARGIN + (seen[v][0] - low[0]) * scale, MARGIN + (high[1] - seen[v][1]) * scale
+        return (round(SCALE * (MARGIN + (seen[v][0] - low[0]) * scale)),
+                round(SCALE * (MARGIN + (high[1] - seen[v][1]) * scale)))
 
     height = round((high[1] - low[1]) * scale + 2 * MARGIN)
-    lines = ['<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 %d %d" stroke="#23313f" stroke-width=".7" '
-             'stroke-linejoin="round">' % (width, height), '<rect width="100%" height="100%" fill="#fff" stroke="none"/>']
+    lines = ['<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 %d %d" stroke="#23313f" stroke-width="%g" '
+             'stroke-linejoin="round">' % (SCALE * width, SCALE * height, SCALE * (0.7 if len(faces) < 1000 else 0.35)),
+             '<rect width="100%" height="100%" fill="#fff" stroke="none"/>']
     for i in back_to_front([[seen[v] for v in f] for f, _ in faces], 1e-4 * (high[0] - low[0])):
         f, fill = faces[i]
-        lines.append('<path fill="%s" d="M%sz"/>' % (fill, " ".join("%.1f,%.1f" % corner(v) for v in f)))
-    for v in sorted({v for f, _ in faces for v in f} - given):
-        lines.append('<circle fill="#d0312d" cx="%.1f" cy="%.1f" r="5"/>' % corner(v))
+        lines.append('<path fill="%s" d="%s"/>' % (fill, path([corner(v) for v in f])))
+    dots = sorted({v for f, _ in faces for v in f} - given)
+    for v in dots if len(dots) <= DOTS else []:
+        lines.append('<circle fill="#d0312d" cx="%d" cy="%d" r="%d"/>' % (*corner(v), SCALE * 5))
     return "\n".join(lines + ["</svg>", ""])
 
 
-def main(arguments):
-    if len(arguments) not in (2, 3):
-        print(__doc__)
-        return 1
-    picture = draw(*read_medit(arguments[0]), int(arguments[2]) if len(arguments) == 3 else WIDTH)
-    with open(arguments[1], "w") as file:
+def main():
+    def numbers(text):
+        return tuple(map(float, text.split(",")))
+    # a list of numbers may begin with a minus sign: it must not be taken for an option
+    arguments = [" " + a if a[:1] == "-" and a[1:2].isdigit() else a for a in sys.argv[1:]]
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("mesh")
+    parser.add_argument("picture")
+    parser.add_argument("width", nargs="?", type=int, default=880)
+    parser.add_argument("--cut", type=numbers)
+    parser.add_argument("--view", type=numbers, default=(-62, 38))
+    parser.add_argument("--around", type=numbers)
+    options = parser.parse_args(arguments)
+    picture = draw(*read_medit(options.mesh), options.width, options.cut, options.view, options.around)
+    with open(options.picture, "w") as file:
         file.write(picture)
     return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(main())

@@ -64,7 +64,7 @@ private:
   }
 };
 
-// the surface that the program takes if it is given none
+// the surface that `recover_boundary` takes if it is given none
 template <typename Point>
 Surface<Point> default_surface()
 {

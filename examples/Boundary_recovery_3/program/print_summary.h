@@ -1,10 +1,11 @@
 #ifndef BOUNDARY_RECOVERY_3_PROGRAM_PRINT_SUMMARY_H
 #define BOUNDARY_RECOVERY_3_PROGRAM_PRINT_SUMMARY_H
 
+#include "mesh_quality.h"
+
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_visitor_3.h>
 
-#include <array>
 #include <cstddef>
 #include <iomanip>
 #include <ostream>
@@ -119,7 +120,7 @@ inline std::string count(const std::size_t n, const std::string& noun)
 // prints the table at the end of the program
 template <typename Result, typename Domain>
 void print_summary(std::ostream& os, const Result& result, const Domain& domain,
-                   const std::array<double, 2>& angles, const Seconds& seconds)
+                   const Mesh_quality& quality, const Seconds& seconds)
 {
   const std::streamsize precision = os.precision(3);
   print_phases(os, result.phases);
@@ -135,7 +136,7 @@ void print_summary(std::ostream& os, const Result& result, const Domain& domain,
      << count(static_cast<std::size_t>(domain.number_of_regions), "region") << '\n';
   if(domain.is_convex_hull)
     os << "no region can be told from the outside: the tetrahedra are those of the convex hull\n";
-  os << "dihedral angles from " << angles[0] << " to " << angles[1] << " degrees, "
+  os << "dihedral angles from " << quality.smallest_angle << " to " << quality.largest_angle << " degrees, "
      << seconds.total << " seconds, " << seconds.recovery
      << " of them for the recovery" << std::endl;
   os.precision(precision);

@@ -189,6 +189,17 @@ Surface<Point> make_surface(const std::vector<Point>& points, const PolygonRange
   return surface;
 }
 
+// whether all faces are triangles with points that have coordinates: nothing else can be said without the recovery
+template <typename Point>
+bool is_triangle_soup(const Surface<Point>& surface)
+{
+  const std::size_t n = surface.points.size();
+  return std::all_of(surface.points.begin(), surface.points.end(),
+                     [](const Point& p) { return read_surface_internal::has_finite_coordinates(p); }) &&
+         std::all_of(surface.faces.begin(), surface.faces.end(), [&](const auto& face)
+                     { return face.size() == 3 && *std::max_element(face.begin(), face.end()) < n; });
+}
+
 // reads a surface from an .off, .ply, .stl or .obj file; returns `false` and says why if that fails
 template <typename Point>
 bool read_surface(const std::string& file, Surface<Point>& surface, std::string& message)

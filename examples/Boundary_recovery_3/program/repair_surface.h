@@ -93,7 +93,7 @@ public:
   {
     Repair_changes& changes = m_state.changes;
     changes.tolerance = tolerance < 0 ? default_tolerance(m_surface.points) : tolerance;
-    changes.is_possible = is_triangle_soup();
+    changes.is_possible = is_triangle_soup(m_surface);
     if(! changes.is_possible)
       return changes;
 
@@ -111,15 +111,6 @@ public:
   }
 
 private:
-  bool is_triangle_soup() const
-  {
-    const std::size_t n = m_surface.points.size();
-    return std::all_of(m_surface.points.begin(), m_surface.points.end(),
-                       [](const Point& p) { return read_surface_internal::has_finite_coordinates(p); }) &&
-           std::all_of(m_surface.faces.begin(), m_surface.faces.end(), [&](const auto& face)
-           { return face.size() == 3 && *std::max_element(face.begin(), face.end()) < n; });
-  }
-
   void load()
   {
     m_state.soup.points = m_surface.points;

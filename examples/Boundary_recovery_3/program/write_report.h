@@ -83,6 +83,18 @@ public:
     m_os << '"';
   }
 
+  template <typename Point>
+  void point(const Point& p)
+  {
+    begin('[');
+    for(int i = 0; i < 3; ++i)
+    {
+      next();
+      value(CGAL::to_double(p[i]));
+    }
+    end(']');
+  }
+
   template <typename T>
   void entry(const std::string& name, const T& x)
   {
@@ -138,13 +150,12 @@ public:
       m_json.end('}');
     });
     m_json.key("steiner_points");
-    m_json.list(result.steiner_vertices, [&](const typename Result::Vertex_handle v) { write_point(v->point()); });
+    m_json.list(result.steiner_vertices, [&](const typename Result::Vertex_handle v) { m_json.point(v->point()); });
   }
 
 private:
   void write_counts(const Result& result)
   {
-    m_json.entry("status", to_string(result.status));
     m_json.entry("number_of_edges", result.number_of_edges);
     m_json.entry("number_of_facets", result.number_of_facets);
     m_json.entry("number_of_defects", result.number_of_defects);
@@ -210,19 +221,8 @@ private:
     m_json.key("vertices");
     m_json.list(simplex.vertices, [&](const std::size_t v) { m_json.value(v); });
     m_json.key("points");
-    m_json.list(simplex.points, [&](const Point& p) { write_point(p); });
+    m_json.list(simplex.points, [&](const Point& p) { m_json.point(p); });
     m_json.end('}');
-  }
-
-  void write_point(const Point& p)
-  {
-    m_json.begin('[');
-    for(int i = 0; i < 3; ++i)
-    {
-      m_json.next();
-      m_json.value(CGAL::to_double(p[i]));
-    }
-    m_json.end(']');
   }
 };
 

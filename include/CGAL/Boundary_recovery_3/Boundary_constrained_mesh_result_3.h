@@ -48,12 +48,14 @@ enum class Meshing_phase
 };
 
 /// \ingroup PkgBoundaryRecovery3Classes
-/// the mesh of the domain when a phase ended, and the duration of that phase.
+/// the mesh of the domain when a phase ended, and the duration of that phase; of the phase `forecast`, the mesh that is to
+/// be expected: so a visitor can tell it before the work begins.
 struct Meshing_phase_report
 {
   Meshing_phase phase;                ///< the phase
   std::size_t number_of_vertices = 0; ///< number of vertices of the triangulation
-  std::size_t number_of_cells = 0;    ///< number of finite cells of the triangulation, those outside the domain included
+  std::size_t number_of_cells = 0;    ///< number of finite cells of the triangulation, those outside the domain included,
+                                      ///< but in the forecast not
   double seconds = 0;                 ///< duration in seconds (wall clock)
 };
 

@@ -3,10 +3,9 @@
 
 usage: test_program_br3.py PROGRAM
 
-Every mesh is read back by parsers of this script and checked with exact rational arithmetic.
+Every mesh is read back by parsers of program_tests.py and checked with exact rational arithmetic.
 """
 import collections
-import contextlib
 import json
 import math
 import os
@@ -14,246 +13,11 @@ import re
 import struct
 import subprocess
 import sys
-import tempfile
 import threading
-import traceback
-import xml.etree.ElementTree
-from fractions import Fraction
 
-PROGRAM = ''
-RECOVERED, FILE_ERROR, INVALID_INPUT, INCOMPLETE = 0, 1, 2, 3
-
-
-# ---------------------------------------------------------------- surfaces
-
-def box(low, high, outward=True):
-    """the vertices and triangles of a box"""
-    points = [tuple(high[i] if corner >> i & 1 else low[i] for i in range(3)) for corner in range(8)]
-    quads = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
-    faces = [t for q in quads for t in ((q[0], q[1], q[2]), (q[0], q[2], q[3]))]
-    return points, faces if outward else [(a, c, b) for a, b, c in faces]
-
-
-def join(*surfaces):
-    """one soup of several ones; points are not merged"""
-    points, faces = [], []
-    for p, f in surfaces:
-        faces += [tuple(v + len(points) for v in t) for t in f]
-        points += p
-    return points, faces
-
-
-def tetrahedron():
-    return [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)], [(0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2)]
-
-
-def schonhardt():
-    """a twisted prism: no tetrahedralization without further points has its edges a_i b_(i+1)"""
-    def ring(z, turn):
-        return [(math.cos(math.radians(120 * i + turn)), math.sin(math.radians(120 * i + turn)), z) for i in range(3)]
-    faces = [(0, 2, 1), (3, 4, 5)]
-    for i in range(3):
-        j = (i + 1) % 3
-        faces += [(i, j, j + 3), (i, j + 3, i + 3)]
-    return ring(0, 0) + ring(1, 30), faces
-
-
-def signed_volume(points, cells):
-    """six times the sum of the exact volumes of simplices; triangles are joined to the origin"""
-    return sum(determinant([(0, 0, 0)] + [points[v] for v in c] if len(c) == 3 else [points[v] for v in c])
-               for c in cells)
-
-
-def determinant(corners):
-    origin, *others = [[Fraction(x) for x in p] for p in corners]
-    a, b, c = [[x - o for x, o in zip(p, origin)] for p in others]
-    return (a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0])
-            + a[2] * (b[0] * c[1] - b[1] * c[0]))
-
-
-# ---------------------------------------------------------------- writing of inputs
-
-def off_text(points, faces):
-    return ('OFF\n%d %d 0\n' % (len(points), len(faces)) + ''.join('%r %r %r\n' % tuple(p) for p in points)
-            + ''.join('%d %s\n' % (len(f), ' '.join(map(str, f))) for f in faces))
-
-
-def obj_text(points, faces):
-    return (''.join('v %r %r %r\n' % tuple(p) for p in points)
-            + ''.join('f %s\n' % ' '.join(str(v + 1) for v in f) for f in faces))
-
-
-def ply_header(points, faces, kind):
-    return ('ply\nformat %s 1.0\nelement vertex %d\nproperty double x\nproperty double y\nproperty double z\n'
-            'element face %d\nproperty list uchar int vertex_indices\nend_header\n' % (kind, len(points), len(faces)))
-
-
-def ply_text(points, faces):
-    return ply_header(points, faces, 'ascii') + off_text(points, faces).split('\n', 2)[2]
-
-
-def ply_binary(points, faces):
-    return (ply_header(points, faces, 'binary_little_endian').encode()
-            + b''.join(struct.pack('<3d', *p) for p in points)
-            + b''.join(struct.pack('<B%di' % len(f), len(f), *f) for f in faces))
-
-
-def stl_text(points, faces):
-    facets = ''.join('facet normal 0 0 0\nouter loop\n' + ''.join('vertex %r %r %r\n' % tuple(points[v]) for v in f)
-                     + 'endloop\nendfacet\n' for f in faces)
-    return 'solid test\n' + facets + 'endsolid test\n'
-
-
-def stl_binary(points, faces):
-    return (b'\0' * 80 + struct.pack('<I', len(faces))
-            + b''.join(struct.pack('<12fH', 0, 0, 0, *[x for v in f for x in points[v]], 0) for f in faces))
-
-
-def off_binary(points, faces, colors_of_faces=b'', colors_of_vertices=b'', keyword=b'OFF'):
-    """big endian; without colors of faces their number is there, as 0; it is not if they are None"""
-    number = b'' if colors_of_faces is None else struct.pack('>i', len(colors_of_faces) // 4) + colors_of_faces
-    return (keyword + b' BINARY\n' + struct.pack('>3i', len(points), len(faces), 0)
-            + b''.join(struct.pack('>3f', *p) + colors_of_vertices for p in points)
-            + b''.join(struct.pack('>%di' % (1 + len(f)), len(f), *f) + number for f in faces))
-
-
-# ---------------------------------------------------------------- reading of outputs
-
-Mesh = collections.namedtuple('Mesh', 'points tetrahedra regions triangles patches')
-
-
-def read_mesh(name):
-    words = iter(open(name).read().split())
-    assert [next(words) for _ in range(4)] == ['MeshVersionFormatted', '2', 'Dimension', '3']
-
-    def section(keyword, size):
-        assert next(words) == keyword
-        return [[next(words) for _ in range(size)] for _ in range(int(next(words)))]
-    vertices = section('Vertices', 4)
-    triangles = section('Triangles', 4)
-    tetrahedra = section('Tetrahedra', 5)
-    assert next(words) == 'End' and next(words, None) is None
-    return Mesh([tuple(map(float, v[:3])) for v in vertices],
-                [tuple(int(i) - 1 for i in t[:4]) for t in tetrahedra], [int(t[4]) for t in tetrahedra],
-                [tuple(int(i) - 1 for i in t[:3]) for t in triangles], [int(t[3]) for t in triangles])
-
-
-def read_vtk(name):
-    lines = open(name).read().split('\n')
-    assert lines[0].startswith('# vtk DataFile Version') and lines[2:4] == ['ASCII', 'DATASET UNSTRUCTURED_GRID']
-    words = iter(' '.join(lines[4:]).split())
-
-    def expect(*expected):
-        for word in expected:
-            assert next(words) == word, word
-    expect('POINTS')
-    n = int(next(words))
-    expect('double')
-    points = [tuple(float(next(words)) for _ in range(3)) for _ in range(n)]
-    expect('CELLS')
-    m = int(next(words))
-    expect(str(5 * m))
-    cells = [[int(next(words)) for _ in range(5)] for _ in range(m)]
-    assert all(c[0] == 4 for c in cells)
-    expect('CELL_TYPES', str(m), *['10'] * m)
-    expect('CELL_DATA', str(m), 'SCALARS', 'region', 'int', '1', 'LOOKUP_TABLE', 'default')
-    regions = [int(next(words)) for _ in range(m)]
-    assert next(words, None) is None
-    return Mesh(points, [tuple(c[1:]) for c in cells], regions, None, None)
-
-
-def read_vtu(name):
-    root = xml.etree.ElementTree.parse(name).getroot()
-    assert root.tag == 'VTKFile' and root.get('type') == 'UnstructuredGrid'
-    piece = root.find('UnstructuredGrid/Piece')
-    n, m = int(piece.get('NumberOfPoints')), int(piece.get('NumberOfCells'))
-
-    def array(path, kind, size):
-        element = piece.find(path)
-        values = [kind(x) for x in (element.text or '').split()]
-        assert element.get('format') == 'ascii' and len(values) == size
-        return values
-    x = array('Points/DataArray', float, 3 * n)
-    v = array("Cells/DataArray[@Name='connectivity']", int, 4 * m)
-    assert array("Cells/DataArray[@Name='offsets']", int, m) == [4 * (i + 1) for i in range(m)]
-    assert array("Cells/DataArray[@Name='types']", int, m) == [10] * m
-    regions = array("CellData/DataArray[@Name='region']", int, m)
-    return Mesh([tuple(x[3 * i:3 * i + 3]) for i in range(n)], [tuple(v[4 * i:4 * i + 4]) for i in range(m)],
-                regions, None, None)
-
-
-def facets_of(tetrahedra):
-    """how many tetrahedra have each facet"""
-    count = collections.Counter()
-    for t in tetrahedra:
-        count.update(frozenset(t[:i] + t[i + 1:]) for i in range(4))
-    return count
-
-
-def check_tetrahedra(mesh):
-    assert all(0 <= v < len(mesh.points) for t in mesh.tetrahedra for v in t)
-    assert all(signed_volume(mesh.points, [t]) > 0 for t in mesh.tetrahedra)
-    assert max(facets_of(mesh.tetrahedra).values()) <= 2
-    assert len(mesh.regions) == len(mesh.tetrahedra)
-
-
-def check_domain(mesh, points, faces):
-    """the mesh of a domain that is bounded by all the faces of a surface, which has no equal points"""
-    check_tetrahedra(mesh)
-    assert mesh.points[:len(points)] == [tuple(map(float, p)) for p in points]
-    assert mesh.triangles == [tuple(f) for f in faces]
-    assert mesh.patches == list(range(1, len(faces) + 1))
-    boundary = {f for f, n in facets_of(mesh.tetrahedra).items() if n == 1}
-    assert boundary == {frozenset(f) for f in faces}
-    assert signed_volume(mesh.points, mesh.tetrahedra) == signed_volume(points, faces)
-
-
-# ---------------------------------------------------------------- running the program
-
-def run(*arguments, status=None):
-    process = subprocess.run([PROGRAM, *arguments], capture_output=True, timeout=300, stdin=subprocess.DEVNULL)
-    if status is not None:
-        assert process.returncode == status, (arguments, process)
-    process.out = process.stdout.decode()
-    process.err = process.stderr.decode(errors='replace')
-    return process
-
-
-def write(name, content):
-    with open(name, 'wb') as f:
-        f.write(content.encode() if isinstance(content, str) else content)
-    return name
-
-
-def read(name):
-    with open(name, 'rb') as f:
-        return f.read()
-
-
-def check_file_error(*arguments):
-    """status 1, one line on stderr, nothing on stdout"""
-    process = run(*arguments, status=FILE_ERROR)
-    assert process.out == '' and re.fullmatch(r'recover_boundary: [^\n]+\n', process.err), process
-    return process.err
-
-
-def report_of(*arguments, status):
-    run(*arguments, '--report', 'report.json', '--quiet', status=status)
-
-    def refuse(constant):
-        raise AssertionError(constant + ' is no JSON')
-    return json.loads(read('report.json').decode('utf-8'), parse_constant=refuse)
-
-
-def check_invalid(name, kind):
-    """status 2, the kind of defect in the message and in the report; no mesh is written"""
-    process = run(name, '-o', 'never.mesh', status=INVALID_INPUT)
-    assert process.out == '' and kind in process.err and not os.path.exists('never.mesh'), process
-    report = report_of(name, status=INVALID_INPUT)
-    assert report['status'] == 'invalid_input' and report['number_of_tetrahedra'] == 0
-    defects = [d for d in report['defects'] if d['kind'] == kind]
-    assert defects, (name, report)
-    return defects
+sys.dont_write_bytecode = True  # the folder of the sources stays as it is
+import program_tests
+from program_tests import *
 
 
 # ---------------------------------------------------------------- tests
@@ -281,7 +45,7 @@ def test_output_formats():
     mesh, vtu, vtk = read_mesh('a.mesh'), read_vtu('a.vtu'), read_vtk('a.vtk')
     check_domain(mesh, points, faces)
     assert set(mesh.regions) == {1} and len(mesh.points) == 8
-    assert mesh[:3] == vtu[:3] == vtk[:3]
+    assert mesh == vtu == vtk
     assert read('a.mesh') == read('b.mesh')
 
 
@@ -340,13 +104,6 @@ def test_regions():
     assert volume_of_regions(mesh) == {1: 6 * 27}
 
 
-def volume_of_regions(mesh):
-    volumes = collections.Counter()
-    for t, region in zip(mesh.tetrahedra, mesh.regions):
-        volumes[region] += signed_volume(mesh.points, [t])
-    return volumes
-
-
 def test_incomplete():
     points, faces = schonhardt()
     surface = write('twisted.off', off_text([(9, 9, 9)] + points, [tuple(v + 1 for v in f) for f in faces]))
@@ -370,12 +127,6 @@ def test_incomplete():
     missing = {facet['index'] for facet in facets}
     assert mesh.patches == [i + 1 for i in range(len(faces)) if i not in missing]
     assert mesh.triangles == [tuple(faces[i]) for i in range(len(faces)) if i not in missing]
-
-
-def twisted_box(outward):
-    """a box, and inside it a twisted prism that bounds a void or a second region"""
-    points, faces = schonhardt()
-    return join(box((-3, -3, -3), (3, 3, 3)), (points, faces if outward else [(a, c, b) for a, b, c in faces]))
 
 
 def test_steiner_points():
@@ -705,11 +456,11 @@ def test_summary_that_cannot_be_written():
     outputs = [closed] + ([{'stdout': open('/dev/full', 'w')}] if os.path.exists('/dev/full') else [])
     for output in outputs:
         for arguments in ([surface], [surface, '-o', 'summary.mesh'], ['--help'], [surface, '--quiet', '--timing']):
-            process = subprocess.run([PROGRAM, *arguments], stderr=subprocess.PIPE, timeout=300, **output)
+            process = subprocess.run([program_tests.PROGRAM, *arguments], stderr=subprocess.PIPE, timeout=300, **output)
             assert process.returncode == FILE_ERROR, (arguments, process)
-            assert process.stderr == b'recover_boundary: cannot write to the standard output\n', process
+            assert process.stderr.decode() == program_tests.program_name() + ': cannot write to the standard output\n', process
         check_domain(read_mesh('summary.mesh'), *box((0, 0, 0), (1, 2, 4)))
-        process = subprocess.run([PROGRAM, surface, '--quiet'], stderr=subprocess.PIPE, timeout=300, **output)
+        process = subprocess.run([program_tests.PROGRAM, surface, '--quiet'], stderr=subprocess.PIPE, timeout=300, **output)
         assert process.returncode == RECOVERED and process.stderr == b''  # nothing is to be written
 
 
@@ -777,11 +528,6 @@ def test_intersections():
 
 
 # ---------------------------------------------------------------- repair
-
-def soup_of(points, faces):
-    """the same surface with vertices of its own for each face, as in an STL file"""
-    return [points[v] for f in faces for v in f], [(3 * i, 3 * i + 1, 3 * i + 2) for i in range(len(faces))]
-
 
 def shaken(soup, amount):
     """moves each coordinate by up to the amount, never the same way twice"""
@@ -958,36 +704,5 @@ def test_repair_of_what_is_no_triangle_soup():
     assert run('nan.off', '--repair', '--quiet', status=INVALID_INPUT).out == ''
 
 
-@contextlib.contextmanager
-def temporary_folder():
-    here = os.getcwd()
-    with tempfile.TemporaryDirectory() as folder:
-        os.chdir(folder)
-        try:
-            yield
-        finally:
-            os.chdir(here)
-
-
-def main():
-    global PROGRAM
-    if len(sys.argv) < 2:
-        sys.exit(__doc__)
-    PROGRAM = os.path.abspath(sys.argv[1])
-    failures = 0
-    for name, test in sorted(globals().items()):
-        if not name.startswith('test_') or (len(sys.argv) > 2 and name not in sys.argv[2:]):
-            continue
-        with temporary_folder():
-            try:
-                test()
-                print(name, 'passed', flush=True)
-            except (AssertionError, subprocess.TimeoutExpired, ValueError, OSError, StopIteration, KeyError):
-                traceback.print_exc()
-                print(name, 'FAILED', flush=True)
-                failures += 1
-    sys.exit(1 if failures else 0)
-
-
 if __name__ == '__main__':
-    main()
+    run_tests(__doc__, globals())

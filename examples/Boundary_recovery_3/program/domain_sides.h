@@ -1,0 +1,86 @@
+#ifndef BOUNDARY_RECOVERY_3_PROGRAM_DOMAIN_SIDES_H
+#define BOUNDARY_RECOVERY_3_PROGRAM_DOMAIN_SIDES_H
+
+#include "domain.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+// The regions on both sides of a triangle, the smaller one first; 0 is the outside.
+typedef std::array<int, 2> Sides;
+
+// Finds the tetrahedra beside each triangle of a domain. Triangles are looked up by their vertex with the smallest
+// number, in a table as large as the mesh has points: no hashing, no sorting.
+template <typename Point>
+class Side_finder
+{
+  typedef std::array<Point_number, 3> Triangle;
+
+  const Domain<Point>& m_domain;
+  std::vector<std::size_t> m_begin;      // for each point, where its triangles begin in the list
+  std::vector<std::size_t> m_triangles;  // sorted by their smallest point
+  std::vector<Sides> m_sides;
+  std::vector<int> m_number_of_sides;
+
+public:
+  explicit Side_finder(const Domain<Point>& domain)
+    : m_domain(domain), m_begin(domain.points.size() + 1, 0), m_triangles(domain.triangles.size()),
+      m_sides(domain.triangles.size(), Sides{{ 0, 0 }}), m_number_of_sides(domain.triangles.size(), 0)
+  { }
+
+  // the sides of each triangle
+  std::vector<Sides> operator()()
+  {
+    sort_triangles();
+    for(std::size_t t = 0; t < m_domain.tetrahedra.size(); ++t)
+      for(int i = 0; i < 4; ++i)
+      {
+        const auto& v = m_domain.tetrahedra[t];
+        add_side(sorted({{ v[(i + 1) % 4], v[(i + 2) % 4], v[(i + 3) % 4] }}), m_domain.regions[t]);
+      }
+    for(Sides& sides : m_sides)
+      std::sort(sides.begin(), sides.end());
+    return std::move(m_sides);
+  }
+
+private:
+  static Triangle sorted(Triangle t)
+  {
+    std::sort(t.begin(), t.end());
+    return t;
+  }
+
+  static Point_number smallest(const Triangle& t) { return *std::min_element(t.begin(), t.end()); }
+
+  void sort_triangles()
+  {
+    for(const Triangle& t : m_domain.triangles)
+      ++m_begin[smallest(t) + 1];
+    for(std::size_t v = 1; v < m_begin.size(); ++v)
+      m_begin[v] += m_begin[v - 1];
+    std::vector<std::size_t> next(m_begin);
+    for(std::size_t i = 0; i < m_domain.triangles.size(); ++i)
+      m_triangles[next[smallest(m_domain.triangles[i])]++] = i;
+  }
+
+  // most facets of tetrahedra are no triangles of the surface
+  void add_side(const Triangle& facet, const int region)
+  {
+    for(std::size_t k = m_begin[facet[0]]; k < m_begin[facet[0] + 1]; ++k)
+    {
+      const std::size_t i = m_triangles[k];
+      if(m_number_of_sides[i] < 2 && sorted(m_domain.triangles[i]) == facet)
+        m_sides[i][m_number_of_sides[i]++] = region;
+    }
+  }
+};
+
+template <typename Point>
+std::vector<Sides> find_sides(const Domain<Point>& domain)
+{
+  return Side_finder<Point>(domain)();
+}
+
+#endif // BOUNDARY_RECOVERY_3_PROGRAM_DOMAIN_SIDES_H

@@ -1,0 +1,179 @@
+// Reads a triangulated surface, and writes a mesh of its inside with tetrahedra of the sizes that are asked for.
+// `mesh_surface --help` tells the options.
+
+#include <CGAL/make_boundary_constrained_mesh_3.h>
+
+#include "default_flow.h"
+#include "domain.h"
+#include "edge_lengths.h"
+#include "mesh_quality.h"
+#include "mesh_size.h"
+#include "mesh_surface_options.h"
+#include "print_mesh.h"
+#include "program.h"
+#include "progress_bar.h"
+#include "write_mesh_report.h"
+
+#include <CGAL/Boundary_constrained_mesh_triangulation_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Real_timer.h>
+
+#include <functional>
+#include <iostream>
+#include <sstream>
+#include <string>
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel           Kernel;
+typedef Kernel::Point_3                                               Point;
+typedef CGAL::Boundary_constrained_mesh_triangulation_3<Kernel>::type Triangulation;
+typedef CGAL::Boundary_constrained_mesh_result_3<Triangulation>       Result;
+typedef CGAL::Boundary_recovery_3::Meshing_status                     Status;
+typedef Mesh_size<Triangulation>                                      Size;
+
+// what is known of the mesh when it is made
+struct Measurements
+{
+  Mesh_quality quality;
+  Edge_lengths edges;
+  double seconds_total = 0;    // of all that makes the mesh
+  double seconds_recovery = 0; // without the insertion of the surface's points
+};
+
+Result mesh(Triangulation& tr, const Surface<Point>& surface, const Size& size, const Meshing_options& options,
+            Progress_bar& progress)
+{
+  const auto common = CGAL::parameters::visitor(std::ref(progress)).maximum_running_time(options.time_limit);
+  const auto defects = CGAL::parameters::list_defects(options.list_defects);
+  const auto vertices = CGAL::parameters::maximum_number_of_vertices(options.maximum_number_of_vertices);
+  return CGAL::make_boundary_constrained_mesh_3(tr, surface.points, surface.faces,
+                                                options.insert_field_points ? size : Size::unbounded(),
+                                                common, defects, vertices);
+}
+
+// the regions, unless they are not known: only what is outside would be written otherwise
+Domain<Point> make_domain(const Triangulation& tr, const Result& result)
+{
+  if(! reason_for_no_mesh(result).empty())
+    return Domain<Point>();
+  Domain<Point> domain = Domain_builder<Triangulation>(tr)(result.recovery, result.recovery.surface_facets(),
+    [](const Triangulation::Cell_handle c) { return c->subdomain_index() == 0 ? -1 : c->subdomain_index(); });
+  domain.number_of_regions = result.number_of_regions;
+  return domain;
+}
+
+// without the Delaunay insertion, as `recover_boundary` tells it: the phases of the recovery are not all of it
+double seconds_of_recovery(const Result& result)
+{
+  double seconds = make_seconds(result.seconds, result.recovery.phases).recovery - result.filling.seconds;
+  for(const auto& phase : result.phases)
+    if(phase.phase == CGAL::Boundary_recovery_3::Meshing_phase::domain_marking)
+      seconds -= phase.seconds;
+  return seconds;
+}
+
+// The quality of millions of tetrahedra takes a while: it is measured only if anybody is told.
+Measurements measure(const Domain<Point>& domain, const Size& size, const Result& result, const double seconds,
+                     const Meshing_options& options)
+{
+  Measurements measured;
+  measured.seconds_total = seconds;
+  measured.seconds_recovery = seconds_of_recovery(result);
+  if(! options.quiet || ! options.report.empty())
+  {
+    measured.quality = measure_quality(domain);
+    measured.edges = Edge_meter<Point>(domain)(size);
+  }
+  return measured;
+}
+
+void write_entries(Json_writer& json, const Meshing_options& options, const Result& result,
+                   const Domain<Point>& domain, const Measurements& measured)
+{
+  write_options(json, options);
+  json.entry("status", to_string(result.status));
+  json.entry("recovery_status", to_string(result.recovery.status));
+  Report_writer<Result::Recovery> write_recovery(json);
+  write_recovery(result.recovery);
+  write_meshing(json, result);
+  json.entry("number_of_steiner_points_in_domain", domain.number_of_steiner_points);
+  json.entry("number_of_points", domain.points.size());
+  json.entry("number_of_triangles", domain.triangles.size());
+  json.entry("number_of_tetrahedra", domain.tetrahedra.size());
+  write_quality(json, measured.quality);
+  write_edges(json, measured.edges);
+  json.entry("seconds", measured.seconds_total);
+  json.entry("seconds_recovery", measured.seconds_recovery);
+  json.entry("seconds_field_points", result.filling.seconds);
+}
+
+void print_timing(const Result& result, const Measurements& measured)
+{
+  std::cout << "@@rec " << measured.seconds_recovery << "\n@@fill " << result.filling.seconds
+            << "\n@@improve 0\n@@tmesh " << measured.seconds_total << std::endl;
+}
+
+// tells what is wrong with the input: the surface, or a size
+int refuse(const Result& result, const Program<Point>& program)
+{
+  if(result.recovery.status == CGAL::Boundary_recovery_3::Recovery_status::invalid_input)
+    return program.refuse_input(result.recovery);
+  for(const auto& invalid : result.filling.invalid_sizes)
+  {
+    std::ostringstream message;
+    message << "invalid input, the size at (" << invalid.point << ") is " << invalid.size
+            << (invalid.message.empty() ? "" : ": ") << invalid.message;
+    program.fail(message.str());
+  }
+  return invalid_input;
+}
+
+int run(const Meshing_options& options, Program<Point>& program)
+{
+  Size size;
+  std::string message;
+  if(! program.keeps_inputs(input_files(options)) || ! program.read_surface(default_flow<Point>))
+    return program.fail();
+  if(! size.read(options, message))
+    return program.fail(message);
+  if(! program.can_write())
+    return program.fail();
+  program.prepare_surface();
+
+  Triangulation tr;
+  Progress_bar progress(std::cout, options.quiet, stdout_is_terminal());
+  CGAL::Real_timer timer;
+  timer.start();
+  size.set_surface(program.surface(), options);
+  Result result = mesh(tr, program.surface(), size, options, progress);
+  timer.stop();
+
+  Domain<Point> domain = make_domain(tr, result);
+  const Measurements measured = measure(domain, size, result, timer.time(), options);
+  program.use_numbers_of_file(result.recovery, domain);
+  if(! program.write_report([&](Json_writer& json) { write_entries(json, options, result, domain, measured); }))
+    return program.fail();
+  if(result.status == Status::invalid_input)
+    return refuse(result, program);
+
+  if(options.timing)
+    print_timing(result, measured);
+  if(! reason_for_no_mesh(result).empty())
+  {
+    program.fail("there is no mesh: " + reason_for_no_mesh(result));
+    return incomplete_or_stopped;
+  }
+  if(! program.write_outputs(domain))
+    return program.fail();
+  if(! options.quiet)
+  {
+    print_mesh(std::cout, result, domain, measured.quality, measured.edges, measured.seconds_total);
+    if(options.outputs.empty())
+      std::cout << "no mesh is written; -o OUTPUT does that" << std::endl;
+  }
+  return result ? success : incomplete_or_stopped;
+}
+
+int main(int argc, char* argv[])
+{
+  return run_program<Point, Meshing_command_line, Meshing_options>("mesh_surface", meshing_usage, argc, argv, run);
+}

@@ -1,0 +1,242 @@
+#ifndef BOUNDARY_RECOVERY_3_PROGRAM_PROGRAM_H
+#define BOUNDARY_RECOVERY_3_PROGRAM_PROGRAM_H
+
+#include "command_line.h"
+#include "domain.h"
+#include "read_surface.h"
+#include "repair_surface.h"
+#include "report_repair.h"
+#include "write_domain.h"
+#include "write_report.h"
+
+#include <CGAL/version.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#ifndef BOUNDARY_RECOVERY_3_VERSION // our CMakeLists.txt tells the version of the package
+#define BOUNDARY_RECOVERY_3_VERSION "unknown"
+#endif
+
+enum Exit_status { success = 0, usage_or_file_error = 1, invalid_input = 2, incomplete_or_stopped = 3 };
+
+// whether a file can be opened for writing; leaves no trace of the trial
+inline bool is_writable(const std::string& file)
+{
+  std::error_code ignored;
+  const bool existed = std::filesystem::exists(file, ignored);
+  const bool opened = std::ofstream(file, std::ios::app).is_open();
+  if(opened && ! existed)
+    std::filesystem::remove(file, ignored);
+  return opened;
+}
+
+// What all the programs do with surfaces and files, in the order in which they do it. A function that returns `false`
+// has set the message that `fail()` prints.
+template <typename Point>
+class Program
+{
+  const std::string m_name;
+  const Common_options& m_options;
+  Surface<Point> m_surface;
+  Repair_changes m_changes;
+  std::string m_message;
+
+public:
+  Program(const std::string& name, const Common_options& options) : m_name(name), m_options(options) { }
+
+  const Surface<Point>& surface() const { return m_surface; }
+
+  int fail(const std::string& message) const
+  {
+    std::cerr << m_name << ": " << message << std::endl;
+    return usage_or_file_error;
+  }
+
+  int fail() const { return fail(m_message); }
+
+  // The same file may have several names, by links. The only copy of what is read must not become a mesh of it.
+  bool keeps_inputs(const std::vector<std::string>& inputs)
+  {
+    for(const std::string& file : files_to_write())
+      for(const std::string& input : inputs)
+      {
+        std::error_code ignored; // a file that does not exist yet
+        if(! input.empty() && std::filesystem::equivalent(file, input, ignored))
+          return refuse("the input would be overwritten: " + file);
+      }
+    return true;
+  }
+
+  // `default_surface` makes the surface that is taken if there is no input
+  template <typename DefaultSurface>
+  bool read_surface(const DefaultSurface& default_surface)
+  {
+    if(! m_options.input.empty())
+      return ::read_surface(m_options.input, m_surface, m_message);
+    m_surface = default_surface();
+    return true;
+  }
+
+  // better said before the work than after it
+  bool can_write()
+  {
+    for(const std::string& file : files_to_write())
+      if(! is_writable(file))
+        return refuse("cannot write " + file);
+    return true;
+  }
+
+  // tells what the user has to know of the surface, and repairs it if that is asked for
+  void prepare_surface()
+  {
+    if(! m_options.quiet)
+      for(const std::string& note : m_surface.notes)
+        std::cout << "note: " << note << std::endl;
+    if(! m_options.repair)
+      return;
+    m_changes = Surface_repairer<Point>(m_surface)(m_options.tolerance);
+    if(! m_options.quiet)
+      print_repair(std::cout, m_changes);
+  }
+
+  // The surface has each point once and may lack vertices of the file, and its faces may be parts: translates to the
+  // numbers of the file.
+  template <typename Result>
+  void use_numbers_of_file(Result& result, Domain<Point>& domain) const
+  {
+    typedef typename Result::Input_simplex Simplex;
+
+    const auto translate = [&](Simplex& simplex)
+    {
+      if(simplex.dimension == 0 && simplex.index != Simplex::no_index)
+        simplex.index = m_surface.file_vertex(simplex.index);
+      if(simplex.dimension == 2 && simplex.index != Simplex::no_index)
+        simplex.index = m_surface.file_face(simplex.index);
+      for(std::size_t& v : simplex.vertices)
+        v = m_surface.file_vertex(v);
+    };
+    std::for_each(result.missing_edges.begin(), result.missing_edges.end(), translate);
+    std::for_each(result.missing_facets.begin(), result.missing_facets.end(), translate);
+    std::for_each(result.unrepresentable_constraints.begin(), result.unrepresentable_constraints.end(), translate);
+    for(auto& defect : result.defects)
+      std::for_each(defect.simplices.begin(), defect.simplices.end(), translate);
+    for(std::size_t& patch : domain.patches) // these begin with 1
+      patch = m_surface.file_face(patch - 1) + 1;
+  }
+
+  // the entries that the reports of all the programs begin with
+  void write_input(Json_writer& json) const
+  {
+    json.entry("program", m_name);
+    json.entry("version", BOUNDARY_RECOVERY_3_VERSION);
+    json.entry("cgal_version", CGAL_VERSION_STR);
+    json.entry("input", m_options.input.empty() ? std::string("default surface") : m_options.input);
+    json.key("notes");
+    json.list(m_surface.notes, [&](const std::string& note) { json.value(note); });
+    if(m_options.repair)
+      write_repair(json, m_changes, m_surface);
+  }
+
+  template <typename Result>
+  int refuse_input(const Result& result) const
+  {
+    print_defects(result);
+    return invalid_input;
+  }
+
+  bool write_outputs(const Domain<Point>& domain)
+  {
+    for(const std::string& file : m_options.outputs)
+      if(! write_domain(file, read_surface_internal::lower_case_extension(file), domain))
+        return refuse("cannot write " + file);
+    return true;
+  }
+
+  // `write` writes the entries of the report, if one is asked for
+  template <typename Write>
+  bool write_report(const Write& write)
+  {
+    if(m_options.report.empty())
+      return true;
+    std::ofstream os(m_options.report);
+    Json_writer json(os);
+    json.begin('{');
+    write_input(json);
+    write(json);
+    json.end('}');
+    os << '\n';
+    os.close();
+    return ! os.fail() || refuse("cannot write " + m_options.report);
+  }
+
+private:
+  bool refuse(const std::string& message)
+  {
+    m_message = message;
+    return false;
+  }
+
+  std::vector<std::string> files_to_write() const
+  {
+    std::vector<std::string> files = m_options.outputs;
+    if(! m_options.report.empty())
+      files.push_back(m_options.report);
+    return files;
+  }
+
+  template <typename Result>
+  void print_defects(const Result& result) const
+  {
+    const std::size_t n = result.number_of_defects, listed = result.defects.size();
+    const std::size_t shown = (std::min)(listed, std::size_t(10));
+    std::cerr << m_name << ": invalid input, " << (n > listed ? "at least " : "") << n
+              << (n == 1 ? " defect" : " defects") << '\n';
+    for(std::size_t i = 0; i < shown; ++i)
+      std::cerr << "  " << result.defects[i] << '\n';
+    if(n > shown)
+    {
+      std::cerr << "  and " << n - shown << " more: --report lists ";
+      if(n > listed)
+        std::cerr << "the first " << listed << '\n';
+      else
+        std::cerr << "all of them\n";
+    }
+  }
+};
+
+// the main function of each program: `run` takes the options and returns the exit status
+template <typename Point, typename Reader, typename Options, typename Run>
+int run_program(const std::string& name, const char* const usage, const int argc, const char* const argv[],
+                const Run& run)
+{
+  Options options;
+  Reader command_line(argc, argv, options);
+  Program<Point> program(name, options);
+  if(! command_line.parse())
+    return program.fail(command_line.message());
+  int status = success;
+  try
+  {
+    if(options.help)
+      std::cout << usage;
+    else
+      status = run(options, program);
+  }
+  catch(const std::exception& e) // such as memory that is exhausted
+  {
+    return program.fail(e.what());
+  }
+  if(! std::cout.flush())
+    return program.fail("cannot write to the standard output");
+  return status;
+}
+
+#endif // BOUNDARY_RECOVERY_3_PROGRAM_PROGRAM_H

@@ -1,0 +1,87 @@
+#ifndef BOUNDARY_RECOVERY_3_PROGRAM_WRITE_MESH_REPORT_H
+#define BOUNDARY_RECOVERY_3_PROGRAM_WRITE_MESH_REPORT_H
+
+#include "edge_lengths.h"
+#include "mesh_quality.h"
+#include "mesh_surface_options.h"
+#include "write_report.h"
+
+#include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_result_3.h>
+
+#include <cstddef>
+#include <limits>
+#include <string>
+
+// what the user asked for
+inline void write_options(Json_writer& json, const Meshing_options& options)
+{
+  json.key("size"); // null: from the surface
+  json.value(options.size > 0 ? options.size : std::numeric_limits<double>::quiet_NaN());
+  json.entry("sources", options.sources);
+  json.entry("background", options.background);
+  json.entry("grading", options.grading);
+  json.entry("insert_field_points", options.insert_field_points);
+}
+
+// how the phases after the recovery went
+template <typename Result>
+void write_meshing(Json_writer& json, const Result& result)
+{
+  json.entry("number_of_regions", result.number_of_regions);
+  json.entry("forecast_of_tetrahedra", result.filling.forecast_of_cells);
+  json.entry("forecast_of_vertices", result.filling.forecast_of_vertices);
+  json.entry("number_of_field_points", result.filling.number_of_field_points);
+  json.key("invalid_sizes");
+  json.list(result.filling.invalid_sizes, [&](const auto& invalid)
+  {
+    json.begin('{');
+    json.key("point");
+    json.point(invalid.point);
+    json.entry("size", invalid.size);
+    json.entry("message", invalid.message);
+    json.end('}');
+  });
+  json.key("meshing_phases");
+  json.list(result.phases, [&](const CGAL::Boundary_recovery_3::Meshing_phase_report& phase)
+  {
+    json.begin('{');
+    json.entry("name", to_string(phase.phase));
+    json.entry("number_of_vertices", phase.number_of_vertices);
+    json.entry("number_of_cells", phase.number_of_cells);
+    json.entry("seconds", phase.seconds);
+    json.end('}');
+  });
+}
+
+// a list of angles in degrees, and one of the tetrahedra that each of them holds for
+template <typename Angles, typename Numbers>
+void write_counts(Json_writer& json, const std::string& name, const Angles& angles, const Numbers& numbers)
+{
+  json.key(name);
+  json.begin('{');
+  for(std::size_t i = 0; i < angles.size(); ++i)
+    json.entry(std::to_string(static_cast<int>(angles[i])), numbers[i]);
+  json.end('}');
+}
+
+inline void write_quality(Json_writer& json, const Mesh_quality& quality)
+{
+  json.entry("min_dihedral_angle", quality.smallest_angle);
+  json.entry("max_dihedral_angle", quality.largest_angle);
+  json.key("histogram_of_dihedral_angles"); // of ten degrees each
+  json.list(quality.histogram, [&](const std::size_t n) { json.value(n); });
+  write_counts(json, "tetrahedra_with_angle_below", Mesh_quality::small_angles, quality.below);
+  write_counts(json, "tetrahedra_with_angle_above", Mesh_quality::large_angles, quality.above);
+}
+
+inline void write_edges(Json_writer& json, const Edge_lengths& edges)
+{
+  json.entry("number_of_edges_inside", edges.number_of_edges);
+  json.entry("number_of_edges_in_size", edges.number_in_range);
+  json.entry("number_of_edges_below_size", edges.number_below);
+  json.entry("number_of_edges_above_size", edges.number_above);
+  json.entry("mean_length_by_size", edges.mean);
+  json.entry("max_length_by_size", edges.maximum);
+}
+
+#endif // BOUNDARY_RECOVERY_3_PROGRAM_WRITE_MESH_REPORT_H

@@ -1,0 +1,150 @@
+#ifndef BOUNDARY_RECOVERY_3_PROGRAM_WRITE_VTK_H
+#define BOUNDARY_RECOVERY_3_PROGRAM_WRITE_VTK_H
+
+#include "domain.h"
+#include "domain_sides.h"
+#include "output_buffer.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+// VTK's files have the tetrahedra, and after them the triangles of the surface as cells of their own. A triangle has
+// the region of the tetrahedron beside it, the smaller one of two, and tetrahedra have patch 0.
+template <typename Point>
+class Vtk_cells
+{
+  const Domain<Point>& m_domain;
+  std::vector<Sides> m_sides;
+
+public:
+  explicit Vtk_cells(const Domain<Point>& domain) : m_domain(domain), m_sides(find_sides(domain)) { }
+
+  std::size_t size() const { return m_domain.tetrahedra.size() + m_domain.triangles.size(); }
+  std::size_t number_of_vertices() const { return 4 * m_domain.tetrahedra.size() + 3 * m_domain.triangles.size(); }
+
+  // calls the function for each cell: with its vertices, VTK's number of its type, its region and patch
+  template <typename F>
+  void for_each(const F& f) const
+  {
+    for(std::size_t i = 0; i < m_domain.tetrahedra.size(); ++i)
+      f(m_domain.tetrahedra[i], 10, m_domain.regions[i], std::size_t(0));
+    for(std::size_t i = 0; i < m_domain.triangles.size(); ++i)
+      f(m_domain.triangles[i], 5, m_sides[i][0] != 0 ? m_sides[i][0] : m_sides[i][1], m_domain.patches[i]);
+  }
+};
+
+// writes VTK's legacy text format
+template <typename Point>
+void write_vtk(Output_buffer& os, const Domain<Point>& domain)
+{
+  const Vtk_cells<Point> cells(domain);
+  os << "# vtk DataFile Version 3.0\nBoundary_recovery_3\nASCII\nDATASET UNSTRUCTURED_GRID\n"
+     << "POINTS " << domain.points.size() << " double\n";
+  for(const Point& p : domain.points)
+    os << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
+  os << "CELLS " << cells.size() << ' ' << cells.size() + cells.number_of_vertices() << '\n';
+  cells.for_each([&](const auto& vertices, int, int, std::size_t)
+  {
+    os << vertices.size();
+    for(const Point_number v : vertices)
+      os << ' ' << v;
+    os << '\n';
+  });
+  os << "CELL_TYPES " << cells.size() << '\n';
+  cells.for_each([&](const auto&, const int type, int, std::size_t) { os << type << '\n'; });
+  os << "CELL_DATA " << cells.size() << "\nSCALARS region int 1\nLOOKUP_TABLE default\n";
+  cells.for_each([&](const auto&, int, const int region, std::size_t) { os << region << '\n'; });
+  os << "FIELD FieldData 1\npatch 1 " << cells.size() << " int\n"; // of several scalars, VTK reads the first one only
+  cells.for_each([&](const auto&, int, int, const std::size_t patch) { os << patch << '\n'; });
+}
+
+// Writes VTK's XML format: the numbers are raw bytes at the end of the file.
+template <typename Point>
+class Vtu_writer
+{
+  typedef std::uint64_t Length; // stands before the bytes of each array
+
+  Output_buffer& m_os;
+  const Domain<Point>& m_domain;
+  Vtk_cells<Point> m_cells;
+  Length m_offset = 0;
+
+public:
+  Vtu_writer(Output_buffer& os, const Domain<Point>& domain) : m_os(os), m_domain(domain), m_cells(domain) { }
+
+  void operator()()
+  {
+    m_os << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\""
+         << (is_little_endian() ? "LittleEndian" : "BigEndian") << "\" header_type=\"UInt64\">\n<UnstructuredGrid>\n"
+         << "<Piece NumberOfPoints=\"" << m_domain.points.size() << "\" NumberOfCells=\"" << m_cells.size() << "\">\n"
+         << "<CellData Scalars=\"region\">\n";
+    announce("Int32", "region", 4 * m_cells.size());
+    announce("Int64", "patch", 8 * m_cells.size());
+    m_os << "</CellData>\n<Points>\n";
+    announce("Float64", "Points\" NumberOfComponents=\"3", 24 * m_domain.points.size());
+    m_os << "</Points>\n<Cells>\n";
+    announce("Int64", "connectivity", 8 * m_cells.number_of_vertices());
+    announce("Int64", "offsets", 8 * m_cells.size());
+    announce("UInt8", "types", m_cells.size());
+    m_os << "</Cells>\n</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_";
+    write_cell_data();
+    write_points();
+    write_cells();
+    m_os << "\n</AppendedData>\n</VTKFile>\n";
+  }
+
+private:
+  static bool is_little_endian()
+  {
+    const std::uint16_t one = 1;
+    return *reinterpret_cast<const unsigned char*>(&one) == 1;
+  }
+
+  void announce(const std::string& type, const std::string& name, const Length length)
+  {
+    m_os << "<DataArray type=\"" << type << "\" Name=\"" << name << "\" format=\"appended\" offset=\"" << m_offset
+         << "\"/>\n";
+    m_offset += sizeof(Length) + length;
+  }
+
+  void write_cell_data()
+  {
+    m_os.put_bytes(Length(4 * m_cells.size()));
+    m_cells.for_each([&](const auto&, int, const int region, std::size_t) { m_os.put_bytes(std::int32_t(region)); });
+    m_os.put_bytes(Length(8 * m_cells.size()));
+    m_cells.for_each([&](const auto&, int, int, const std::size_t patch) { m_os.put_bytes(std::int64_t(patch)); });
+  }
+
+  void write_points()
+  {
+    m_os.put_bytes(Length(24 * m_domain.points.size()));
+    for(const Point& p : m_domain.points)
+      for(int i = 0; i < 3; ++i)
+        m_os.put_bytes(double(p[i]));
+  }
+
+  void write_cells()
+  {
+    m_os.put_bytes(Length(8 * m_cells.number_of_vertices()));
+    m_cells.for_each([&](const auto& vertices, int, int, std::size_t)
+    {
+      for(const Point_number v : vertices)
+        m_os.put_bytes(std::int64_t(v));
+    });
+    std::int64_t end = 0;
+    m_os.put_bytes(Length(8 * m_cells.size()));
+    m_cells.for_each([&](const auto& vertices, int, int, std::size_t)
+    {
+      end += static_cast<std::int64_t>(vertices.size());
+      m_os.put_bytes(end);
+    });
+    m_os.put_bytes(Length(m_cells.size()));
+    m_cells.for_each([&](const auto&, const int type, int, std::size_t) { m_os.put_bytes(std::uint8_t(type)); });
+  }
+};
+
+#endif // BOUNDARY_RECOVERY_3_PROGRAM_WRITE_VTK_H

@@ -1,0 +1,553 @@
+#!/usr/bin/env python3
+"""Runs the example program mesh_surface and checks what it writes, prints and returns.
+
+usage: test_mesh_surface_br3.py PROGRAM
+
+Every mesh is read back by parsers of program_tests.py and checked with exact rational arithmetic. Gmsh and VTK read them,
+too, where they are installed.
+"""
+import collections
+import itertools
+import json
+import math
+import os
+import re
+import shutil
+import subprocess
+import sys
+
+sys.dont_write_bytecode = True  # the folder of the sources stays as it is
+import program_tests
+from program_tests import *
+# what the programs do alike
+from test_program_br3 import (test_binary_off, test_coordinates_are_kept, test_files, test_input_formats,
+                              test_input_is_not_overwritten, test_intersections, test_invalid_coordinates,
+                              test_invalid_faces, test_line_ends, test_pipe, test_repair_drops_duplicates_and_turns,
+                              test_summary_that_cannot_be_written)
+
+MESHED = RECOVERED
+
+
+# ---------------------------------------------------------------- surfaces
+
+def two_regions():
+    """a box in a box, a box beside, a sheet inside and a triangle that bounds nothing"""
+    sheets = ([(0.2, 0.2, 0.2), (0.4, 0.2, 0.2), (0.2, 0.5, 0.2), (9, 9, 9), (10, 9, 9), (9, 10, 9)],
+              [(0, 1, 2), (3, 4, 5)])
+    return join(box((1, 1, 1), (2, 2, 2)), box((0, 0, 0), (3, 3, 3)), box((5, 0, 0), (6, 1, 1)), sheets)
+
+
+def mesh(name, surface, *arguments, status=MESHED):
+    """the mesh of a surface, checked, and the report"""
+    points, faces = surface
+    report = report_of(write(name + '.off', off_text(points, faces)), '-o', name + '.mesh', *arguments, status=status)
+    result = read_mesh(name + '.mesh')
+    check_tetrahedra(result)
+    assert result.points[:len(points)] == [tuple(map(float, p)) for p in points]
+    assert result.triangles == [tuple(f) for f in faces] and result.patches == list(range(1, len(faces) + 1))
+    assert min(result.regions) > 0
+    return result, report
+
+
+# ---------------------------------------------------------------- other readers
+
+def reads_with_gmsh():
+    if shutil.which('gmsh'):
+        return True
+    print('skipped: gmsh is not installed')
+    return False
+
+
+def gmsh(*arguments):
+    process = subprocess.run(['gmsh', '-v', '2', *arguments], capture_output=True, timeout=300, stdin=subprocess.DEVNULL)
+    assert process.returncode == 0 and b'Error' not in process.stdout + process.stderr, process
+    return (process.stdout + process.stderr).decode()
+
+
+# Prints what VTK reads as JSON; floating point numbers as they are.
+VTK_READER = """
+import json, sys
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+from vtkmodules.vtkIOLegacy import vtkUnstructuredGridReader
+if len(sys.argv) > 1:
+    reader = vtkXMLUnstructuredGridReader() if sys.argv[1].endswith('.vtu') else vtkUnstructuredGridReader()
+    reader.SetFileName(sys.argv[1])
+    reader.Update()
+    grid = reader.GetOutput()
+    data = grid.GetCellData()
+    cells = []
+    for i in range(grid.GetNumberOfCells()):
+        ids = grid.GetCell(i).GetPointIds()
+        cells.append([ids.GetId(k) for k in range(ids.GetNumberOfIds())])
+    arrays = {data.GetArrayName(i): [int(data.GetArray(i).GetTuple1(k)) for k in range(grid.GetNumberOfCells())]
+              for i in range(data.GetNumberOfArrays())}
+    print(json.dumps({'points': [grid.GetPoint(i) for i in range(grid.GetNumberOfPoints())], 'cells': cells,
+                      'types': [grid.GetCellType(i) for i in range(grid.GetNumberOfCells())], 'arrays': arrays}))
+"""
+
+
+def python_with_vtk():
+    """an interpreter that has VTK: Debian's package is for that of Debian"""
+    for python in (sys.executable, '/usr/bin/python3'):
+        if os.path.exists(python) and subprocess.run([python, '-c', VTK_READER], capture_output=True).returncode == 0:
+            return python
+    print('skipped: VTK is not installed')
+    return None
+
+
+# ---------------------------------------------------------------- tests of the formats
+
+def test_formats():
+    surface = two_regions()
+    run(write('two.off', off_text(*surface)), '--size', '0.8', '-o', 'two.mesh', '-o', 'two.msh', '-o', 'two.vtu', '-o',
+        'two.vtk', status=MESHED)
+    expected = read_mesh('two.mesh')
+    assert read_vtu('two.vtu') == expected and read_vtk('two.vtk') == expected
+    found = read_msh('two.msh')
+    assert found.mesh == expected and found.volumes == ['region_%d' % r for r in expected.regions]
+
+    # surfaces by what is on both sides
+    sides = collections.defaultdict(list)
+    for t, region in zip(expected.tetrahedra, expected.regions):
+        for i in range(4):
+            sides[frozenset(t[:i] + t[i + 1:])].append(region)
+    inner, outer, beside = (sides[frozenset(surface[1][12 * i])] for i in (0, 1, 2))
+    (around,), (other,) = outer, beside
+    assert len(inner) == 2 and around in inner and other not in inner
+    names = (12 * ['interface_of_regions_%d_and_%d' % tuple(sorted(inner))] + 12 * ['boundary_of_region_%d' % around]
+             + 12 * ['boundary_of_region_%d' % other] + ['sheet_in_region_%d' % around, 'sheet_outside'])
+    assert found.surfaces == names
+
+    # nodes of the surface are on a surface, all others in the volume of their tetrahedra
+    on_surface = {v for t in expected.triangles for v in t}
+    for t, region in zip(expected.tetrahedra, expected.regions):
+        assert all(found.owners[v] == (3, region) for v in t if v not in on_surface)
+    assert all(found.owners[v][0] == 2 for v in on_surface)
+
+
+def test_gmsh_reads_the_mesh():
+    if not reads_with_gmsh():
+        return
+    run(write('two.off', off_text(*two_regions())), '--size', '0.8', '-o', 'two.msh', '-o', 'two.mesh', status=MESHED)
+    messages = gmsh('-check', 'two.msh')
+    assert 'duplicate' not in messages.lower() and 'volume' not in messages, messages
+    ours = read_msh('two.msh')
+    gmsh('two.msh', '-save', '-format', 'msh41', '-bin', '-o', 'again.msh')
+    theirs = read_msh('again.msh')
+    assert theirs.mesh[:4] == ours.mesh[:4] and theirs[1:] == ours[1:]
+    write('patches.geo', 'Merge "two.msh";\nSave View[0] "patches.msh";\n')
+    gmsh('patches.geo', '-')
+    lines = read('patches.msh').decode().split('$ElementData\n')[1].split('\n')
+    begin = 0
+    for _ in range(3):  # texts, real numbers, integers
+        begin += 1 + int(lines[begin])
+    assert int(lines[begin - 1]) == len(ours.mesh.triangles)
+    values = [tuple(map(float, line.split())) for line in lines[begin:begin + len(ours.mesh.triangles)]]
+    assert values == [(i + 1, patch) for i, patch in enumerate(ours.mesh.patches)]
+
+    # it reads MEDIT's format, too, and takes references for entities
+    gmsh('two.mesh', '-save', '-format', 'msh2', '-o', 'medit.msh')
+    words = read('medit.msh').decode().split('$Elements\n')[1].split('\n')
+    elements = [tuple(map(int, line.split())) for line in words[1:1 + int(words[0])]]
+    count = collections.Counter((e[1], e[4]) for e in elements if e[1] in (2, 4))
+    mesh = ours.mesh
+    assert count == collections.Counter([(2, p) for p in mesh.patches] + [(4, r) for r in mesh.regions])
+
+
+def test_vtk_reads_the_mesh():
+    python = python_with_vtk()
+    if python is None:
+        return
+    run(write('two.off', off_text(*two_regions())), '--size', '0.8', '-o', 'two.vtu', '-o', 'two.vtk', '-o', 'two.mesh',
+        status=MESHED)
+    mesh = read_mesh('two.mesh')
+    for name in ('two.vtu', 'two.vtk'):
+        process = subprocess.run([python, '-c', VTK_READER, name], capture_output=True, timeout=300)
+        assert process.returncode == 0 and process.stderr == b'', process
+        grid = json.loads(process.stdout)
+        assert grid['types'] == [10] * len(mesh.tetrahedra) + [5] * len(mesh.triangles)
+        cells = [tuple(c) for c in grid['cells']]
+        points = [tuple(p) for p in grid['points']]
+        assert split_cells(cells, grid['arrays']['region'], grid['arrays']['patch'], points) == mesh
+
+
+# ---------------------------------------------------------------- tests of what is meshed
+
+def test_regions():
+    surface = two_regions()
+    result, report = mesh('two', surface, '--size', '0.8')
+    volumes = volume_of_regions(result)
+    assert report['number_of_regions'] == 3 and sorted(volumes.values()) == [6, 6, 6 * 26]
+    facets = facets_of(result.tetrahedra)
+    boundary = {f for f, n in facets.items() if n == 1}
+    assert boundary == {frozenset(f) for f in surface[1][12:36]}
+    assert all(facets[frozenset(f)] == 2 for f in surface[1][:12] + surface[1][36:37])
+    void = join(box((0, 0, 0), (3, 3, 3)), box((1, 1, 1), (2, 2, 2), outward=False))
+    result, report = mesh('void', void)
+    check_domain(result, *void)
+    assert set(result.regions) == {1} and report['number_of_regions'] == 1
+
+
+def test_order_of_points():
+    points, faces = schonhardt()
+    result, report = mesh('twisted', (points, faces), '--size', '0.4')
+    check_domain(result, points, faces)
+    n, steiner, field = len(points), report['number_of_steiner_points_in_domain'], report['number_of_field_points']
+    assert steiner > 0 and field > 0 and len(result.points) == n + steiner + field
+    assert all(list(p) in report['steiner_points'] for p in result.points[n:n + steiner])
+    assert not any(list(p) in report['steiner_points'] for p in result.points[n + steiner:])
+
+
+def test_no_field_points():
+    surface = box((0, 0, 0), (3, 4, 5))
+    for sizes in ([], ['--size', '0.1']):
+        result, report = mesh('box', surface, '--no-field-points', *sizes)
+        check_domain(result, *surface)
+        assert len(result.points) == 8 and report['number_of_field_points'] == 0 and not report['insert_field_points']
+
+
+def size_of_sources(sources, background):
+    """the size field, in floating point numbers"""
+    def size(p):
+        return min([background] + [s + growth * max(0, math.dist(p, q) - radius) for q, s, radius, growth in sources])
+    return size
+
+
+def check_number(n, values, low, high):
+    """as many of the values are from low to high; of those at the limits, rounding decides"""
+    assert sum(low + 1e-9 < x < high - 1e-9 for x in values) <= n <= sum(low - 1e-9 < x < high + 1e-9 for x in values)
+
+
+def check_edges(result, report, size):
+    """the report says the same of the edges inside as the mesh"""
+    on_surface = {frozenset((t[i], t[i - 1])) for t in result.triangles for i in range(3)}
+    inside = {frozenset((t[i], t[j])) for t in result.tetrahedra for i in range(4) for j in range(i)} - on_surface
+    ratios = []
+    for edge in inside:
+        p, q = (result.points[v] for v in edge)
+        ratios.append(math.dist(p, q) / size(tuple((x + y) / 2 for x, y in zip(p, q))))
+    assert report['number_of_edges_inside'] == len(ratios)
+    for name, low, high in (('below', 0, 0.5 ** 0.5), ('in', 0.5 ** 0.5, 2 ** 0.5), ('above', 2 ** 0.5, math.inf)):
+        check_number(report['number_of_edges_%s_size' % name], ratios, low, high)
+    assert math.isclose(report['mean_length_by_size'], sum(ratios) / len(ratios), rel_tol=1e-9)
+    assert math.isclose(report['max_length_by_size'], max(ratios), rel_tol=1e-9)
+    return report['number_of_edges_in_size'] / len(ratios)
+
+
+def grid_box(n):
+    """the surface of a cube of edge 1, with n * n squares on each side"""
+    index, points, faces = {}, [], []
+
+    def vertex(p):
+        if p not in index:
+            index[p] = len(points)
+            points.append(tuple(x / n for x in p))
+        return index[p]
+    for axis in range(3):
+        for side in (0, n):
+            for i in range(n):
+                for j in range(n):
+                    corners = []
+                    for u, v in ((i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)):
+                        p = [u, v]
+                        p.insert(axis, side)
+                        corners.append(vertex(tuple(p)))
+                    if (side == 0) != (axis == 1):
+                        corners.reverse()
+                    faces += [tuple(corners[:3]), (corners[0], corners[2], corners[3])]
+    return points, faces
+
+
+def test_sizes():
+    surface = grid_box(5)
+    result, report = mesh('uniform', surface, '--size', '0.2')
+    check_domain(result, *surface)
+    assert report['size'] == 0.2 and check_edges(result, report, lambda p: 0.2) > 0.7
+    n = len(result.tetrahedra)
+    assert n / 2 < report['forecast_of_tetrahedra'] < 2 * n and report['number_of_field_points'] > 0
+    result, report = mesh('coarse', surface, '--size', '10')
+    assert report['number_of_field_points'] == 0 and len(result.tetrahedra) < n
+    result, report = mesh('default', surface)  # edges of the surface have lengths from 0.2 to 0.28
+    check_domain(result, *surface)
+    assert report['size'] is None and report['grading'] == 0.2
+    assert n / 4 < len(result.tetrahedra) < n
+    uniform, _ = mesh('flat', surface, '--grading', '0')
+    assert len(uniform.tetrahedra) > len(result.tetrahedra)
+
+
+def test_sources():
+    surface = grid_box(3)
+    sources = [((0.5, 0.5, 0.5), 0.05, 0.1, 0.3), ((0.1, 0.9, 0.5), 0.1, 0, 0.5), ((7, 7, 7), 0.01, 0.5, 0.1)]
+    write('sources.txt', '# a comment\n\n' + ''.join('point %r %r %r %r %r %r\n' % (*p, *rest) for p, *rest in sources))
+    result, report = mesh('sources', surface, '--size', '0.3', '--sources', 'sources.txt')
+    check_domain(result, *surface)
+    assert report['sources'] == 'sources.txt'
+    assert check_edges(result, report, size_of_sources(sources, 0.3)) > 0.5
+    without, _ = mesh('without', surface, '--size', '0.3')
+    assert len(result.tetrahedra) > 3 * len(without.tetrahedra)
+    near = sum(math.dist(p, sources[0][0]) < 0.25 for p in result.points)
+    assert near > len(result.points) / 3
+    result, report = mesh('both', surface, '--sources', 'sources.txt')  # and the sizes of the surface
+    check_domain(result, *surface)
+    assert len(result.tetrahedra) > 3 * len(without.tetrahedra)
+    write('all.txt', 'segment 0 0 0 1 1 1 0.2 0.1 0.2\ntriangle 0 0 0 1 0 0 0 1 0 0.2 0 0.3 # one side\n'
+          'box 0.2 0.2 0.2 0.4 0.4 0.4 0.1 0 doubling 0.5\n')
+    result, report = mesh('all', surface, '--size', '0.5', '--sources', 'all.txt')
+    check_domain(result, *surface)
+    for line, text in ((1, 'ball 0 0 0 1 1 1'), (2, '\npoint 0 0 0 1 1'), (1, 'point 0 0 0 -1 1 1'), (1, 'point 0 0 0 0 1 1'),
+                       (3, '#\n#\npoint 0 0 0 1 -1 1'), (1, 'point 0 0 x 1 1 1'), (2, 'point 0 0 0 1 1 1\nbox 1 2 3 4'),
+                       (1, 'point 0 0 0 1 1 1 1'), (1, 'point 0 0 0 nan 1 1')):
+        write('wrong.txt', text + '\n')
+        error = check_file_error('sources.off', '--size', '1', '--sources', 'wrong.txt')
+        assert 'wrong.txt' in error and 'line %d' % line in error, error
+    assert 'nowhere.txt' in check_file_error('sources.off', '--sources', 'nowhere.txt')
+    os.mkdir('folder.txt')
+    assert 'folder.txt' in check_file_error('sources.off', '--sources', 'folder.txt')
+
+
+def grid(n):
+    """the points and tetrahedra of the unit cube, divided into n * n * n cubes of six tetrahedra each"""
+    points = [(x / n, y / n, z / n) for x in range(n + 1) for y in range(n + 1) for z in range(n + 1)]
+    tetrahedra = []
+    for x, y, z in itertools.product(range(n), repeat=3):
+        for order in itertools.permutations(range(3)):
+            p, t = [x, y, z], []
+            for axis in (None, *order):
+                if axis is not None:
+                    p[axis] += 1
+                t.append((p[0] * (n + 1) + p[1]) * (n + 1) + p[2])
+            tetrahedra.append(t)
+    return points, tetrahedra
+
+
+def test_background():
+    surface = grid_box(3)
+    points, tetrahedra = grid(2)
+    sizes = [0.05 + 0.4 * p[0] for p in points]
+    write('sizes.mesh', 'MeshVersionFormatted 2\nDimension 3\nVertices\n%d\n' % len(points)
+          + ''.join('%r %r %r 0\n' % p for p in points) + 'Tetrahedra\n%d\n' % len(tetrahedra)
+          + ''.join(' '.join(str(v + 1) for v in t) + ' 1\n' for t in tetrahedra) + 'End\n')
+    write('sizes.sol', 'MeshVersionFormatted 2\nDimension 3\nSolAtVertices\n%d\n1 1\n' % len(points)
+          + ''.join('%r\n' % size for size in sizes) + 'End\n')
+    result, report = mesh('background', surface, '--size', '0.3', '--background', 'sizes.mesh')
+    check_domain(result, *surface)
+    assert report['background'] == 'sizes.mesh'
+    assert check_edges(result, report, lambda p: min(0.3, 0.05 + 0.4 * p[0])) > 0.5  # linear sizes are interpolated exactly
+    left = sum(p[0] < 0.3 for p in result.points)
+    assert left > len(result.points) / 2
+
+    write('tetgen.node', '%d 3 0 0\n' % len(points) + ''.join('%d %r %r %r\n' % (i, *p) for i, p in enumerate(points)))
+    write('tetgen.ele', '%d 4 0\n' % len(tetrahedra)
+          + ''.join('%d %d %d %d %d\n' % (i, *t) for i, t in enumerate(tetrahedra)))
+    write('tetgen.mtr', '%d 1\n' % len(points) + ''.join('%r\n' % size for size in sizes))
+    for extension in ('.node', '.ele', '.mtr'):
+        run('background.off', '--size', '0.3', '--background', 'tetgen' + extension, '-o', 'tetgen.msh', status=MESHED)
+        assert read_msh('tetgen.msh').mesh == result
+    sol = read('sizes.sol').decode()
+    coarse, _ = mesh('graded', surface, '--size', '0.3', '--background', 'sizes.mesh', '--grading', '0.1')
+    assert len(coarse.tetrahedra) > len(result.tetrahedra)
+
+    for old, new, where in (('SolAtVertices\n27', 'SolAtVertices\n26', '26 sizes'), ('\n0.05\n', '\n-1\n', 'line 6'),
+                            ('\n0.05\n', '\nx\n', 'line 6')):
+        write('sizes.sol', sol.replace(old, new, 1))
+        error = check_file_error('background.off', '--background', 'sizes.mesh')
+        assert 'sizes.mesh' in error and where in error, error
+    os.remove('sizes.sol')
+    for name in ('sizes.mesh', 'sizes.sol', 'nowhere.mesh', 'nowhere.node', 'sizes.off', 'sizes'):
+        assert name in check_file_error('background.off', '--background', name)
+    write('sizes.sol', sol)
+    os.symlink('sizes.sol', 'link.vtk')
+    for output in ('sizes.mesh', 'link.vtk'):
+        assert 'overwritten' in check_file_error('background.off', '--background', 'sizes.mesh', '-o', output)
+    assert read('sizes.sol').decode() == sol
+
+
+def dihedral_angles(points):
+    """those of a tetrahedron, in degrees, by other formulas than those of the program"""
+    def minus(p, q):
+        return [x - y for x, y in zip(p, q)]
+
+    def dot(p, q):
+        return sum(x * y for x, y in zip(p, q))
+    for i in range(4):
+        for j in range(i):
+            k, l = [v for v in range(4) if v not in (i, j)]
+            axis = minus(points[j], points[i])
+            u, v = [[x - dot(d, axis) / dot(axis, axis) * y for x, y in zip(d, axis)]
+                    for d in (minus(points[k], points[i]), minus(points[l], points[i]))]
+            yield math.degrees(math.acos(max(-1, min(1, dot(u, v) / math.sqrt(dot(u, u) * dot(v, v))))))
+
+
+def test_quality_in_report():
+    result, report = mesh('quality', grid_box(3), '--size', '0.3')
+    angles = [list(dihedral_angles([result.points[v] for v in t])) for t in result.tetrahedra]
+    all_angles = sorted(a for six in angles for a in six)
+    assert math.isclose(report['min_dihedral_angle'], all_angles[0], abs_tol=1e-6)
+    assert math.isclose(report['max_dihedral_angle'], all_angles[-1], abs_tol=1e-6)
+    histogram = report['histogram_of_dihedral_angles']
+    assert len(histogram) == 18 and sum(histogram) == len(all_angles)
+    for i, n in enumerate(histogram):
+        check_number(n, all_angles, 10 * i, 10 * i + 10)
+    for name, numbers in (('below', (5, 10, 15, 20)), ('above', (150, 160, 170))):
+        counts = report['tetrahedra_with_angle_' + name]
+        assert sorted(counts) == sorted(map(str, numbers))
+        for x in numbers:
+            extremes = [min(six) if name == 'below' else max(six) for six in angles]
+            check_number(counts[str(x)], extremes, -1 if name == 'below' else x, x if name == 'below' else 181)
+
+
+def test_report():
+    name = write('report.off', off_text(*box((0, 0, 0), (3, 4, 5))))
+    report = report_of(name, '-o', 'report.mesh', '--size', '1', status=MESHED)
+    result = read_mesh('report.mesh')
+    assert report['program'] == 'mesh_surface' and report['input'] == name and report['notes'] == []
+    assert report['status'] == 'meshed' and report['recovery_status'] == 'recovered'
+    assert report['number_of_edges'] == 18 and report['number_of_facets'] == report['number_of_triangles'] == 12
+    assert report['number_of_points'] == len(result.points) == 8 + report['number_of_field_points']
+    assert report['number_of_tetrahedra'] == len(result.tetrahedra) and report['number_of_regions'] == 1
+    for key in ('missing_edges', 'missing_facets', 'unrepresentable_constraints', 'defects', 'steiner_points', 'invalid_sizes'):
+        assert report[key] == []
+    names = [phase['name'] for phase in report['phases']]
+    assert names[0] == 'insertion' and 'search' in names
+    names = [phase['name'] for phase in report['meshing_phases']]
+    assert names[0] == 'domain_marking' and names[-1] == 'field_point_insertion', names
+    last = report['meshing_phases'][-1]
+    assert last['number_of_vertices'] == len(result.points) and last['number_of_cells'] >= len(result.tetrahedra)
+    assert 0 <= report['seconds_recovery'] and 0 <= report['seconds_field_points']
+    assert report['seconds_recovery'] + report['seconds_field_points'] <= report['seconds']
+
+
+def test_printing():
+    surface = write('printing.off', off_text(*box((0, 0, 0), (3, 4, 5))))
+    process = run(surface, '--quiet', '--size', '1', '-o', 'printing.mesh', status=MESHED)
+    assert process.out == '' and process.err == ''
+    process = run(surface, '--size', '1', status=MESHED)
+    assert 'no mesh is written' in process.out and process.err == '' and '@@' not in process.out and '\r' not in process.out
+    for words in (r'^search ', r'^field_point_insertion +\d+ +\d+ ', r'^ *60 to +70 +[\d.]+ %', r'^edges inside: \d+, [\d.]+ %',
+                  r'below 5: \d+, 10: \d+, 15: \d+, 20: \d+; above 150: \d+, 160: \d+, 170: \d+',
+                  r'^meshed: \d+ points, \d+ field points? and 0 Steiner points among them, and \d+ tetrahedra in 1 region'):
+        assert re.search(words, process.out, re.M), (words, process.out)
+    assert 'no mesh is written' not in run(surface, '-o', 'printing.mesh', status=MESHED).out
+    process = run(surface, '--quiet', '--timing', status=MESHED)
+    lines = [re.fullmatch(r'@@(\w+) ([\d.e+-]+)', line).groups() for line in process.out.splitlines()]
+    assert [word for word, _ in lines] == ['rec', 'fill', 'improve', 'tmesh']
+    seconds = {word: float(x) for word, x in lines}
+    assert min(seconds.values()) >= 0 == seconds['improve'] and seconds['rec'] + seconds['fill'] <= seconds['tmesh']
+
+
+def test_progress_on_a_terminal():
+    if not hasattr(os, 'openpty'):
+        return
+    surface = write('progress.off', off_text(*grid_box(20)))
+    for arguments, is_on in (([], True), (['--quiet'], False)):
+        main, terminal = os.openpty()
+        process = subprocess.Popen([program_tests.PROGRAM, surface, '--size', '0.03', *arguments], stdout=terminal)
+        os.close(terminal)
+        shown = b''
+        try:
+            while True:
+                part = os.read(main, 65536)
+                if not part:
+                    break
+                shown += part
+        except OSError:  # Linux says so when the other end is closed
+            pass
+        os.close(main)
+        assert process.wait() == MESHED
+        percents = [int(x) for x in re.findall(rb'\rfield_point_insertion \[[#.]{40}\] (\d+) %', shown)]
+        assert (len(percents) > 2 and percents == sorted(percents) and percents[-1] <= 100) == is_on, shown[:2000]
+        assert is_on == (b'\r' in shown.replace(b'\r\n', b''))
+
+
+# ---------------------------------------------------------------- tests of what is not meshed
+
+def check_no_mesh(*arguments, reason, status):
+    """status 3, a reason on stderr, no file, and the status in the report"""
+    process = run(*arguments, '-o', 'never.mesh', status=INCOMPLETE)
+    assert re.fullmatch(r'(about [^\n]+ tetrahedra are to be expected\n)?', process.out), process
+    assert process.err.startswith('mesh_surface: there is no mesh: '), process
+    assert reason in process.err and not os.path.exists('never.mesh'), process
+    report = report_of(*arguments, '-o', 'never.mesh', status=INCOMPLETE)
+    assert report['status'] == status and report['number_of_tetrahedra'] == 0 and not os.path.exists('never.mesh')
+    return report
+
+
+def test_no_mesh():
+    points, faces = box((0, 0, 0), (3, 4, 5))
+    name = write('box.off', off_text(points, faces))
+    report = check_no_mesh(name, '--size', '0.1', '--max-vertices', '1000', reason='tetrahedra', status='too_large')
+    assert report['forecast_of_vertices'] > 1000 and report['number_of_field_points'] == 0
+    run(name, '--size', '1', '--max-vertices', '1000', status=MESHED)
+    report = check_no_mesh(name, '--time-limit', '0', reason='stopped', status='stopped')
+    report = check_no_mesh(write('open.off', off_text(points, faces[:-2])), reason='no region', status='no_region')
+    assert report['recovery_status'] == 'recovered' and report['number_of_regions'] == 0
+    report = check_no_mesh(name, '--size', '1e-120', reason='tetrahedra', status='too_large')
+
+
+def test_time_limit():
+    name = write('limit.off', off_text(*grid_box(20)))
+    report = report_of(name, '--size', '0.015', '--time-limit', '0.5', '-o', 'limit.mesh', status=INCOMPLETE)
+    assert report['status'] == 'stopped' and report['recovery_status'] == 'recovered'
+    result = read_mesh('limit.mesh')  # what there is by then
+    assert len(result.tetrahedra) == report['number_of_tetrahedra'] > 0 and len(result.triangles) == 4800
+    volume = 0
+    for t in result.tetrahedra:
+        a, b, c, d = (result.points[v] for v in t)
+        u, v, w = ([x - y for x, y in zip(p, a)] for p in (b, c, d))
+        volume += (u[0] * (v[1] * w[2] - v[2] * w[1]) + u[1] * (v[2] * w[0] - v[0] * w[2])
+                   + u[2] * (v[0] * w[1] - v[1] * w[0]))
+    assert math.isclose(volume, 6, rel_tol=1e-9)
+    report = report_of(name, '--size', '1', '--time-limit', '60', status=MESHED)
+    assert report['status'] == 'meshed'
+
+
+def test_command_line():
+    process = run('--help', status=MESHED)
+    assert process.out.startswith('usage: mesh_surface') and process.err == ''
+    for option in ('-o --size --sources --background --grading --no-field-points --max-vertices --time-limit --repair '
+                   '--tolerance --list-defects --report --timing --quiet --help').split():
+        assert '  %s ' % option in process.out, option
+    surface = write('command_line.off', off_text(*tetrahedron()))
+    for wrong in (['--unknown'], ['-x'], ['-o'], ['--report'], [surface], [''], ['--size'], ['--size', '0'], ['--size', '-1'],
+                  ['--size', 'nan'], ['--size', 'inf'], ['--size', '1e999'], ['--size', '1m'], ['--size', ''],
+                  ['--grading', '-1'], ['--grading', 'nan'], ['--grading', '0.3', '--size', '1'], ['--sources'],
+                  ['--background'], ['--max-vertices', '-1'], ['--max-vertices', '1.5'], ['--max-vertices', '1e300'],
+                  ['--time-limit', 'soon'], ['--tolerance', '1'], ['--conforming'], ['--min-angle', '10'],
+                  ['-o', 'out.stl'], ['-o', 'out']):
+        check_file_error(surface, *wrong)
+    run(surface, '--grading', '0.5', '--max-vertices', '100', '--time-limit', '60', status=MESHED)
+
+
+def test_files_of_sizes_are_not_overwritten():
+    write('box.off', off_text(*box((0, 0, 0), (1, 2, 4))))
+    write('sources.mesh', 'point 0 0 0 1 1 1\n')
+    os.symlink('sources.mesh', 'link.msh')
+    for output in (['--report', 'sources.mesh'], ['-o', 'sources.mesh'], ['-o', 'other.vtk', '-o', 'link.msh']):
+        assert 'overwritten' in check_file_error('box.off', '--sources', 'sources.mesh', *output)
+    assert read('sources.mesh') == b'point 0 0 0 1 1 1\n' and not os.path.exists('other.vtk')
+
+
+def test_default_surface():
+    run('-o', 'default.mesh', '--report', 'default.json', '--quiet', status=MESHED)
+    result = read_mesh('default.mesh')
+    assert set(result.regions) == {1}
+    volumes = [signed_volume(result.points, [t]) for t in result.tetrahedra]
+    assert min(volumes) > 0 and sum(volumes) == signed_volume(result.points, result.triangles)
+    assert {f for f, n in facets_of(result.tetrahedra).items() if n == 1} == {frozenset(t) for t in result.triangles}
+    report = json.loads(read('default.json'))
+    assert report['number_of_field_points'] > 1000 and report['number_of_steiner_points_in_domain'] == 0
+
+
+def test_determinism():
+    write('sources.txt', 'point 0 0 3 1 1 0.3\n')
+    for name in ('first', 'second'):
+        run('-o', name + '.mesh', '-o', name + '.msh', '-o', name + '.vtu', '-o', name + '.vtk', '--report', name + '.json',
+            '--sources', 'sources.txt', '--quiet', status=MESHED)
+    for extension in ('.mesh', '.msh', '.vtu', '.vtk'):
+        assert read('first' + extension) == read('second' + extension)
+    seconds = re.compile(rb'("seconds[a-z_]*": )[^,}]*')
+    assert seconds.sub(rb'\1', read('first.json')) == seconds.sub(rb'\1', read('second.json'))
+
+
+if __name__ == '__main__':
+    run_tests(__doc__, globals())
