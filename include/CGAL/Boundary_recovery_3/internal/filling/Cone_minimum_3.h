@@ -62,7 +62,7 @@ public:
   double operator()(const Coordinates_3& p) const { return m_frame.from_frame(minimum(m_frame.to_frame(p))); }
 
 private:
-  static constexpr std::size_t leaf_size = 8; // as many as processors can take at once
+  static constexpr std::size_t leaf_size = 16;
 
   // the sites of a leaf, those that are missing in the last one with infinite sizes
   struct Leaf
@@ -130,21 +130,21 @@ private:
     return smallest;
   }
 
-  // Makes the number smaller, if the sites of a leaf do.
+  // Makes the number m smaller, if the sites of a leaf do. Whether h + g d <= m is written without comparisons and roots,
+  // as (g d)^2 - (m - h) |m - h| <= 0: processors compute that for several sites at once.
   void look_at(const Leaf& leaf, const Coordinates_3& p, double& smallest) const
   {
-    std::array<double, leaf_size> squares;
+    std::array<double, leaf_size> squares, excess;
     for(std::size_t i = 0; i < leaf_size; ++i)
     {
       const double x = leaf.x[i] - p[0], y = leaf.y[i] - p[1], z = leaf.z[i] - p[2];
+      const double rest = smallest - leaf.size[i];
       squares[i] = x * x + y * y + z * z;
+      excess[i] = m_squared_grading * squares[i] - rest * std::abs(rest);
     }
     for(std::size_t i = 0; i < leaf_size; ++i)
-    {
-      const double rest = smallest - leaf.size[i];
-      if(rest > 0 && m_squared_grading * squares[i] <= rest * rest)
+      if(excess[i] <= 0)
         smallest = (std::min)(smallest, leaf.size[i] + m_grading * std::sqrt(squares[i]));
-    }
   }
 
   double m_grading = 0;
