@@ -48,8 +48,8 @@ enum class Meshing_phase
 };
 
 /// \ingroup PkgBoundaryRecovery3Classes
-/// the mesh of the domain when a phase ended, and the duration of that phase; of the phase `forecast`, the mesh that is to
-/// be expected: so a visitor can tell it before the work begins.
+/// the mesh of the domain when a phase ended, and the duration of that phase; of the phase `forecast`, the mesh that is
+/// to be expected: so a visitor can tell it before the work begins.
 struct Meshing_phase_report
 {
   Meshing_phase phase;                ///< the phase
