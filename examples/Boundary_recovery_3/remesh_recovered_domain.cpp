@@ -1,12 +1,12 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Boundary_constrained_mesh_triangulation_3.h>
 #include <CGAL/IO/File_medit.h>
 #include <CGAL/IO/output_to_vtu.h>
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
 #include <CGAL/Tetrahedral_remeshing/Remeshing_triangulation_3.h>
-#include <CGAL/Unique_hash_map.h>
-#include <CGAL/Boundary_recovery_3/label_regions.h>
+#include <CGAL/Boundary_recovery_3/convert_to_remeshing_triangulation.h>
+#include <CGAL/mark_domain.h>
 #include <CGAL/recover_boundary.h>
 #include <CGAL/tetrahedral_remeshing.h>
 
@@ -21,43 +21,12 @@
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef Kernel::Point_3                                     Point;
 
-// The recovery inserts points into a Delaunay triangulation, the remeshing takes a Triangulation_3 whose vertices and
-// cells have indices: a Delaunay triangulation over the data structure of the latter is both.
-typedef CGAL::Tetrahedral_remeshing::Remeshing_triangulation_3<Kernel>::Tds Tds;
-typedef CGAL::Delaunay_triangulation_3<Kernel, Tds>         Triangulation;
-typedef CGAL::Triangulation_3<Kernel, Tds>                  Remeshing_triangulation;
+typedef CGAL::Boundary_constrained_mesh_triangulation_3<Kernel>::type     Triangulation;
+typedef CGAL::Tetrahedral_remeshing::Remeshing_triangulation_3<Kernel>    Remeshing_triangulation;
 typedef CGAL::Mesh_complex_3_in_triangulation_3<Remeshing_triangulation, int, int> Complex;
-typedef Triangulation::Vertex_handle                        Vertex_handle;
-typedef Triangulation::Cell_handle                          Cell_handle;
-typedef CGAL::Unique_hash_map<Cell_handle, int>             Region_map;
-typedef std::array<std::size_t, 3>                          Triangle;
-
-//! [indices]
-// Gives cells the number of their region, triangles of the surface patch 1, and vertices the dimension of what they
-// are on.
-void set_indices(Triangulation& tr, const std::vector<std::array<Vertex_handle, 3> >& facets)
-{
-  Region_map region(0);
-  CGAL::Boundary_recovery_3::label_regions(tr, facets, boost::associative_property_map<Region_map>(region));
-  for(const Cell_handle c : tr.all_cell_handles())
-    c->set_subdomain_index(region[c]);
-  for(const Vertex_handle v : tr.finite_vertex_handles())
-    v->set_dimension(3);
-  for(const auto& f : facets)
-  {
-    Cell_handle c;
-    int i, j, k;
-    if(! tr.is_facet(f[0], f[1], f[2], c, i, j, k))
-      continue;
-    const int l = 6 - i - j - k;
-    const Triangulation::Facet mirror = tr.mirror_facet(Triangulation::Facet(c, l));
-    c->set_surface_patch_index(l, 1);
-    mirror.first->set_surface_patch_index(mirror.second, 1);
-    for(const Vertex_handle v : f)
-      v->set_dimension(2);
-  }
-}
-//! [indices]
+typedef Remeshing_triangulation::Vertex_handle                            Vertex_handle;
+typedef Remeshing_triangulation::Cell_handle                              Cell_handle;
+typedef std::array<std::size_t, 3>                                        Triangle;
 
 // The number of triangles of the surface that are facets between the points where they were.
 std::size_t number_of_triangles_there(const Remeshing_triangulation& tr,
@@ -90,30 +59,38 @@ int main()
   if(! result)
     return EXIT_FAILURE;
 
-  set_indices(tr, result.facets);
+  //! [indices]
+  // Cells get the number of their region, triangles of the surface their patch, and vertices the dimension of what they
+  // are on.
+  const int number_of_regions = CGAL::mark_domain(tr, result.facets);
+  //! [indices]
 
+  //! [remeshing]
   // The surface stays as it is, the inside gets edges of length 0.4 or so.
-  const std::size_t vertices_before = tr.number_of_vertices();
-  CGAL::tetrahedral_isotropic_remeshing(tr, 0.4, CGAL::parameters::remesh_boundaries(false));
-  std::cout << vertices_before << " vertices before, " << tr.number_of_vertices() << " after the remeshing; "
-            << number_of_triangles_there(tr, points, triangles) << " of " << triangles.size()
-            << " triangles are there" << std::endl;
+  Remeshing_triangulation remeshed;
+  CGAL::Boundary_recovery_3::convert_to_remeshing_triangulation(tr, remeshed);
+  CGAL::tetrahedral_isotropic_remeshing(remeshed, 0.4, CGAL::parameters::remesh_boundaries(false));
+  //! [remeshing]
+  std::cout << tr.number_of_vertices() << " vertices before, " << remeshed.number_of_vertices()
+            << " after the remeshing; " << number_of_triangles_there(remeshed, points, triangles) << " of "
+            << triangles.size() << " triangles are there" << std::endl;
 
   //! [handover]
   // Other packages take a complex, or a file.
   Complex complex;
-  complex.triangulation() = tr;
+  complex.triangulation() = remeshed;
   complex.rescan_after_load_of_triangulation();
   std::cout << complex.number_of_cells_in_complex() << " tetrahedra and " << complex.number_of_facets_in_complex()
             << " triangles in the complex" << std::endl;
   std::ofstream medit("remeshed.mesh"), vtu("remeshed.vtu");
   medit.precision(17);
   vtu.precision(17);
-  CGAL::IO::write_MEDIT(medit, tr);
+  CGAL::IO::write_MEDIT(medit, remeshed);
   CGAL::IO::output_to_vtu(vtu, complex, CGAL::IO::ASCII);
   //! [handover]
 
-  const bool is_kept = number_of_triangles_there(tr, points, triangles) == triangles.size()
+  const bool is_kept = number_of_regions == 1
+                    && number_of_triangles_there(remeshed, points, triangles) == triangles.size()
                     && complex.number_of_facets_in_complex() == triangles.size();
-  return is_kept && tr.tds().is_valid() && medit && vtu ? EXIT_SUCCESS : EXIT_FAILURE;
+  return is_kept && remeshed.tds().is_valid() && medit && vtu ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -35,11 +35,11 @@ namespace CGAL {
  * \brief inserts points into the regions of a domain until its cells have the sizes that are asked for; the surface
  * stays as it is.
  *
- * This is step 6 of [CZZ+17, Section 4.1]. A cell is too large if its circumradius is longer than 0.75 times the size at
- * its centroid: edges are shorter than 1.5 times the size then. Such a cell gets a point at its circumcenter, or, where that
- * cannot be, at its centroid, unless another vertex is nearer than 0.7 times the size. The point is inserted by the
- * Bowyer-Watson algorithm in the region of the cell: constrained facets and edges, and facets between regions, are
- * neither crossed nor split. Where triangles of the surface are larger than the size, cells at them are, too.
+ * This is step 6 of [CZZ+17, Section 4.1]. A cell is too large if its circumradius is longer than 0.75 times the size
+ * at its centroid: edges are shorter than 1.5 times the size then. Such a cell gets a point at its circumcenter, or,
+ * where that cannot be, at its centroid, unless another vertex is nearer than 0.7 times the size. The point is inserted
+ * by the Bowyer-Watson algorithm in the region of the cell: constrained facets and edges, and facets between regions,
+ * are neither crossed nor split. Where triangles of the surface are larger than the size, cells at them are, too.
  *
  * The triangulation may come from `mark_domain()`, from CGAL's remeshing or, by `convert_to_triangulation_3()`, from
  * Mesh_3: constrained are the facets for which `is_facet_on_surface()` holds, those between cells of different
@@ -48,8 +48,8 @@ namespace CGAL {
  *
  * Nothing is printed. What the size field throws does not get out.
  *
- * \tparam Triangulation an instance of `Triangulation_3`, or of a class derived from it, whose point type is the `Point_3`
- *         of its geometric traits, a model of `DelaunayTriangulationTraits_3`; its cells are models of `MeshCellBase_3`
+ * \tparam Triangulation an instance of `Triangulation_3`, or of a class derived from it, whose point type is the
+ *         `Point_3` of its geometric traits; its cells are models of `MeshCellBase_3`
  * \tparam SizingField a number type, or a model of `MeshDomainField_3`
  * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
  *
@@ -65,8 +65,8 @@ namespace CGAL {
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{cell_is_selected_map}
  *     \cgalParamDescription{the cells that may be replaced; the facets between them and others stay}
- *     \cgalParamType{a model of `ReadWritePropertyMap` with `Triangulation::Cell_handle` as key type and `bool` as value
- *                    type}
+ *     \cgalParamType{a model of `ReadWritePropertyMap` with `Triangulation::Cell_handle` as key type and `bool` as
+ *                    value type}
  *     \cgalParamDefault{all cells in regions of the domain}
  *     \cgalParamExtra{The map is kept up to date: new cells are selected, and cells that go are not.}
  *   \cgalParamNEnd
@@ -88,8 +88,8 @@ namespace CGAL {
  *     \cgalParamDefault{no limit}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
- *     \cgalParamDescription{is told about the phases `forecast` and `field_point_insertion`, about progress, and about the
- *                           cells that go and come, and can stop the insertion}
+ *     \cgalParamDescription{is told about the phases `forecast` and `field_point_insertion`, about progress, and about
+ *                           the cells that go and come, and can stop the insertion}
  *     \cgalParamType{a model of `BoundaryConstrainedMeshVisitor_3`}
  *     \cgalParamDefault{`Default_boundary_constrained_mesh_visitor_3`}
  *     \cgalParamExtra{Pass `std::ref(visitor)` to have the object itself called and not a copy.}
@@ -98,9 +98,9 @@ namespace CGAL {
  *
  * \return the status, the forecast, and counts. It converts to `true` iff the status is `meshed`.
  *         `invalid_input`: the field had no positive finite size at some place, which is told; if that was noticed only
- *         while points were inserted, those up to then are there. `too_large`: the forecast says that the mesh will have
- *         more vertices than allowed, or will not fit into the memory; no point was inserted, unless the forecast was too
- *         low: then there are as many vertices as allowed. `stopped`: there are as many points as time allowed.
+ *         while points were inserted, those up to then are there. `too_large`: the forecast says that the mesh will
+ *         have more vertices than allowed, or will not fit into the memory; no point was inserted, unless the forecast
+ *         was too low: then there are as many vertices as allowed. `stopped`: as many points as time allowed are there.
  *
  * \pre `tr` is valid, and the cells of each region are bounded by facets that are constrained or have another region
  *      behind them.
@@ -112,24 +112,25 @@ insert_field_points(Triangulation& tr, const SizingField& size, const CGAL_NP_CL
   using parameters::choose_parameter;
   using parameters::get_parameter;
   namespace BR3 = Boundary_recovery_3::internal;
-  typedef typename Triangulation::Vertex_handle                    Vertex_handle;
-  typedef std::pair<Vertex_handle, Vertex_handle>                  Edge;
-  typedef Static_boolean_property_map<typename Triangulation::Cell_handle, true> All_cells;
-  typedef Static_boolean_property_map<Edge, false>                 No_edge;
+  typedef typename Triangulation::Vertex_handle           Vertex_handle;
+  typedef typename Triangulation::Cell_handle             Cell_handle;
+  typedef std::pair<Vertex_handle, Vertex_handle>         Edge;
+  typedef Static_boolean_property_map<Cell_handle, true>  All_cells;
+  typedef Static_boolean_property_map<Edge, false>        No_edge;
 
   const auto is_selected = choose_parameter<All_cells>(get_parameter(np, internal_np::cell_selector));
   const auto is_constrained = choose_parameter<No_edge>(get_parameter(np, internal_np::edge_is_constrained));
-  BR3::Selected_domain_3<Triangulation, std::decay_t<decltype(is_selected)>, std::decay_t<decltype(is_constrained)> >
-    domain(tr, is_selected, is_constrained);
-
+  typedef BR3::Selected_domain_3<Triangulation, std::decay_t<decltype(is_selected)>,
+                                 std::decay_t<decltype(is_constrained)> > Domain;
+  Domain domain(tr, is_selected, is_constrained);
   decltype(auto) visitor = BR3::visitor_of<Default_boundary_constrained_mesh_visitor_3>(np);
   typedef std::decay_t<decltype(visitor)> Visitor;
   const std::size_t max_number_of_vertices = static_cast<std::size_t>(
     choose_parameter(get_parameter(np, BR3::maximum_number_of_vertices), (std::numeric_limits<std::size_t>::max)()));
   const double maximum_running_time = choose_parameter(get_parameter(np, internal_np::maximum_running_time),
                                                        std::numeric_limits<double>::infinity());
-  return BR3::Field_point_insertion_3<Triangulation, decltype(domain), SizingField, Visitor>(
-    tr, domain, size, visitor)(max_number_of_vertices, maximum_running_time);
+  typedef BR3::Field_point_insertion_3<Triangulation, Domain, SizingField, Visitor> Insertion;
+  return Insertion(tr, domain, size, visitor)(max_number_of_vertices, maximum_running_time);
 }
 
 #ifndef DOXYGEN_RUNNING

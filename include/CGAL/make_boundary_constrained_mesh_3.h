@@ -82,7 +82,7 @@ make_mesh_of_surface(Tr& tr, const FaceListGraph& surface, const SizingField& si
         for(const auto f : faces(surface))
           patches.push_back(Patch(get(parameters::get_parameter(np, internal_np::face_patch), f)));
         return internal::patches_of_facets<Patch>(
-          facets, parameters::face_patch_map(make_random_access_property_map(patches)));
+          facets, parameters::face_patch_map(make_property_map(patches)));
       }
     },
     size);

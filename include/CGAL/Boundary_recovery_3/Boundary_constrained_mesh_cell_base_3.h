@@ -39,6 +39,7 @@ class Boundary_constrained_mesh_cell_base_3
   : public Cb
 {
 public:
+  typedef typename GT::FT FT;      ///< the number type of qualities
   typedef int Subdomain_index;     ///< the type of the number of a region
   typedef int Surface_patch_index; ///< the type of the number of a patch
 
@@ -66,6 +67,24 @@ public:
 
   /// returns whether the facet opposite to the vertex `i` is on the surface.
   bool is_facet_on_surface(const int i) const { return m_patches[i] != 0; }
+
+  /// \name Qualities
+  /// CGAL's remeshing wants to remember the quality of cells, and computes it again where that is not possible, as here.
+  /// @{
+
+  /// returns `false`.
+  bool is_cache_valid() const { return false; }
+
+  /// returns 0.
+  FT sliver_value() const { return FT(0); }
+
+  /// does nothing.
+  void set_sliver_value(const FT& /* quality */) { }
+
+  /// does nothing.
+  void reset_cache_validity() const { }
+
+  /// @}
 
 private:
   Subdomain_index m_subdomain = 0;

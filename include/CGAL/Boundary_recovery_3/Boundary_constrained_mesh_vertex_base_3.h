@@ -14,6 +14,9 @@
 
 #include <CGAL/Triangulation_vertex_base_3.h>
 
+#include <cstddef>
+#include <cstdint>
+
 namespace CGAL {
 namespace Boundary_recovery_3 {
 
@@ -54,7 +57,7 @@ public:
   int in_dimension() const { return m_dimension; }
 
   /// sets the dimension.
-  void set_dimension(const int dimension) { m_dimension = dimension; }
+  void set_dimension(const int dimension) { m_dimension = static_cast<signed char>(dimension); }
 
   /// returns the number of the region, patch, edge or corner, according to the dimension.
   Index index() const { return m_index; }
@@ -68,10 +71,39 @@ public:
   /// sets the size.
   void set_meshing_info(const FT& size) { m_size = size; }
 
+  /// \name Facets of a Complex
+  /// What `Mesh_complex_3_in_triangulation_3` remembers about the facets of the complex around the vertex.
+  /// @{
+
+  /// returns whether the following two numbers are known.
+  bool is_c2t3_cache_valid() const { return m_is_complex_known; }
+
+  /// forgets these numbers.
+  void invalidate_c2t3_cache() { m_is_complex_known = false; }
+
+  /// sets these numbers.
+  void set_c2t3_cache(const std::size_t number_of_facets, const std::size_t number_of_components)
+  {
+    m_number_of_facets = static_cast<std::uint32_t>(number_of_facets);
+    m_number_of_components = static_cast<std::uint32_t>(number_of_components);
+    m_is_complex_known = true;
+  }
+
+  /// returns how many facets of the complex have this vertex.
+  std::size_t cached_number_of_incident_facets() const { return m_number_of_facets; }
+
+  /// returns into how many components they fall, if they are to be connected by edges of this vertex.
+  std::size_t cached_number_of_components() const { return m_number_of_components; }
+
+  /// @}
+
 private:
   FT m_size = FT(0);
   Index m_index = 0;
-  int m_dimension = -1;
+  std::uint32_t m_number_of_facets = 0;
+  std::uint32_t m_number_of_components = 0;
+  signed char m_dimension = -1;
+  bool m_is_complex_known = false;
 };
 
 } // namespace Boundary_recovery_3

@@ -51,7 +51,7 @@ private:
   std::string read(const std::string& name, std::istream& words, std::vector<Source>& sources)
   {
     static const std::array<std::string, 4> names = {{ "point", "segment", "triangle", "box" }};
-    static constexpr std::array<int, 4> numbers_of_points = {{ 1, 2, 3, 2 }};
+    static const std::array<int, 4> numbers_of_points = {{ 1, 2, 3, 2 }};
     std::size_t shape = 0;
     while(shape < names.size() && name != names[shape])
       ++shape;

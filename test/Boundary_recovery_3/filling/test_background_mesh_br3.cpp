@@ -235,7 +235,8 @@ void test_grading()
 }
 
 const std::string mesh_text = "MeshVersionFormatted 2\n# a comment\nDimension\n3\n"
-                              "Vertices\n4\n0 0 0 1\n1 0 0 1\n0 1 0 1\n0 0 1 1\nTriangles\n1\n1 2 3 1\nTetrahedra 1\n1 2 3 4 7\nEnd\n";
+                              "Vertices\n4\n0 0 0 1\n1 0 0 1\n0 1 0 1\n0 0 1 1\nTriangles\n1\n1 2 3 1\n"
+                              "Tetrahedra 1\n1 2 3 4 7\nEnd\n";
 const std::string sol_text = "MeshVersionFormatted 2\nDimension 3\nSolAtVertices\n4\n1 1\n.5\n1\n2\n4\nEnd\n";
 const std::string node_text = "4 3 1 1 # points\n1 0 0 0 5 1\n2 1 0 0 5 1\n3 0 1 0 5 1\n4 0 0 1 5 1\n";
 const std::string ele_text = "1 4 1\n1 1 2 3 4 -1\n";

@@ -2,6 +2,8 @@
 
 #undef NDEBUG // the checks are assertions, also in a Release build
 
+#include "grid_scene_br3.h"
+
 #include <CGAL/Boundary_recovery_3/label_regions.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
@@ -17,72 +19,17 @@
 #include <map>
 #include <vector>
 
-// Boxes whose facets are in the Delaunay triangulation, whichever diagonals it chose: the facets are taken from the
-// triangulation, those in the plane of a side of the box, and turned outward.
 template <typename Kernel>
 struct Scene
+  : public br3_test::Grid_scene<CGAL::Delaunay_triangulation_3<Kernel> >
 {
-  typedef CGAL::Delaunay_triangulation_3<Kernel>  Triangulation;
-  typedef typename Kernel::Point_3                Point;
-  typedef typename Triangulation::Vertex_handle   Vertex_handle;
-  typedef typename Triangulation::Cell_handle     Cell_handle;
-  typedef std::array<Vertex_handle, 3>            Triple;
+  typedef br3_test::Grid_scene<CGAL::Delaunay_triangulation_3<Kernel> > Base;
+  typedef typename Base::Cell_handle                                    Cell_handle;
+  using Base::Base;
+  using Base::facets;
+  using Base::tr;
 
-  Triangulation tr;
-  std::vector<Triple> facets;
   std::map<Cell_handle, int> regions;
-
-  // all points of the integer grid in [0,n]^3
-  explicit Scene(const int n)
-  {
-    for(int x = 0; x <= n; ++x)
-      for(int y = 0; y <= n; ++y)
-        for(int z = 0; z <= n; ++z)
-          tr.insert(Point(x, y, z));
-    assert(tr.is_valid());
-  }
-
-  static bool is_between(const Point& p, const std::array<int, 3>& low, const std::array<int, 3>& high)
-  {
-    for(int i = 0; i < 3; ++i)
-      if(p[i] < low[i] || p[i] > high[i])
-        return false;
-    return true;
-  }
-
-  // appends the facets with all vertices in a box that is flat in direction `axis`, turned upward or downward
-  void add_rectangle(const int axis, const std::array<int, 3>& low, const std::array<int, 3>& high, const bool up)
-  {
-    assert(low[axis] == high[axis]);
-    for(auto it = tr.finite_facets_begin(); it != tr.finite_facets_end(); ++it)
-    {
-      Triple t;
-      bool inside = true;
-      for(int i = 0; i < 3; ++i)
-      {
-        t[i] = it->first->vertex(Triangulation::vertex_triple_index(it->second, i));
-        inside = inside && is_between(t[i]->point(), low, high);
-      }
-      if(! inside)
-        continue;
-      const auto normal = CGAL::normal(t[0]->point(), t[1]->point(), t[2]->point());
-      if((normal[axis] > 0) != up)
-        std::swap(t[1], t[2]);
-      facets.push_back(t);
-    }
-  }
-
-  void add_box(const std::array<int, 3>& low, const std::array<int, 3>& high, const bool outward)
-  {
-    for(int axis = 0; axis < 3; ++axis)
-    {
-      std::array<int, 3> flat_high = high, flat_low = low;
-      flat_high[axis] = low[axis];
-      flat_low[axis] = high[axis];
-      add_rectangle(axis, low, flat_high, ! outward);
-      add_rectangle(axis, flat_low, high, outward);
-    }
-  }
 
   int label()
   {

@@ -86,9 +86,9 @@ public:
   }
 
   /*
-   * Looks at the things near p, near ones first, roughly. `is_of_interest(child, distance)` is asked whether it is worth
-   * while to look there, and once more when its turn has come; no thing below the child is nearer than the root of
-   * `distance`. `visit(leaf)` looks at the things in a leaf.
+   * Looks at the things near p, near ones first, roughly. `is_of_interest(child, distance)` is asked whether it is
+   * worth while to look there, and once more when its turn has come; no thing below the child is nearer than the root
+   * of `distance`. `visit(leaf)` looks at the things in a leaf.
    */
   template <typename Is_of_interest, typename Visit>
   void search(const Coordinates_3& p, const Is_of_interest& is_of_interest, const Visit& visit) const

@@ -33,8 +33,8 @@ namespace internal {
  * algorithm [CZZ+17, Section 4.1, step 6].
  *
  * It consists of the cells whose circumspheres contain the point, as far as they can be reached from the first one
- * without crossing a constrained facet. It is made star-shaped by exact orientations: cells at faces that the point does
- * not see are taken out. Nor may a constraint be inside, or a vertex be lost.
+ * without crossing a constrained facet. It is made star-shaped by exact orientations: cells at faces that the point
+ * does not see are taken out. Nor may a constraint be inside, or a vertex be lost.
  *
  * `Domain` answers `is_wall()` for a cell and the index of a facet, and, if `has_constrained_edges`,
  * `is_constrained_edge()` for two vertices of a cell.
@@ -61,7 +61,7 @@ public:
 
   Field_point_cavity_3(const Tr& tr, const Domain& domain) : m_tr(tr), m_domain(domain) { }
 
-  // Finds the cavity of p, whose first cell has p in its circumsphere. Returns whether it can be starred.
+  // Finds the cavity of p, which begins with the first cell. Returns whether it can be starred.
   bool find(const Point& p, const Cell_handle first)
   {
     m_point = p;
@@ -125,8 +125,8 @@ private:
     return true;
   }
 
-  // Whether the circumsphere of a cell contains the point, in floating point numbers: a wrong answer makes another cavity,
-  // not an invalid one. If not, the cell is marked, and not asked again.
+  // Whether the circumsphere of a cell contains the point, in floating point numbers: a wrong answer makes another
+  // cavity, not an invalid one. If not, the cell is marked, and not asked again.
   bool is_in_conflict(const Cell_handle n)
   {
     if(internal::is_in_circumsphere(internal::corners(n), m_coordinates))
@@ -191,7 +191,8 @@ private:
       for(const Cell_handle c : m_cells)
         for(int i = 0; i < 4; ++i)
           for(int j = 0; j < i; ++j)
-            if(m_domain.is_constrained_edge(c->vertex(i), c->vertex(j)) && ! is_edge_of_face(c->vertex(i), c->vertex(j)))
+            if(m_domain.is_constrained_edge(c->vertex(i), c->vertex(j))
+               && ! is_edge_of_face(c->vertex(i), c->vertex(j)))
               return true;
     return false;
   }

@@ -69,7 +69,8 @@ private:
   static constexpr double cells_per_forecast_cell = 1.32;
   static constexpr double cells_per_inner_vertex = 6.6;
   static constexpr double cells_per_surface_vertex = 2;
-  static constexpr std::size_t max_number_of_questions = 40000;
+  static constexpr std::size_t least_number_of_questions = 2000;
+  static constexpr std::size_t largest_number_of_questions = 40000;
 
   template <typename Work>
   void run(const Meshing_phase phase, const Work& work)
@@ -107,8 +108,8 @@ private:
     const double number_of_cells = static_cast<double>(m_cells.size());
     const double number_of_vertices = static_cast<double>(m_tr.number_of_vertices());
     m_result.forecast_of_cells = (std::max)(cells_per_forecast_cell * number_of_regular_cells(), number_of_cells);
-    m_result.forecast_of_vertices = number_of_vertices +
-      (std::max)(0., (m_result.forecast_of_cells - cells_per_surface_vertex * number_of_vertices) / cells_per_inner_vertex);
+    const double inner_cells = m_result.forecast_of_cells - cells_per_surface_vertex * number_of_vertices;
+    m_result.forecast_of_vertices = number_of_vertices + (std::max)(0., inner_cells / cells_per_inner_vertex);
   }
 
   // Infinity if the sizes are so small that nobody can count.
@@ -118,7 +119,7 @@ private:
     Forecast_3<decltype(size)> integral(size, m_sizes.gradation());
     for(const Cell_handle c : m_cells)
       integral.add(internal::corners(c), m_sizes.region(c), m_sizes.smallest_size_at_vertices(c));
-    const double number = integral(max_number_of_questions);
+    const double number = integral((std::min)(least_number_of_questions + m_cells.size(), largest_number_of_questions));
     return std::isnan(number) ? std::numeric_limits<double>::infinity() : number;
   }
 

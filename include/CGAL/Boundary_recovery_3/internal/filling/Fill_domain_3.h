@@ -38,9 +38,8 @@ namespace internal {
  * sizes around it, at its circumcenter, or where that cannot be, at its centroid.
  *
  * A cell is too large if its circumradius is longer than `largest_radius` times the size. Each cell is looked at once:
- * those that are there at first, then those around each new vertex in the order of their insertion, which keeps
- * neighbors together. No vertex of the cavity of a point is nearer to it than `smallest_distance` times the size there,
- * so the work ends.
+ * those that are there at first, and after each of them those around the new vertices. No vertex of the cavity of a
+ * point is nearer to it than `smallest_distance` times the size there, so the work ends.
  */
 template <typename Tr, typename Domain, typename Sizes, typename Visitor>
 class Fill_domain_3
@@ -66,12 +65,12 @@ public:
     m_expected_number = expected_number;
     for(std::size_t k = 0; k < cells.size() && can_go_on(); ++k)
       if(is_there(cells[k]))
+      {
         look_at(cells[k]);
-    std::size_t settled = 0;
-    for(; settled < m_vertices.size() && can_go_on(); ++settled)
-      look_around(m_vertices[settled]);
-    for(; settled < m_vertices.size(); ++settled)
-      m_sizes.settle(m_vertices[settled]);
+        look_around_new_vertices();
+      }
+    for(const Vertex_handle v : m_pending)
+      m_sizes.settle(v);
   }
 
   // The vertices that were inserted, in order.
@@ -97,6 +96,17 @@ private:
       if(m_sizes.is_pending(c->vertex(i)))
         return false;
     return true;
+  }
+
+  // The last one first: what is near was touched a moment ago, and is in the cache.
+  void look_around_new_vertices()
+  {
+    while(! m_pending.empty() && can_go_on())
+    {
+      const Vertex_handle v = m_pending.back();
+      m_pending.pop_back();
+      look_around(v);
+    }
   }
 
   // Cells with another new vertex are left to that one.
@@ -127,8 +137,8 @@ private:
       try_point(center, c);
   }
 
-  // The cell that contains a point, found by a walk from c in floating point numbers; none if a wall is in the way, or if it
-  // takes too many steps. A wrong answer makes another cavity, not an invalid one.
+  // The cell that contains a point, found by a walk from c in floating point numbers; none if a wall is in the way, or
+  // if it takes too many steps. A wrong answer makes another cavity, not an invalid one.
   Cell_handle walk(Cell_handle c, const Coordinates_3& q) const
   {
     for(int step = 0; step < max_number_of_steps; ++step)
@@ -208,6 +218,7 @@ private:
     }
     m_sizes.set_pending(v, m_size);
     m_vertices.push_back(v);
+    m_pending.push_back(v);
     report();
   }
 
@@ -229,6 +240,7 @@ private:
   Field_point_cavity_3<Tr, Domain> m_cavity;
   Insert_field_point_3<Tr, Domain, Visitor> m_insert;
   Vertices m_vertices;
+  Vertices m_pending; // those around which nobody has looked yet
   std::vector<Cell_handle> m_star;
   double m_size = 0; // of the point that is tried
   std::size_t m_max_number_of_vertices = 0;

@@ -19,15 +19,15 @@
 #include <cmath>
 #include <cstddef>
 #include <queue>
-#include <vector>
+#include <utility>
 
 namespace CGAL {
 namespace Boundary_recovery_3 {
 namespace internal {
 
 /*
- * Estimates how many cells a size field asks for: the integral of 6 sqrt(2) / h^3, which is one regular tetrahedron with
- * edges of length h in its own volume. The tetrahedra given are cut where the sizes inside can differ most for the
+ * Estimates how many cells a size field asks for: the integral of 6 sqrt(2) / h^3, which is one regular tetrahedron
+ * with edges of length h in its own volume. The tetrahedra given are cut where the sizes inside can differ most for the
  * volume that they have, until there are enough pieces.
  *
  * `Size` returns the size at a place, given by coordinates and the number of the region. `gradation` is by how much
@@ -86,7 +86,8 @@ private:
     const double volume = std::abs(volume_times_6(t)) / 6;
     const double reach = m_gradation * longest_edge(t).second / 2;
     const double lowest = (std::max)(h - reach, most_refined * h);
-    Piece piece = { volume * (density(lowest) - density(h + reach)), volume * density(h), m_number_of_pieces++, t, region };
+    const double error = volume * (density(lowest) - density(h + reach));
+    const Piece piece = { error, volume * density(h), m_number_of_pieces++, t, region };
     m_sum += piece.value;
     if(piece.error > 0)
       m_pieces.push(piece);

@@ -153,7 +153,7 @@ private:
   Visitor& m_visitor;
   std::vector<Facet> m_facets;
   std::vector<Cell_handle> m_new_cells;       // in the order of the facets; the index of the new vertex is 3
-  std::vector<std::uint32_t> m_facet_at_edge; // by two vertices: 4 times the number of a new cell, plus that of its facet
+  std::vector<std::uint32_t> m_facet_at_edge; // by two vertices: 4 times the number of a new cell, plus its facet's
 };
 
 } // namespace internal

@@ -23,8 +23,8 @@ namespace Boundary_recovery_3 {
 namespace internal {
 
 /*
- * Numbers the few vertices of a cavity in the order in which they come. To clear it costs nothing, whatever its size, so
- * it can serve millions of cavities, most of them small.
+ * Numbers the few vertices of a cavity in the order in which they come. To clear it costs nothing, whatever its size,
+ * so it can serve millions of cavities, most of them small.
  */
 template <typename Vertex_handle>
 class Local_numbers

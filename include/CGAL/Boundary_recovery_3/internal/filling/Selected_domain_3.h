@@ -45,7 +45,8 @@ public:
   static constexpr bool has_selection =
     ! std::is_same<Cell_is_selected_map, Static_boolean_property_map<Cell_handle, true> >::value;
 
-  Selected_domain_3(const Tr& tr, const Cell_is_selected_map& is_selected, const Edge_is_constrained_map& is_constrained)
+  Selected_domain_3(const Tr& tr, const Cell_is_selected_map& is_selected,
+                    const Edge_is_constrained_map& is_constrained)
     : m_tr(tr), m_is_selected(is_selected), m_is_constrained(is_constrained)
   { }
 

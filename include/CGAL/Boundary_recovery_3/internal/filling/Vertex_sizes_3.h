@@ -34,8 +34,8 @@ struct Has_meshing_info<Vertex, std::void_t<decltype(std::declval<Vertex&>().set
 { };
 
 /*
- * The size that cells should have at each vertex, where it is known; in the vertices themselves if they have a place for
- * it, else in a table.
+ * The size that cells should have at each vertex, where it is known; in the vertices themselves if they have a place
+ * for it, else in a table.
  *
  * A vertex can be marked as pending, that is, the cells around it have not been looked at. That is kept in the sign.
  */

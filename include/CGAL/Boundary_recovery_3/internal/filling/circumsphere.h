@@ -43,7 +43,8 @@ inline Sphere_3 circumsphere(const std::array<Coordinates_3, 4>& p)
 // Whether the circumsphere of a positively oriented tetrahedron contains a point, in floating point numbers.
 inline bool is_in_circumsphere(const std::array<Coordinates_3, 4>& p, const Coordinates_3& q)
 {
-  const Coordinates_3 a = difference(p[0], q), b = difference(p[1], q), c = difference(p[2], q), d = difference(p[3], q);
+  const Coordinates_3 a = difference(p[0], q), b = difference(p[1], q);
+  const Coordinates_3 c = difference(p[2], q), d = difference(p[3], q);
   const Coordinates_3 ab = cross_product(a, b), cd = cross_product(c, d);
   const double bcd = dot_product(b, cd), acd = dot_product(a, cd), abd = dot_product(d, ab), abc = dot_product(c, ab);
   return dot_product(a, a) * bcd + dot_product(c, c) * abd > dot_product(b, b) * acd + dot_product(d, d) * abc;
