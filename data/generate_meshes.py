@@ -226,8 +226,63 @@ def gear():
     return extrude(outline, bore, cap, 0.5)
 
 
+def airfoil(n):
+    """A symmetric profile of 12 % thickness and length 1, counterclockwise from the trailing edge: 2 n corners."""
+    def half(x):
+        return 0.6 * (0.2969 * math.sqrt(x) - 0.126 * x - 0.3516 * x ** 2 + 0.2843 * x ** 3 - 0.1036 * x ** 4)
+
+    def point(i):
+        x = (1 + math.cos(math.pi * i / n)) / 2
+        return x, 0.0 if i % n == 0 else half(x) if i < n else -half(x)
+
+    return [point(i) for i in range(2 * n)]
+
+
+def add_grid_box(surface, low, high, n):
+    """A box whose sides are divided into n by n quads."""
+    for axis in range(3):
+        u, v = (axis + 1) % 3, (axis + 2) % 3
+
+        def corner(end, i, j):
+            p = [0, 0, 0]
+            p[axis] = end[axis]
+            for k, position in ((u, i), (v, j)):
+                p[k] = low[k] + (high[k] - low[k]) * position / n
+            return surface.point(*p)
+
+        for i in range(n):
+            for j in range(n):
+                for end in (low, high):
+                    q = [corner(end, a, b) for a, b in ((i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1))]
+                    surface.quad(*(q if end is high else reversed(q)))
+
+
+def wing():
+    """The air around a swept wing that becomes narrower towards its tip: a void in a box."""
+    s, n, number_of_sections = Surface(), 8, 9
+    sections = []
+    for k in range(number_of_sections):
+        y = -2 + 4 * k / (number_of_sections - 1)
+        chord, sweep = 1 - 0.125 * (y + 2), 0.25 * (y + 2)
+        sections.append([s.point(sweep + chord * x, y, chord * z) for x, z in airfoil(n)])
+    for a, b in zip(sections, sections[1:]):
+        for i in range(2 * n):
+            j = (i + 1) % (2 * n)
+            s.quad(a[i], a[j], b[j], b[i], diagonal=i % 2)
+    for section, is_tip in ((sections[0], False), (sections[-1], True)):
+        for i in range(n):
+            q = [section[i], section[(i + 1) % (2 * n)], section[2 * n - i - 1], section[(2 * n - i) % (2 * n)]]
+            q = q if is_tip else q[::-1]
+            corners = [v for k, v in enumerate(q) if v != q[k - 1]]
+            s.quad(*corners) if len(corners) == 4 else s.triangle(*corners)
+    assert s.six_volumes() < 0, "the wing does not turn inwards"
+    add_grid_box(s, (-4, -5, -4), (8, 5, 4), 4)
+    return s.check()
+
+
 SURFACES = {"cube_br3.off": cube, "nested_cubes_br3.off": nested_cubes, "two_cubes_br3.off": two_cubes,
-            "schoenhardt_br3.off": schoenhardt, "washer_br3.off": washer, "gear_br3.off": gear, "nut_br3.stl": nut}
+            "schoenhardt_br3.off": schoenhardt, "washer_br3.off": washer, "gear_br3.off": gear, "nut_br3.stl": nut,
+            "wing_br3.off": wing}
 
 
 def main(arguments):

@@ -141,5 +141,6 @@ int main()
   test("schoenhardt_br3.off", 0, 1);
   test("washer_br3.off", 0, 0);
   test("gear_br3.off", 0, 10);
+  test("wing_br3.off", 0, 10);
   return EXIT_SUCCESS;
 }
