@@ -1,0 +1,361 @@
+// make_boundary_constrained_mesh_3() on soups: regions of exact volumes, each triangle and edge where it was, patches,
+// dimensions, and what becomes of bad input.
+
+#undef NDEBUG // the checks are assertions, also in a Release build
+
+#include "box_soup_br3.h"
+#include "mesh_validity_br3.h"
+
+#include <CGAL/Boundary_recovery_3/internal/meshing/Boundary_constrained_meshing_3.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Exact_rational.h>
+#include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/make_boundary_constrained_mesh_3.h>
+#include <CGAL/property_map.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <iostream>
+#include <limits>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace BR3 = CGAL::Boundary_recovery_3;
+namespace parameters = CGAL::parameters;
+using br3_test::Box;
+using br3_test::Box_soup;
+typedef CGAL::Exact_rational                                Rational;
+typedef CGAL::Exact_predicates_inexact_constructions_kernel K;
+typedef CGAL::Exact_predicates_exact_constructions_kernel   Exact;
+
+Rational exact(const double x) { return Rational(x); }
+Rational exact(const Exact::FT& x) { return x.exact(); }
+
+template <typename Kernel>
+struct Scene
+{
+  typedef typename CGAL::Boundary_constrained_mesh_triangulation_3<Kernel>::type Tr;
+  typedef typename Kernel::Point_3                        Point;
+  typedef typename Tr::Vertex_handle                      Vertex_handle;
+  typedef typename Tr::Cell_handle                        Cell_handle;
+  typedef CGAL::Boundary_constrained_mesh_result_3<Tr>    Result;
+  typedef std::function<double(const Point&, int, int)>   Size;
+
+  explicit Scene(const Box_soup& soup) : soup(soup)
+  {
+    for(const auto& p : soup.points)
+      points.emplace_back(p[0], p[1], p[2]);
+  }
+
+  template <typename ... NPs>
+  Result& make(const Size& size, const NPs& ... nps)
+  {
+    result = CGAL::make_boundary_constrained_mesh_3(tr, points, soup.triangles, size,
+                                                    parameters::constrained_edges(soup.edges), nps...);
+    return result;
+  }
+
+  // Six times the volume of a region.
+  Rational volume(const int region) const
+  {
+    Rational sum = 0;
+    for(const Cell_handle c : tr.finite_cell_handles())
+      if(c->subdomain_index() == region)
+      {
+        std::array<std::array<Rational, 3>, 3> m;
+        for(int i = 0; i < 3; ++i)
+          for(int j = 0; j < 3; ++j)
+            m[i][j] = exact(c->vertex(i + 1)->point()[j]) - exact(c->vertex(0)->point()[j]);
+        sum += m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0])
+             + m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+      }
+    return sum;
+  }
+
+  // Whether everything of the surface is there, and nothing else is marked. `patches` are by input position.
+  void check_surface(const std::vector<int>& patches) const
+  {
+    std::map<std::array<Vertex_handle, 3>, int> patch_of;
+    for(const auto& f : result.recovery.surface_facets())
+    {
+      std::array<Vertex_handle, 3> facet = f;
+      std::sort(facet.begin(), facet.end());
+      patch_of[facet] = patches[f.index];
+    }
+    std::size_t number_of_sides = 0;
+    for(const Cell_handle c : tr.all_cell_handles())
+      for(int i = 0; i < 4; ++i)
+      {
+        std::array<Vertex_handle, 3> facet = BR3::internal::facet_vertices(c, i);
+        std::sort(facet.begin(), facet.end());
+        const auto known = patch_of.find(facet);
+        assert(c->surface_patch_index(i) == (known == patch_of.end() ? 0 : known->second));
+        assert(known != patch_of.end() || c->subdomain_index() == c->neighbor(i)->subdomain_index());
+        number_of_sides += known != patch_of.end();
+      }
+    assert(number_of_sides == 2 * patch_of.size());
+  }
+
+  void check_vertices() const
+  {
+    for(std::size_t i = 0; i < points.size(); ++i)
+      assert(result.recovery.vertices[i]->point() == points[i]);
+    std::map<Vertex_handle, int> dimension;
+    for(const Vertex_handle v : tr.finite_vertex_handles())
+      dimension[v] = 3;
+    for(const auto& f : result.recovery.surface_facets())
+      for(const Vertex_handle v : f)
+        dimension[v] = 2;
+    for(const auto& e : result.constrained_edges)
+      for(const Vertex_handle v : e)
+        dimension[v] = 1;
+    for(const Vertex_handle v : tr.finite_vertex_handles())
+    {
+      assert(v->in_dimension() == dimension[v]);
+      assert(v->in_dimension() != 3 || v->index() == v->cell()->subdomain_index());
+    }
+  }
+
+  // What holds for every mesh whose recovery was a success; some points may be outside of all regions.
+  void check(const std::vector<int>& patches, const std::vector<long>& volumes) const
+  {
+    assert(br3_test::is_valid_mesh(tr));
+    check_surface(patches);
+    check_vertices();
+    assert(result.number_of_regions == static_cast<int>(volumes.size()));
+    for(std::size_t r = 0; r < volumes.size(); ++r)
+      assert(volume(static_cast<int>(r) + 1) == 6 * volumes[r]);
+    for(const Cell_handle c : tr.all_cell_handles())
+      assert(0 <= c->subdomain_index() && c->subdomain_index() <= (tr.is_infinite(c) ? 0 : result.number_of_regions));
+    Cell_handle c;
+    int i, j;
+    for(const auto& e : result.constrained_edges)
+      assert(tr.is_edge(e[0], e[1], c, i, j));
+    assert(tr.number_of_vertices() == points.size() + result.recovery.steiner_vertices.size()
+                                      + result.filling.number_of_field_points);
+    assert(result.phases.size() >= 1 && result.phases[0].phase == BR3::Meshing_phase::domain_marking);
+    assert(result.phases[0].number_of_vertices == points.size() + result.recovery.steiner_vertices.size());
+    double seconds = 0;
+    for(const auto& phase : result.recovery.phases)
+      seconds += phase.seconds;
+    for(const auto& report : result.phases)
+    {
+      assert(report.seconds >= 0 && report.number_of_cells > 0);
+      seconds += report.seconds;
+    }
+    assert(result.seconds >= seconds);
+  }
+
+  void check_meshed(const std::vector<int>& patches, const std::vector<long>& volumes) const
+  {
+    assert(result && result.status == BR3::Meshing_status::meshed && result.filling);
+    assert(result.filling.number_of_field_points > 0);
+    assert(result.phases.size() == 3);
+    assert(result.phases[1].phase == BR3::Meshing_phase::forecast);
+    assert(result.phases[2].phase == BR3::Meshing_phase::field_point_insertion);
+    assert(result.phases[2].number_of_vertices == tr.number_of_vertices());
+    assert(result.phases[2].number_of_cells == tr.number_of_finite_cells());
+    check(patches, volumes);
+  }
+
+  const Box_soup soup;
+  std::vector<Point> points;
+  Tr tr;
+  Result result;
+};
+
+std::vector<int> numbers_from_1(const std::size_t n)
+{
+  std::vector<int> numbers;
+  for(std::size_t i = 1; i <= n; ++i)
+    numbers.push_back(static_cast<int>(i));
+  return numbers;
+}
+
+template <typename Kernel>
+void test(const Box_soup& soup, const double size, const std::vector<long>& volumes)
+{
+  typedef typename Kernel::Point_3 Point;
+  Scene<Kernel> scene(soup);
+  scene.make([&](const Point&, const int dimension, const int index)
+  {
+    assert(dimension == 3 && index > 0 && index <= static_cast<int>(volumes.size()));
+    return size;
+  });
+  scene.check_meshed(numbers_from_1(soup.triangles.size()), volumes);
+  assert(scene.result.constrained_edges.size() == soup.edges.size());
+}
+
+const Box big = {{{ 0, 0, 0 }}, {{ 12, 12, 12 }}}, small = {{{ 3, 4, 5 }}, {{ 7, 8, 10 }}},
+          beside = {{{ 12, 0, 0 }}, {{ 20, 12, 12 }}};
+
+Box_soup box_with_sheet_and_edges()
+{
+  Box_soup soup;
+  soup.add_box(big);
+  soup.add_rectangle(2, {{ 3, 3, 6 }}, {{ 9, 9, 6 }}, true);
+  soup.add_edge({{ 1, 1, 1 }}, {{ 2, 2, 11 }});
+  soup.add_edge({{ 2, 2, 11 }}, {{ 11, 10, 11 }});
+  soup.add_edge({{ 0, 0, 12 }}, {{ 1, 3, 11 }});
+  soup.add_edge({{ 15, 0, 0 }}, {{ 15, 1, 12 }});
+  return soup;
+}
+
+template <typename Kernel>
+void test_regions()
+{
+  Box_soup nested, hollow, two, fan;
+  nested.add_box(big);
+  nested.add_box(small);
+  test<Kernel>(nested, 3, { big.volume() - small.volume(), small.volume() });
+  hollow.add_box(big);
+  hollow.add_box(small, false);
+  hollow.add_point({{ 30, 5, 5 }}); // a point of no triangle
+  test<Kernel>(hollow, 3, { big.volume() - small.volume() });
+  two.add_box(big); // the wall between them is there once
+  for(int side = 1; side < 6; ++side)
+    two.add_side(beside, side, true);
+  test<Kernel>(two, 4, { big.volume(), beside.volume() });
+  test<Kernel>(box_with_sheet_and_edges(), 3, { big.volume() });
+  fan.add_box(big); // boxes that meet in an edge, and one at a vertex; a sheet outside
+  fan.add_box({{{ 12, 12, 0 }}, {{ 20, 20, 12 }}});
+  fan.add_box({{{ -6, -6, -6 }}, {{ 0, 0, 0 }}});
+  fan.add_rectangle(0, {{ -3, 3, 3 }}, {{ -3, 6, 8 }}, false);
+  test<Kernel>(fan, 4, { big.volume(), 8 * 8 * 12, 216 });
+}
+
+void test_patches()
+{
+  Scene<K> scene(box_with_sheet_and_edges());
+  std::vector<int> patches(scene.soup.triangles.size(), 7);
+  patches[0] = patches[3] = 0; // they get the first number that is free
+  patches[1] = 1;
+  const auto size = [](const K::Point_3&, int, int) { return 3.; };
+  scene.make(size, parameters::face_patch_map(CGAL::make_property_map(patches)));
+  patches[0] = patches[3] = 2;
+  scene.check_meshed(patches, { big.volume() });
+}
+
+// No region, or nothing that can be recovered: nothing is inserted.
+void test_other_ends()
+{
+  Box_soup open;
+  for(int side = 1; side < 6; ++side)
+    open.add_side(big, side, true);
+  Scene<K> gap(open);
+  int number_of_questions = 0;
+  const auto size = [&](const K::Point_3&, int, int) { ++number_of_questions; return 3.; };
+  gap.make(size);
+  assert(! gap.result && gap.result.status == BR3::Meshing_status::no_region && gap.result.phases.size() == 1);
+  gap.check(numbers_from_1(open.triangles.size()), { });
+
+  Box_soup crossing;
+  crossing.add_box(big);
+  crossing.add_rectangle(2, {{ 3, 3, 6 }}, {{ 19, 9, 6 }}, true);
+  Scene<K> invalid(crossing);
+  invalid.make(size);
+  assert(invalid.result.status == BR3::Meshing_status::invalid_input && ! invalid.result.recovery.defects.empty());
+  Scene<K> empty{ Box_soup() };
+  empty.make(size);
+  assert(empty.result.status == BR3::Meshing_status::invalid_input && empty.result.phases.empty());
+
+  Scene<K> late(box_with_sheet_and_edges());
+  late.make(size, parameters::maximum_running_time(0.));
+  assert(late.result.status == BR3::Meshing_status::stopped && br3_test::is_valid_mesh(late.tr));
+  assert(number_of_questions == 0);
+
+  Scene<K> large(box_with_sheet_and_edges());
+  large.make(size, parameters::maximum_number_of_vertices(30));
+  assert(large.result.status == BR3::Meshing_status::too_large && large.result.filling.forecast_of_vertices > 30);
+  large.check(numbers_from_1(large.soup.triangles.size()), { big.volume() });
+}
+
+// A field that has no size somewhere.
+void test_bad_sizes()
+{
+  for(const double bad : { 0., -1., std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN() })
+  {
+    Scene<K> scene(box_with_sheet_and_edges());
+    scene.make([bad](const K::Point_3&, int, int) { return bad; });
+    assert(scene.result.status == BR3::Meshing_status::invalid_input);
+    assert(scene.result.recovery && scene.result.filling.invalid_sizes.size() == 1);
+    const double told = scene.result.filling.invalid_sizes[0].size;
+    assert(told == bad || (std::isnan(told) && std::isnan(bad)));
+    scene.check(numbers_from_1(scene.soup.triangles.size()), { big.volume() });
+  }
+  Scene<K> scene(box_with_sheet_and_edges());
+  scene.make([](const K::Point_3&, int, int) -> double { throw std::runtime_error("no idea"); });
+  assert(scene.result.status == BR3::Meshing_status::invalid_input);
+  std::ostringstream os;
+  os << scene.result;
+  assert(os.str().find("invalid_input\nrecovery: recovered\nregions: 1\nfilling: invalid_input") == 0);
+  assert(os.str().find("no idea") != std::string::npos);
+}
+
+// Edges with Steiner points on them, named in any order and more than once.
+void test_parts_of_edges()
+{
+  typedef Scene<K>::Tr Tr;
+  BR3::Boundary_recovery_result_3<Tr> recovery;
+  Tr tr;
+  for(int i = 0; i < 7; ++i)
+    recovery.vertices.push_back(tr.insert(K::Point_3(i, i * i, i * i * i)));
+  const auto& v = recovery.vertices;
+  const auto part = [&](const int i, const int j, const std::size_t a, const std::size_t b)
+  {
+    BR3::Constraint_part_3<Tr::Vertex_handle, K::Point_3> result;
+    result.vertices = { v[i], v[j] };
+    result.constraint.vertices = { a, b };
+    return result;
+  };
+  recovery.parts_of_edges = { part(0, 5, 0, 1), part(5, 1, 0, 1), part(3, 6, 3, 2), part(6, 2, 3, 2) };
+  const std::vector<std::array<std::size_t, 2> > given = { {{ 2, 3 }}, {{ 1, 2 }}, {{ 1, 0 }}, {{ 0, 1 }} };
+  const BR3::internal::Constrained_mesh_edges_3<Tr> edges(recovery, parameters::constrained_edges(given));
+  typedef std::vector<std::array<Tr::Vertex_handle, 2> > Edges;
+  assert((edges.edges == Edges{ {{ v[3], v[6] }}, {{ v[6], v[2] }}, {{ v[1], v[2] }}, {{ v[0], v[5] }},
+                                {{ v[5], v[1] }}, {{ v[0], v[5] }}, {{ v[5], v[1] }} }));
+  assert((edges.numbers == std::vector<std::size_t>{ 1, 1, 2, 3, 3, 4, 4 }));
+}
+
+// Steiner points on the surface: the parts of a triangle have its patch.
+void test_conforming()
+{
+  std::vector<std::vector<std::size_t> > polygons;
+  Box_soup soup;
+  std::vector<K::Point_3> points;
+  assert(CGAL::IO::read_polygon_soup(CGAL::data_file_path("meshes/schoenhardt_br3.off"), points, polygons));
+  for(const auto& polygon : polygons)
+    soup.triangles.push_back({{ polygon[0], polygon[1], polygon[2] }});
+  Scene<K> scene(soup);
+  scene.points = points;
+  scene.make([](const K::Point_3&, int, int) { return 0.3; },
+             parameters::recovery_mode(BR3::Recovery_mode::conforming));
+  assert(scene.result && ! scene.result.recovery.parts_of_edges.empty());
+  assert(scene.result.filling.number_of_field_points > 0);
+  scene.check_surface(numbers_from_1(soup.triangles.size()));
+  scene.check_vertices();
+  assert(br3_test::is_valid_mesh(scene.tr));
+}
+
+int main()
+{
+  test_regions<K>();
+#ifndef BR3_TEST_EPICK_ONLY
+  test<Exact>(box_with_sheet_and_edges(), 3, { big.volume() });
+#endif
+  test_patches();
+  test_other_ends();
+  test_bad_sizes();
+  test_parts_of_edges();
+  test_conforming();
+  std::cout << "meshes are right" << std::endl;
+}
