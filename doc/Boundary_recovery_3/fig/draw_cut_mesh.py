@@ -6,7 +6,7 @@ usage: draw_cut_mesh.py IN.mesh OUT.svg [WIDTH] [--cut X,Y,Z,D] [--view AZIMUTH,
 
 meshed_wing.svg is the default surface of mesh_surface, cut along the middle of the wing:
   mesh_surface -o wing.mesh
-  draw_cut_mesh.py wing.mesh meshed_wing.svg --cut 0,-1,0,0 --view -60,24
+  draw_cut_mesh.py wing.mesh meshed_wing.svg --cut 0,-1,0,0 --view -58,19
 recovered_gear.svg is the default surface of recover_boundary:
   recover_boundary -o gear.mesh && draw_cut_mesh.py gear.mesh recovered_gear.svg
 recovered_schoenhardt.svg is the smallest surface of data/meshes that takes a point:

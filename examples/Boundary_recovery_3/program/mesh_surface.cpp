@@ -127,6 +127,34 @@ int refuse(const Result& result, const Program<Point>& program)
   return invalid_input;
 }
 
+// writes the files, and tells how it went; returns the exit status
+int finish(const Meshing_options& options, Program<Point>& program, const Result& result, const Domain<Point>& domain,
+           const Measurements& measured)
+{
+  if(! program.write_report([&](Json_writer& json) { write_entries(json, options, result, domain, measured); }))
+    return program.fail();
+  if(result.status == Status::invalid_input)
+    return refuse(result, program);
+
+  if(options.timing)
+    print_timing(result, measured);
+  const std::string reason = reason_for_no_mesh(result);
+  if(! reason.empty())
+  {
+    program.fail("there is no mesh: " + reason);
+    return incomplete_or_stopped;
+  }
+  if(! program.write_outputs(domain))
+    return program.fail();
+  if(! options.quiet)
+  {
+    print_mesh(std::cout, result, domain, measured.quality, measured.edges, measured.seconds_total);
+    if(options.outputs.empty())
+      std::cout << "no mesh is written; -o OUTPUT does that" << std::endl;
+  }
+  return result ? success : incomplete_or_stopped;
+}
+
 int run(const Meshing_options& options, Program<Point>& program)
 {
   Size size;
@@ -150,27 +178,7 @@ int run(const Meshing_options& options, Program<Point>& program)
   Domain<Point> domain = make_domain(tr, result);
   const Measurements measured = measure(domain, size, result, timer.time(), options);
   program.use_numbers_of_file(result.recovery, domain);
-  if(! program.write_report([&](Json_writer& json) { write_entries(json, options, result, domain, measured); }))
-    return program.fail();
-  if(result.status == Status::invalid_input)
-    return refuse(result, program);
-
-  if(options.timing)
-    print_timing(result, measured);
-  if(! reason_for_no_mesh(result).empty())
-  {
-    program.fail("there is no mesh: " + reason_for_no_mesh(result));
-    return incomplete_or_stopped;
-  }
-  if(! program.write_outputs(domain))
-    return program.fail();
-  if(! options.quiet)
-  {
-    print_mesh(std::cout, result, domain, measured.quality, measured.edges, measured.seconds_total);
-    if(options.outputs.empty())
-      std::cout << "no mesh is written; -o OUTPUT does that" << std::endl;
-  }
-  return result ? success : incomplete_or_stopped;
+  return finish(options, program, result, domain, measured);
 }
 
 int main(int argc, char* argv[])

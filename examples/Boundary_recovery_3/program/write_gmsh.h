@@ -20,12 +20,18 @@
 template <typename Point>
 class Gmsh_writer
 {
-  // What Gmsh calls an entity; its physical group has the same number.
+  // of an entity, and of its physical group
+  struct Name
+  {
+    int tag; // that of a volume is the number of the region
+    std::string name;
+  };
+
+  // what Gmsh calls an entity
   struct Entity
+    : public Name
   {
     int dimension;
-    int tag;
-    std::string name;                   // of its physical group
     std::vector<std::size_t> simplices; // triangles or tetrahedra, in ascending order
     CGAL::Bbox_3 box;
   };
@@ -43,9 +49,12 @@ public:
 
   void operator()()
   {
-    add_entities(2, m_sides, m_domain.triangles, name_of_surface);
-    add_entities(3, m_domain.regions, m_domain.tetrahedra,
-                 [](const int region) { return region == 0 ? "outside" : "region_" + std::to_string(region); });
+    int number_of_surfaces = 0;
+    add_entities(2, m_sides, m_domain.triangles, [&](const Sides& sides)
+                 { return Name{ ++number_of_surfaces, name_of_surface(sides) }; });
+    add_entities(3, m_domain.regions, m_domain.tetrahedra, [&](const int region)
+                 { return region == 0 ? Name{ m_domain.number_of_regions + 1, "outside" }
+                                      : Name{ region, "region_" + std::to_string(region) }; });
     m_os << "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n";
     write_names();
     write_entities();
@@ -64,13 +73,13 @@ private:
   }
 
   // an entity for each value that simplices have, in ascending order
-  template <typename Value, typename Simplices, typename Name>
-  void add_entities(const int dimension, const std::vector<Value>& values, const Simplices& simplices, const Name& name)
+  template <typename Value, typename Simplices, typename Naming>
+  void add_entities(const int dimension, const std::vector<Value>& values, const Simplices& simplices,
+                    const Naming& name)
   {
     std::map<Value, std::vector<std::size_t> > simplices_of;
     for(std::size_t i = 0; i < values.size(); ++i)
       simplices_of[values[i]].push_back(i);
-    int tag = 0;
     for(auto& entry : simplices_of)
     {
       CGAL::Bbox_3 box;
@@ -80,7 +89,7 @@ private:
           box += m_domain.points[v].bbox();
           m_owners[v] = (std::min)(m_owners[v], m_entities.size());
         }
-      m_entities.push_back({ dimension, ++tag, name(entry.first), std::move(entry.second), box });
+      m_entities.push_back({ name(entry.first), dimension, std::move(entry.second), box });
     }
   }
 

@@ -32,24 +32,20 @@ void write_meshing(Json_writer& json, const Result& result)
   json.entry("forecast_of_vertices", result.filling.forecast_of_vertices);
   json.entry("number_of_field_points", result.filling.number_of_field_points);
   json.key("invalid_sizes");
-  json.list(result.filling.invalid_sizes, [&](const auto& invalid)
+  json.objects(result.filling.invalid_sizes, [&](const auto& invalid)
   {
-    json.begin('{');
     json.key("point");
     json.point(invalid.point);
     json.entry("size", invalid.size);
     json.entry("message", invalid.message);
-    json.end('}');
   });
   json.key("meshing_phases");
-  json.list(result.phases, [&](const CGAL::Boundary_recovery_3::Meshing_phase_report& phase)
+  json.objects(result.phases, [&](const CGAL::Boundary_recovery_3::Meshing_phase_report& phase)
   {
-    json.begin('{');
     json.entry("name", to_string(phase.phase));
     json.entry("number_of_vertices", phase.number_of_vertices);
     json.entry("number_of_cells", phase.number_of_cells);
     json.entry("seconds", phase.seconds);
-    json.end('}');
   });
 }
 

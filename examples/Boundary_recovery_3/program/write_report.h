@@ -114,6 +114,18 @@ public:
     }
     end(']');
   }
+
+  // a list of objects; `write` writes the entries of each
+  template <typename Range, typename Write>
+  void objects(const Range& range, const Write& write)
+  {
+    list(range, [&](const auto& element)
+    {
+      begin('{');
+      write(element);
+      end('}');
+    });
+  }
 };
 
 // Writes what `recover_boundary()` returned, in the indices of the file.
@@ -141,13 +153,11 @@ public:
     m_json.key("unrepresentable_constraints");
     m_json.list(result.unrepresentable_constraints, [&](const Input_simplex& s) { write_simplex(s); });
     m_json.key("defects");
-    m_json.list(result.defects, [&](const Input_defect& defect)
+    m_json.objects(result.defects, [&](const Input_defect& defect)
     {
-      m_json.begin('{');
       m_json.entry("kind", to_string(defect.kind));
       m_json.key("simplices");
       m_json.list(defect.simplices, [&](const Input_simplex& s) { write_simplex(s); });
-      m_json.end('}');
     });
     m_json.key("steiner_points");
     m_json.list(result.steiner_vertices, [&](const typename Result::Vertex_handle v) { m_json.point(v->point()); });
@@ -184,30 +194,26 @@ private:
   void write_phases(const Result& result)
   {
     m_json.key("phases");
-    m_json.list(result.phases, [&](const CGAL::Boundary_recovery_3::Phase_report& phase)
+    m_json.objects(result.phases, [&](const CGAL::Boundary_recovery_3::Phase_report& phase)
     {
-      m_json.begin('{');
       m_json.entry("name", to_string(phase.phase));
       m_json.entry("lost_edges", phase.lost_edges);
       m_json.entry("lost_facets", phase.lost_facets);
       m_json.entry("seconds", phase.seconds);
-      m_json.end('}');
     });
   }
 
   void write_levels(const Result& result)
   {
     m_json.key("levels");
-    m_json.list(result.levels, [&](const CGAL::Boundary_recovery_3::Recursion_level_report& level)
+    m_json.objects(result.levels, [&](const CGAL::Boundary_recovery_3::Recursion_level_report& level)
     {
-      m_json.begin('{');
       m_json.entry("phase", to_string(level.phase));
       m_json.entry("max_recursion_level", level.max_recursion_level);
       m_json.entry("n1", level.n1);
       m_json.entry("n2", level.n2);
       m_json.entry("n3", level.n3);
       m_json.entry("n4", level.n4);
-      m_json.end('}');
     });
   }
 

@@ -85,7 +85,7 @@ public:
     announce("Int32", "region", 4 * m_cells.size());
     announce("Int64", "patch", 8 * m_cells.size());
     m_os << "</CellData>\n<Points>\n";
-    announce("Float64", "Points\" NumberOfComponents=\"3", 24 * m_domain.points.size());
+    announce("Float64", "Points", 24 * m_domain.points.size(), 3);
     m_os << "</Points>\n<Cells>\n";
     announce("Int64", "connectivity", 8 * m_cells.number_of_vertices());
     announce("Int64", "offsets", 8 * m_cells.size());
@@ -104,10 +104,10 @@ private:
     return *reinterpret_cast<const unsigned char*>(&one) == 1;
   }
 
-  void announce(const std::string& type, const std::string& name, const Length length)
+  void announce(const std::string& type, const std::string& name, const Length length, const int components = 1)
   {
-    m_os << "<DataArray type=\"" << type << "\" Name=\"" << name << "\" format=\"appended\" offset=\"" << m_offset
-         << "\"/>\n";
+    m_os << "<DataArray type=\"" << type << "\" Name=\"" << name << "\" NumberOfComponents=\"" << components
+         << "\" format=\"appended\" offset=\"" << m_offset << "\"/>\n";
     m_offset += sizeof(Length) + length;
   }
 

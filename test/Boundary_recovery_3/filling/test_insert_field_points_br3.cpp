@@ -142,14 +142,20 @@ struct State
   }
 };
 
-// Vertices of the domain keep their distance, and no cell away from walls is too large.
+// New vertices keep their distance from those that they see, and no cell away from walls is too large.
 template <typename Triangulation>
 void check_sizes(const Scene<Triangulation>& scene, const double size, const std::size_t number_of_old_vertices)
 {
-  const auto points = scene.points();
-  for(std::size_t i = number_of_old_vertices; i < points.size(); ++i)
-    for(std::size_t j = 0; j < i; ++j)
-      assert(BR3::internal::distance(points[i], points[j]) >= 0.699 * size);
+  std::set<typename Triangulation::Vertex_handle> old_vertices;
+  for(const auto v : scene.tr.finite_vertex_handles())
+    if(old_vertices.size() < number_of_old_vertices)
+      old_vertices.insert(v);
+  for(const auto& e : scene.tr.finite_edges())
+  {
+    const auto u = e.first->vertex(e.second), v = e.first->vertex(e.third);
+    if(old_vertices.count(u) == 0 || old_vertices.count(v) == 0)
+      assert(CGAL::to_double(scene.tr.segment(e).squared_length()) >= 0.699 * 0.699 * size * size);
+  }
   for(const auto c : scene.tr.finite_cell_handles())
   {
     bool is_at_wall = false;

@@ -531,8 +531,9 @@ def test_default_surface():
     run('-o', 'default.mesh', '--report', 'default.json', '--quiet', status=MESHED)
     result = read_mesh('default.mesh')
     assert set(result.regions) == {1}
-    volumes = [signed_volume(result.points, [t]) for t in result.tetrahedra]
-    assert min(volumes) > 0 and sum(volumes) == signed_volume(result.points, result.triangles)
+    points = integers(result.points)
+    volumes = [signed_volume(points, [t]) for t in result.tetrahedra]
+    assert min(volumes) > 0 and sum(volumes) == signed_volume(points, result.triangles)
     assert {f for f, n in facets_of(result.tetrahedra).items() if n == 1} == {frozenset(t) for t in result.triangles}
     report = json.loads(read('default.json'))
     assert report['number_of_field_points'] > 1000 and report['number_of_steiner_points_in_domain'] == 0

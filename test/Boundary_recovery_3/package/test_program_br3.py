@@ -41,11 +41,11 @@ def test_command_line():
 def test_output_formats():
     points, faces = box((0, 0, 0), (3, 4, 5))
     surface = write('formats.off', off_text(points + [(1.5, 0.1, 1 / 3)], faces))  # no face uses the last point
-    run(surface, '-o', 'a.mesh', '-o', 'a.vtu', '-o', 'a.vtk', '-o', 'b.mesh', status=RECOVERED)
+    run(surface, '-o', 'a.mesh', '-o', 'a.vtu', '-o', 'a.vtk', '-o', 'a.msh', '-o', 'b.mesh', status=RECOVERED)
     mesh, vtu, vtk = read_mesh('a.mesh'), read_vtu('a.vtu'), read_vtk('a.vtk')
     check_domain(mesh, points, faces)
     assert set(mesh.regions) == {1} and len(mesh.points) == 8
-    assert mesh == vtu == vtk
+    assert mesh == vtu == vtk == read_msh('a.msh').mesh
     assert read('a.mesh') == read('b.mesh')
 
 
@@ -85,10 +85,14 @@ def test_regions():
     check_domain(mesh, *void)
     assert set(mesh.regions) == {1}
 
-    run('void.off', '-o', 'all.mesh', '--keep-exterior', status=RECOVERED)
+    run('void.off', '-o', 'all.mesh', '-o', 'all.msh', '-o', 'all.vtu', '--keep-exterior', status=RECOVERED)
     mesh = read_mesh('all.mesh')
     check_tetrahedra(mesh)
-    assert volume_of_regions(mesh) == {1: 6 * 26, 0: 6}
+    assert volume_of_regions(mesh) == {1: 6 * 26, 0: 6} and read_vtu('all.vtu') == mesh
+    msh = read_msh('all.msh')  # regions are numbers of volumes, which are never 0
+    assert msh.mesh == mesh._replace(regions=[r or 2 for r in mesh.regions])
+    assert msh.volumes == ['region_1' if r else 'outside' for r in mesh.regions]
+    assert set(msh.surfaces) == {'boundary_of_region_1'}
 
     report = report_of(write('two.off', off_text(*join(outer, inner))), '-o', 'two.mesh', status=RECOVERED)
     mesh = read_mesh('two.mesh')
