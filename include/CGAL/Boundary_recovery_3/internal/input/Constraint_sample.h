@@ -24,8 +24,8 @@ namespace Boundary_recovery_3 {
 namespace internal {
 
 /*
- * Chooses some constraints of many, at random, but the same ones in each run. No rule in the order of the input can keep
- * those that matter out of all samples.
+ * Chooses some constraints of many, at random, but the same ones in each run. No rule in the order of the input can
+ * keep those that matter out of all samples.
  */
 class Constraint_sample
 {

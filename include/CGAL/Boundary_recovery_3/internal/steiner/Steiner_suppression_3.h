@@ -79,7 +79,7 @@ public:
     const std::vector<Vertex_handle> points = m_mesh.ledger.free_points();
     return std::count_if(points.begin(), points.end(), [this](const Vertex_handle v)
     {
-      return m_mesh.ledger.is_free(v) && ! m_round(v) && ! round_among_moved_neighbors(v);
+      return m_mesh.ledger.is_free(v) && ! m_round(v) && ! round_in_smaller_ball(v) && ! round_among_moved_neighbors(v);
     }) == 0;
   }
 
@@ -214,7 +214,14 @@ private:
     for_each_point(ALL_POINTS, [this](const Vertex_handle v) { m_suppress.relocate(v); });
   }
 
-  // Where there is no number in the ball of v, and none around it will do: makes room, and tries again.
+  // Where there is no number in the ball of v, and none around it will do: takes edges off v, so that fewer planes
+  // bound the kernel, and tries again. Returns true, too, if v is gone then.
+  bool round_in_smaller_ball(const Vertex_handle v)
+  {
+    return m_mesh.context.go_further() && (m_suppress.remove(v, low_recursion_level) || m_round(v));
+  }
+
+  // The same where neighbors of v make room.
   bool round_among_moved_neighbors(const Vertex_handle v)
   {
     if(! collect_ball(v))
