@@ -240,7 +240,7 @@ int main()
 {
   const br3_test::Plc prism = br3_test::twisted_prism(3, .3, 1000, 1000);
   const br3_test::Plc box = br3_test::Notched_box(1, 1).plc();
-  const br3_test::Plc random = br3_test::Random_constraints(265)(10, 40, 60, 40); // loses facets that have their edges
+  const br3_test::Plc random = br3_test::Random_constraints(265)(10, 40, 60, 40); // facets are lost, their edges not
   for(const Mode mode : { Mode::constrained, Mode::conforming })
   {
     Disturbed_recovery(prism, mode)();
