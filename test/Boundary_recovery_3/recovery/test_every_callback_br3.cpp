@@ -254,7 +254,8 @@ int main()
   for(const Phase phase : { Phase::insertion, Phase::search, Phase::plain_removal, Phase::edge_recovery_brc1,
                             Phase::edge_recovery_brc3, Phase::edge_reconnection, Phase::facet_recovery_brc2,
                             Phase::facet_recovery_brc4, Phase::facet_reconnection, Phase::conforming_edge_recovery,
-                            Phase::conforming_facet_recovery, Phase::steiner_splitting, Phase::steiner_suppression, Phase::recount })
+                            Phase::conforming_facet_recovery, Phase::steiner_splitting, Phase::steiner_suppression,
+                            Phase::recount })
     assert(disturbed_phases.count(phase) == 1);
   for(const char* member : { "on_phase_begin", "on_phase_end", "on_progress", "go_further", "before_cells_removal",
                              "after_cells_creation" })
