@@ -3,14 +3,12 @@
 
 #include "triangle_soup.h"
 
-#include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/parameters.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/recover_boundary.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <functional>
 
@@ -25,7 +23,8 @@ struct Diagnosis_visitor
 };
 
 // the number of pairs of triangles that intersect elsewhere than in a common vertex or edge: those that would make
-// `recover_boundary()` refuse the soup, which must be free of other defects
+// `recover_boundary()` refuse the soup, which must be free of other defects; a lower bound if it is larger than the
+// number of defects that are listed by default
 template <typename Point>
 std::size_t number_of_intersections(const Triangle_soup<Point>& soup)
 {
@@ -35,8 +34,7 @@ std::size_t number_of_intersections(const Triangle_soup<Point>& soup)
   const auto result = CGAL::recover_boundary(tr, soup.points, soup.triangles,
                                              CGAL::parameters::visitor(std::ref(visitor)),
                                              CGAL::parameters::list_defects(true));
-  return static_cast<std::size_t>(std::count_if(result.defects.begin(), result.defects.end(), [](const auto& defect)
-  { return defect.kind == CGAL::Boundary_recovery_3::Input_defect_kind::intersecting_constraints; }));
+  return result.number_of_defects;
 }
 
 #endif // BOUNDARY_RECOVERY_3_PROGRAM_COUNT_INTERSECTIONS_H

@@ -19,8 +19,10 @@
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Boundary_recovery_3/internal/input/Constraint_intersections_3.h>
+#include <CGAL/Boundary_recovery_3/internal/input/Constraint_sample.h>
 #include <CGAL/Boundary_recovery_3/internal/input/Indexed_input_3.h>
 #include <CGAL/Boundary_recovery_3/internal/input/box_search.h>
+#include <CGAL/Boundary_recovery_3/internal/lost/Constraint_search_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -378,18 +380,18 @@ void test_stopped_search()
 
   Stopping_visitor patient;
   Context context(patient);
-  assert(intersections.defects(context).size() > 1);
+  assert(all_defects(intersections, context).size() > 1);
   const std::size_t number_of_questions = patient.number_of_questions;
   assert(number_of_questions > 1 && ! context.is_stopped());
-  assert(intersections.have_defects(cone, context));
+  assert(intersections.have_defects(cone, context, unlimited));
   for(std::size_t k = 0; k < number_of_questions; ++k)
   {
     Stopping_visitor visitor;
     visitor.last_question = k;
     Context stopped_context(visitor);
-    assert(intersections.defects(stopped_context).empty());
+    assert(all_defects(intersections, stopped_context).empty());
     assert(stopped_context.is_stopped());
-    assert(! intersections.have_defects(cone, stopped_context));
+    assert(! intersections.have_defects(cone, stopped_context, unlimited));
   }
 }
 
@@ -411,7 +413,7 @@ void test_bounded_list()
   const Intersections intersections(input, kernel);
   Stopping_visitor patient;
   Context context(patient);
-  const auto all = intersections.defects(context);
+  const auto all = all_defects(intersections, context);
   assert(all.size() == n * n);
   for(const std::size_t max_number : { std::size_t(0), std::size_t(1), n + 1, n * n - 1, n * n, n * n + 1 })
   {
@@ -421,26 +423,75 @@ void test_bounded_list()
     assert(number >= expected && number <= n * n && (number > max_number) == (n * n > max_number));
     assert(full_text(first) == full_text(decltype(all)(all.begin(), all.begin() + expected)));
   }
+}
 
-  // A question that is given up has no answer.
-  std::vector<Intersections::Simplex> some(1, internal::describe_facet(input, 0));
-  std::size_t max_number_of_pairs = n;
-  assert(intersections.have_defects(some, context, max_number_of_pairs) && max_number_of_pairs > 0);
-  input.points.assign(input.points.size(), Epick::Point_3(0, 0, 0)); // degenerate
-  for(std::size_t i = 0; i < n; ++i)
+// A question that is given up has no answer.
+void test_search_that_is_given_up()
+{
+  internal::Indexed_input_3<Epick::Point_3> input;
+  typedef internal::Constraint_intersections_3<Epick> Intersections;
+  std::vector<Intersections::Simplex> some;
+  const std::size_t n = 40;
+  for(std::size_t i = 0; i < n; ++i) // triangles with a common corner, so that all boxes intersect
   {
     const double x = static_cast<double>(i);
-    input.points[3 * i + 1] = Epick::Point_3(1, x, x * x);
-    input.points[3 * i + 2] = Epick::Point_3(1, x + .5, x * x);
-  }
-  const Intersections others(input, kernel); // triangles with a common corner
-  some.clear();
-  for(std::size_t i = 0; i < n; ++i)
+    input.points.insert(input.points.end(), { Epick::Point_3(0, 0, 0), Epick::Point_3(1, x, x * x),
+                                              Epick::Point_3(1, x + .5, x * x) });
+    input.facets.push_back({{ 3 * i, 3 * i + 1, 3 * i + 2 }});
     some.push_back(internal::describe_facet(input, i));
-  max_number_of_pairs = 10;
-  assert(! others.have_defects(some, context, max_number_of_pairs) && max_number_of_pairs == 0);
-  max_number_of_pairs = n * n + 1;
-  assert(! others.have_defects(some, context, max_number_of_pairs) && max_number_of_pairs > 0);
+  }
+  const Epick kernel;
+  Stopping_visitor patient;
+  Context context(patient);
+  assert(! Intersections(input, kernel).have_defects(some, context, unlimited));
+  input.points.insert(input.points.end(), { Epick::Point_3(.5, .1, -9), Epick::Point_3(.5, .1, 9) });
+  input.edges.push_back({{ 3 * n, 3 * n + 1 }});
+  const Intersections intersections(input, kernel);
+  assert(intersections.have_defects(some, context, unlimited));
+  assert(intersections.have_defects(some, context, 2 * (n + 1) * (n + 1)));
+  assert(! intersections.have_defects(some, context, 1));
+}
+
+// A sample is everything if that is not much, and else some of it. It is the same in each run, but not the same twice.
+void test_samples()
+{
+  internal::Indexed_input_3<Epick::Point_3> input;
+  const std::size_t n = 100;
+  input.points.assign(n + 3, Epick::Point_3(0, 0, 0));
+  internal::Lost_constraints from;
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    input.facets.push_back({{ i, i + 1, i + 2 }});
+    input.edges.push_back({{ i, i + 3 }});
+    if(i % 2 == 1)
+      from.facets.push_back(i);
+    if(i % 4 == 2)
+      from.edges.push_back(i);
+  }
+  const std::size_t number_in_all = n / 2 + n / 4;
+  internal::Constraint_sample sample, same_sample;
+  for(const std::size_t number : { number_in_all, n })
+    assert(sample(input, from, number).size() == number_in_all);
+  assert(sample(input, internal::Lost_constraints(), n).empty() && sample(input, from, 0).empty());
+
+  std::set<std::pair<int, std::size_t> > seen;
+  std::set<std::vector<std::size_t> > samples;
+  for(int k = 0; k < 50; ++k)
+  {
+    const auto some = sample(input, from, 16), same = same_sample(input, from, 16);
+    assert(some.size() == 16);
+    std::vector<std::size_t> indices;
+    for(std::size_t i = 0; i < some.size(); ++i)
+    {
+      const auto& s = some[i];
+      assert(s.index == same[i].index && s.dimension == same[i].dimension);
+      assert(s.index % (s.dimension == 2 ? 2 : 4) == (s.dimension == 2 ? 1 : 2) && s.vertices[0] == s.index);
+      seen.emplace(s.dimension, s.index);
+      indices.push_back(s.index);
+    }
+    samples.insert(indices);
+  }
+  assert(seen.size() == number_in_all && samples.size() == 50);
 }
 
 // The pairs of boxes that intersect, against their definition, among all boxes and between some and the others.
@@ -514,6 +565,8 @@ int main()
   test_against_linear_program();
   test_stopped_search();
   test_bounded_list();
+  test_search_that_is_given_up();
+  test_samples();
   test_box_search(1, 3000);
   std::cout << "done" << std::endl;
 }

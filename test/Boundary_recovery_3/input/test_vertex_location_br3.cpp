@@ -198,7 +198,9 @@ public:
     assert(diagnosis.vertices_on_constraints(m_constraints, m_tr, m_vertices, stopped_context).empty());
 
     const std::size_t n = diagnosis.intersecting_pairs(m_constraints, context).size();
-    assert(n == internal::Constraint_intersections_3<K>(m_input, kernel).defects(context).size() && n > 0);
+    std::size_t number = 0;
+    internal::Constraint_intersections_3<K>(m_input, kernel).defects(context, n, number);
+    assert(number == n && n > 0);
     assert(diagnosis.intersecting_pairs({}, context).empty());
     return found.size();
   }

@@ -97,13 +97,24 @@ void check_contents(const Input& input, const Defects& defects)
 
 typedef internal::Recovery_context<Stopping_visitor> Context;
 
+constexpr std::size_t unlimited = std::size_t(-1);
+
+template <typename Intersections>
+auto all_defects(const Intersections& intersections, Context& context)
+{
+  std::size_t number = unlimited;
+  const auto result = intersections.defects(context, unlimited, number);
+  assert(number == result.size());
+  return result;
+}
+
 template <typename K, typename Input>
 auto intersecting_constraints(const Input& input)
 {
   Stopping_visitor visitor;
   Context context(visitor);
   const K gt;
-  return internal::Constraint_intersections_3<K>(input, gt).defects(context);
+  return all_defects(internal::Constraint_intersections_3<K>(input, gt), context);
 }
 
 // Asked for one constraint, the search has to say whether a defect names it.
@@ -122,7 +133,7 @@ void check_single_constraints(const Input& input, const Defects& defects)
   Context context(visitor);
   const auto check = [&](const typename Intersections::Simplex& s)
   {
-    assert(intersections.have_defects({ s }, context) == (named.count({ s.dimension, s.index }) > 0));
+    assert(intersections.have_defects({ s }, context, unlimited) == (named.count({ s.dimension, s.index }) > 0));
   };
   std::vector<typename Intersections::Simplex> all;
   for(std::size_t f = 0; f < input.facets.size(); ++f)
@@ -130,8 +141,8 @@ void check_single_constraints(const Input& input, const Defects& defects)
   for(std::size_t e = 0; e < input.edges.size(); ++e)
     all.push_back(internal::describe_edge(input, e));
   std::for_each(all.begin(), all.end(), check);
-  assert(intersections.have_defects(all, context) == ! defects.empty());
-  assert(! intersections.have_defects({}, context));
+  assert(intersections.have_defects(all, context, unlimited) == ! defects.empty());
+  assert(! intersections.have_defects({}, context, unlimited));
 }
 
 template <typename K>

@@ -94,7 +94,8 @@ public:
     for(const auto& c : plc.points)
       m_points.emplace_back(c[0], c[1], c[2]);
     Triangulation tr;
-    const auto result = CGAL::recover_boundary(tr, m_points, plc.triangles, params::recovery_mode(Mode::flips_only));
+    const auto result = CGAL::recover_boundary(tr, m_points, plc.triangles, params::recovery_mode(Mode::flips_only),
+                                               params::constrained_edges(plc.edges));
     assert(result.status == Status::incomplete); // so that there is something to do for points
     m_volume = volume(tr);
   }
@@ -118,7 +119,7 @@ private:
   {
     visitor.tr = &tr;
     return CGAL::recover_boundary(tr, m_points, m_plc.triangles, params::recovery_mode(m_mode),
-                                  params::visitor(std::ref(visitor)));
+                                  params::constrained_edges(m_plc.edges).visitor(std::ref(visitor)));
   }
 
   void stop(const std::size_t i) const
@@ -239,18 +240,22 @@ int main()
 {
   const br3_test::Plc prism = br3_test::twisted_prism(3, .3, 1000, 1000);
   const br3_test::Plc box = br3_test::Notched_box(1, 1).plc();
+  const br3_test::Plc random = br3_test::Random_constraints(265)(10, 40, 60, 40); // facets are lost, their edges not
   for(const Mode mode : { Mode::constrained, Mode::conforming })
   {
     Disturbed_recovery(prism, mode)();
     Disturbed_recovery(box, mode)();
+    Disturbed_recovery(random, mode)();
   }
   for(const auto& n : number_of)
     std::cout << n.first << ": " << n.second << std::endl;
   for(const Phase phase : disturbed_phases)
     std::cout << to_string(phase) << std::endl;
   for(const Phase phase : { Phase::insertion, Phase::search, Phase::plain_removal, Phase::edge_recovery_brc1,
-                            Phase::edge_recovery_brc3, Phase::edge_reconnection, Phase::conforming_edge_recovery,
-                            Phase::steiner_splitting, Phase::steiner_suppression, Phase::recount })
+                            Phase::edge_recovery_brc3, Phase::edge_reconnection, Phase::facet_recovery_brc2,
+                            Phase::facet_recovery_brc4, Phase::facet_reconnection, Phase::conforming_edge_recovery,
+                            Phase::conforming_facet_recovery, Phase::steiner_splitting, Phase::steiner_suppression,
+                            Phase::recount })
     assert(disturbed_phases.count(phase) == 1);
   for(const char* member : { "on_phase_begin", "on_phase_end", "on_progress", "go_further", "before_cells_removal",
                              "after_cells_creation" })

@@ -115,6 +115,22 @@ void test_crossing_families_are_refused_early()
   assert(text(result) == text(expected) && unchanged.number_of_vertices() == 0);
 }
 
+// Where only two of the many missing constraints intersect, they are found after some more work.
+void test_few_defects_among_many_difficulties()
+{
+  Soup soup = crossing_families(1, false);
+  const std::size_t n = soup.points.size();
+  const br3_test::Plc plc = br3_test::Notched_box(12, 1).plc();
+  for(const auto& c : plc.points)
+    soup.points.emplace_back(100 + c[0], c[1], c[2]);
+  for(const auto& t : plc.triangles)
+    soup.faces.push_back({ n + t[0], n + t[1], n + t[2] });
+  Triangulation tr;
+  const Result result = CGAL::recover_boundary(tr, soup.points, soup.faces);
+  assert(result.status == Status::invalid_input && result.number_of_defects == 1);
+  assert(has_run(result, Phase::edge_recovery_brc1) && ! has_run(result, Phase::edge_recovery_brc3));
+}
+
 // What is said to be missing is what is missing, though the work ended in the middle.
 void test_missing_constraints_of_refused_input()
 {
@@ -226,6 +242,7 @@ void test_bounded_lists_of_other_defects()
 int main()
 {
   test_crossing_families_are_refused_early();
+  test_few_defects_among_many_difficulties();
   test_missing_constraints_of_refused_input();
   test_insertion_ends_early();
   test_valid_input_does_not_notice();

@@ -35,6 +35,18 @@ void add_box(const Point_3& center, const double radius, std::vector<Plane_3>& p
                           Rational(- Rational(sign) * center[i] - Rational(radius)));
 }
 
+// Those through the faces, of which each has the polyhedron on its positive side, with the kernel on their negative
+// sides.
+template <typename Positions, typename FaceRange>
+std::vector<typename Representable_point_3<Rational>::Plane_3>
+planes_of_kernel(const Positions& positions, const FaceRange& faces)
+{
+  std::vector<typename Representable_point_3<Rational>::Plane_3> planes;
+  for(const auto& f : faces)
+    planes.emplace_back(positions(f[0]), positions(f[2]), positions(f[1]));
+  return planes;
+}
+
 // Finds a point with coordinates of type `double` in the open visibility kernel of a polyhedron, with none of them
 // farther than `radius` from that of `inside`, an exact point of the open kernel. Each of the faces has the polyhedron
 // on its positive side. This is slow, but decides whether there is such a point, up to what `Representable_point_3`
@@ -44,13 +56,18 @@ std::optional<std::array<double, 3> >
 representable_point_in_kernel(const Positions& positions, const FaceRange& faces,
                               const typename Positions::Exact_point_3& inside, const double radius)
 {
-  typedef typename Representable_point_3<Rational>::Plane_3 Plane_3;
-  std::vector<Plane_3> planes;
-  for(const auto& f : faces) // with the kernel on their negative sides
-    planes.emplace_back(positions(f[0]), positions(f[2]), positions(f[1]));
+  auto planes = internal::planes_of_kernel(positions, faces);
   if(std::isfinite(radius))
     internal::add_box(inside, radius, planes);
   return Representable_point_3<Rational>()(planes);
+}
+
+// Finds an exact point that is well inside the open visibility kernel of such a polyhedron.
+template <typename Positions, typename FaceRange>
+std::optional<typename Positions::Exact_point_3>
+center_of_kernel(const Positions& positions, const FaceRange& faces)
+{
+  return Representable_point_3<Rational>().center(internal::planes_of_kernel(positions, faces));
 }
 
 } // namespace internal

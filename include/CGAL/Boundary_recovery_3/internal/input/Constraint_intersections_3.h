@@ -90,26 +90,10 @@ public:
     return result;
   }
 
-  /// as above, all of them.
+  /// returns whether one of these constraints takes part in a defect, `false` if `context` stopped the search, or if
+  /// this was not known after so many pairs of boxes that intersect.
   template <typename Context>
-  std::vector<Defect> defects(Context& context) const
-  {
-    std::size_t number;
-    return defects(context, std::size_t(-1), number);
-  }
-
-  /// returns whether one of these constraints takes part in a defect, `false` if `context` stopped the search.
-  template <typename Context>
-  bool have_defects(const std::vector<Simplex>& constraints, Context& context) const
-  {
-    std::size_t max_number_of_pairs = std::size_t(-1);
-    return have_defects(constraints, context, max_number_of_pairs);
-  }
-
-  /// as above, but gives up, and returns `false`, after so many pairs of boxes that intersect. Takes the pairs that it
-  /// looked at off the number, so that 0 is left then.
-  template <typename Context>
-  bool have_defects(const std::vector<Simplex>& constraints, Context& context, std::size_t& max_number_of_pairs) const
+  bool have_defects(const std::vector<Simplex>& constraints, Context& context, std::size_t max_number_of_pairs) const
   {
     const std::size_t n = m_constraints.size();
     std::vector<Box> some, all = boxes();

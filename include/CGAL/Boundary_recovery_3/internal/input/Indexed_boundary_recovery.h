@@ -13,11 +13,12 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
-#include <CGAL/Boundary_recovery_3/internal/input/Constraint_intersections_3.h>
+#include <CGAL/Boundary_recovery_3/internal/input/Constraint_sample.h>
 #include <CGAL/Boundary_recovery_3/internal/input/Indexed_input_3.h>
 #include <CGAL/Boundary_recovery_3/internal/input/Input_diagnosis_3.h>
 #include <CGAL/Boundary_recovery_3/internal/input/Recovery_diagnosis.h>
 #include <CGAL/Boundary_recovery_3/internal/input/Vertex_location.h>
+#include <CGAL/Boundary_recovery_3/internal/lost/Constraint_search_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 #include <CGAL/Constrained_boundary_recovery_3.h>
 
@@ -25,6 +26,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -79,7 +81,7 @@ public:
       list_intersections();
     if(! is_invalid())
     {
-      examine_after_work([this] { return all_constraints(); });
+      examine_after_work([this] { return indices_of_all(); });
       m_result.vertices = std::move(vertices);
       if(m_result.vertices.empty())
         find_vertices();
@@ -116,7 +118,6 @@ private:
     Diagnosis search = diagnosis();
     std::vector<Defect> found = search.intersecting_pairs(m_context);
     set_defects(std::move(found), search.number_of_defects());
-    m_are_intersections_known = search.is_decided();
   }
 
   // Once stopped, no points are inserted.
@@ -213,7 +214,7 @@ private:
     if(m_options.max_recursion_level >= 0)
       recovery.set_max_recursion_level(m_options.max_recursion_level);
     insert_constraints(recovery);
-    examine_after_work([this, &recovery] { return missing_constraints(recovery); });
+    examine_after_work([this, &recovery] { return indices_of_missing(recovery); });
     const bool is_recovered = m_context.is_stopped() ? is_nothing_lost(recovery)
                                                      : recovery.recover_by_flips() || recover_by_points(recovery);
     take_account(recovery);
@@ -238,38 +239,39 @@ private:
   }
 
   // Where constraints intersect, flips go on and on in vain. Valid input must hardly pay for the question, so it is
-  // asked only after work that takes far longer than to find the answer. `missing` returns the constraints that are
-  // missing then.
+  // asked only after work that takes far longer than the answer. `missing` returns the indices of the constraints that
+  // are missing then.
   template <typename Missing>
   void examine_after_work(const Missing& missing)
   {
-    if(! m_are_intersections_known)
-      examine_after(work_before_examination_per_constraint * (m_input.facets.size() + m_input.edges.size()), missing);
+    const std::size_t number = number_of_quick_constraints + m_input.facets.size() + m_input.edges.size();
+    if(! m_options.list_defects) // else the answer is known
+      examine_after(work_before_examination_per_constraint * number, number_of_examined_constraints, missing);
   }
 
-  // In input that has very many boxes that intersect for its size, the question is asked again after twice the work.
+  // Where flips are in vain, many of the missing constraints intersect others, so it is enough to look at some of them.
+  // The question is asked again, for twice as many, after twice the work.
   template <typename Missing>
-  void examine_after(const std::size_t work, const Missing& missing)
+  void examine_after(const std::size_t work, const std::size_t number_of_constraints, const Missing& missing)
   {
-    m_context.examine_after(work, [this, work, missing]
+    m_context.examine_after(work, [this, work, number_of_constraints, missing]
     {
-      look_for_intersections(missing(), work / work_per_box_pair);
+      look_for_intersections(m_sample(m_input, missing(), number_of_constraints), work / work_per_box_pair);
       if(is_invalid())
         m_context.refute();
-      else if(! m_are_intersections_known)
-        examine_after(2 * work, missing);
+      else
+        examine_after(2 * work, 2 * number_of_constraints, missing);
     });
   }
 
-  // Sets the defects if any of these constraints, which are missing, intersects another one. What is not known then was
-  // given up.
+  // Sets the defects if any of these constraints, which are missing, intersects another one. Gives up after so many
+  // pairs of boxes that intersect.
   void look_for_intersections(const std::vector<Simplex>& missing,
                               const std::size_t max_number_of_box_pairs = std::size_t(-1))
   {
     Diagnosis search = diagnosis();
     std::vector<Defect> found = search.intersecting_pairs(missing, m_context, max_number_of_box_pairs);
     set_defects(std::move(found), search.number_of_defects());
-    m_are_intersections_known = search.is_decided();
   }
 
   static bool is_nothing_lost(Recovery& recovery)
@@ -289,6 +291,28 @@ private:
       constraints.push_back(describe_simplex(m_input, index, e));
     });
     return constraints;
+  }
+
+  // Of the input, as all the indices that constraints are sampled from.
+  Lost_constraints indices_of_all() const
+  {
+    Lost_constraints all;
+    all.facets.resize(m_input.facets.size());
+    all.edges.resize(m_input.edges.size());
+    std::iota(all.facets.begin(), all.facets.end(), std::size_t(0));
+    std::iota(all.edges.begin(), all.edges.end(), std::size_t(0));
+    return all;
+  }
+
+  // Of an edge of facets that is missing, these are missing, too.
+  Lost_constraints indices_of_missing(const Recovery& recovery) const
+  {
+    Lost_constraints missing;
+    missing.facets = recovery.lost_facets(); // facets are all distinct, so they keep their indices
+    for(const std::size_t e : recovery.lost_edges())
+      if(e < m_edges.size())
+        missing.edges.push_back(m_edges[e].index);
+    return missing;
   }
 
   void insert_constraints(Recovery& recovery)
@@ -347,7 +371,7 @@ private:
   {
     m_result.missing_edges = describe_edges(recovery, recovery.lost_edges());
     m_result.missing_facets.clear();
-    for(const std::size_t f : recovery.lost_facets()) // facets are all distinct, so they keep their indices
+    for(const std::size_t f : recovery.lost_facets())
       m_result.missing_facets.push_back(describe_facet(m_input, f));
   }
 
@@ -379,7 +403,7 @@ private:
   void judge_missing_constraints(const Recovery& recovery)
   {
     const std::vector<Simplex> missing = missing_constraints(recovery);
-    if(! m_are_intersections_known && m_context.go_further())
+    if(! m_options.list_defects && m_context.go_further()) // else there are none
       look_for_intersections(missing);
     if(! is_invalid() && m_context.go_further())
       list_vertices_on(missing);
@@ -395,8 +419,10 @@ private:
   }
 
   // Work as Recovery_context counts it, see "Tuning constants" in the manual.
-  static constexpr std::size_t work_before_examination_per_constraint = 100;
-  static constexpr std::size_t work_per_box_pair = 2;
+  static constexpr std::size_t work_before_examination_per_constraint = 200;
+  static constexpr std::size_t number_of_quick_constraints = 100; // which are no reason for an examination
+  static constexpr std::size_t number_of_examined_constraints = 16;
+  static constexpr std::size_t work_per_box_pair = 200;
 
   Tr& m_tr;
   const Input& m_input;
@@ -404,7 +430,7 @@ private:
   const Recovery_options& m_options;
   Recovery_context<Visitor> m_context;
   Result m_result;
-  bool m_are_intersections_known = false; // nobody has to look for intersecting constraints any more
+  Constraint_sample m_sample;
   std::vector<Simplex> m_edges; // the constraints that were given as edges, by their indices in the recovery
 };
 

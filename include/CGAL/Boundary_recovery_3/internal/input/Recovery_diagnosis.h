@@ -51,30 +51,24 @@ public:
   // What the last search found; more than it returned if there are more. The number of pairs is a lower bound then.
   std::size_t number_of_defects() const { return m_number_of_defects; }
 
-  // Whether the last search came to its end; else it returned nothing.
-  bool is_decided() const { return m_is_decided; }
-
   // All pairs of constraints that intersect. None if `context` stopped the search.
   template <typename Context>
   std::vector<Defect> intersecting_pairs(Context& context)
   {
     const Constraint_intersections_3<GT> intersections(m_input, m_gt);
-    std::vector<Defect> result = intersections.defects(context, m_max_number_of_defects, m_number_of_defects);
-    m_is_decided = ! context.is_stopped();
-    return result;
+    return intersections.defects(context, m_max_number_of_defects, m_number_of_defects);
   }
 
   // The same if `missing` are constraints one of which takes part if there are any. Whether there are any is given up
   // after so many pairs of boxes.
   template <typename Context>
   std::vector<Defect> intersecting_pairs(const std::vector<Simplex>& missing, Context& context,
-                                         std::size_t max_number_of_box_pairs = std::size_t(-1))
+                                         const std::size_t max_number_of_box_pairs = std::size_t(-1))
   {
     m_number_of_defects = 0;
     const Constraint_intersections_3<GT> intersections(m_input, m_gt);
     if(intersections.have_defects(missing, context, max_number_of_box_pairs))
       return intersecting_pairs(context);
-    m_is_decided = ! context.is_stopped() && max_number_of_box_pairs > 0;
     return std::vector<Defect>();
   }
 
@@ -104,8 +98,7 @@ public:
       return true;
     };
     internal::visit_intersecting_boxes(constraint_boxes, vertex_boxes, collect, context);
-    m_is_decided = ! context.is_stopped();
-    m_number_of_defects = m_is_decided ? found.size() : 0;
+    m_number_of_defects = context.is_stopped() ? 0 : found.size();
     std::sort(found.begin(), found.end());
     found.resize((std::min)(m_number_of_defects, m_max_number_of_defects));
     std::vector<Defect> defects;
@@ -159,7 +152,6 @@ private:
   const GT& m_gt;
   const std::size_t m_max_number_of_defects;
   std::size_t m_number_of_defects = 0;
-  bool m_is_decided = false;
 };
 
 } // namespace internal

@@ -68,6 +68,20 @@ public:
     return search();
   }
 
+  // The mean of the vertices of that polyhedron, which is inside; none if it has no volume.
+  std::optional<Point_3> center(const std::vector<Plane_3>& planes)
+  {
+    if(planes.size() > max_number_of_planes)
+      return std::nullopt;
+    collect_vertices(planes);
+    if(m_vertices.size() < 4)
+      return std::nullopt;
+    Vector_3 sum = CGAL::NULL_VECTOR;
+    for(const Vector_3& v : m_vertices)
+      sum = sum + v;
+    return CGAL::ORIGIN + sum / Rational(static_cast<int>(m_vertices.size()));
+  }
+
 private:
   typedef typename Kernel::Vector_3            Vector_3;
   typedef std::array<Vector_3, 3>              Matrix; // three columns

@@ -111,6 +111,24 @@ public:
     }
   }
 
+  // Moves v, which has an exact position inside, to one that is as far inside as the vertices of the kernel are in the
+  // mean. Does nothing if there are too many faces.
+  void center(const Vertex_handle v, const std::vector<Vertex_triple>& faces)
+  {
+    if constexpr(! Positions::is_kernel_exact)
+    {
+      const Exact_point before = m_positions(v);
+      const auto p = center_of_kernel(m_positions, faces);
+      if(! p)
+        return;
+      m_positions.set(v, *p);
+      if(! is_in_kernel(v, faces))
+        m_positions.set(v, before);
+      else
+        simplify_position(v, faces, {{ 1, 1, 1 }}, least_distance(*p, faces));
+    }
+  }
+
   // Whether v sees all the faces.
   bool is_in_kernel(const Vertex_handle v, const std::vector<Vertex_triple>& faces) const
   {
@@ -136,6 +154,20 @@ private:
       v->set_point(Point_3(p.x(), p.y(), p.z()));
       return this->is_in_kernel(v, faces);
     };
+  }
+
+  // From the planes of the faces, roughly.
+  double least_distance(const Exact_point& p, const std::vector<Vertex_triple>& faces) const
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for(const Vertex_triple& f : faces)
+    {
+      const Exact_point q = m_positions(f[0]);
+      const Exact_vector n = CGAL::cross_product(m_positions(f[1]) - q, m_positions(f[2]) - q);
+      const double length = std::sqrt(CGAL::to_double(n.squared_length()));
+      least = (std::min)(least, CGAL::to_double(CGAL::scalar_product(n, p - q)) / length);
+    }
+    return least;
   }
 
   // v was put exactly on a ray. Gives it a position that fewer bits describe, if possible one that can be stored.

@@ -171,7 +171,7 @@ public:
     CGAL_precondition(m_ledger.points_on_constraints().empty());
     Steiner_suppression_3<Tr, Visitor> suppress(m_mesh);
     m_state.run(Phase::steiner_suppression, [&] { suppress(max_recursion_level); });
-    const bool is_storable = suppress.round_points(); // also if the recovery was stopped before
+    const bool is_storable = suppress.round_points(max_recursion_level); // also if the recovery was stopped before
     m_state.number_of_transformations += suppress.number_of_transformations();
     for(const Vertex_handle v : m_ledger.free_points())
       if(m_ledger.positions().contains(v))

@@ -61,6 +61,15 @@ public:
     return false;
   }
 
+  // Where v has no such position: moves it to the middle of the kernel of its ball.
+  void center(const Vertex_handle v)
+  {
+    if(! m_mesh.positions.contains(v))
+      return;
+    internal::collect_ball(m_mesh.tr, v, m_ball);
+    m_move_into_kernel.center(v, internal::faces_of_ball(m_ball, v));
+  }
+
 private:
   typedef typename Mesh::Positions   Positions;
   typedef Cavity_3<Tr>               Cavity;

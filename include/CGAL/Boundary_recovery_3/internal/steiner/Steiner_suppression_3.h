@@ -74,13 +74,17 @@ public:
 
   // Gives each of the points a position that the triangulation can store. Returns whether there is one for all of them.
   // Once stopped, only what is quick is tried.
-  bool round_points()
+  bool round_points(const int max_recursion_level)
   {
-    const std::vector<Vertex_handle> points = m_mesh.ledger.free_points();
-    return std::count_if(points.begin(), points.end(), [this](const Vertex_handle v)
-    {
-      return m_mesh.ledger.is_free(v) && ! m_round(v) && ! round_among_moved_neighbors(v);
-    }) == 0;
+    const int l_max = (std::min)(low_recursion_level, max_recursion_level);
+    std::vector<Vertex_handle> points = m_mesh.ledger.free_points();
+    round(points, m_round);
+    for(int i = 0; i < max_number_of_rounds && ! points.empty() && m_mesh.context.go_further(); ++i)
+      round(points, [&](const Vertex_handle v)
+      {
+        return round_in_smaller_ball(v, l_max) || round_among_moved_neighbors(v);
+      });
+    return points.empty();
   }
 
   std::size_t number_of_transformations() const { return m_suppress.number_of_transformations(); }
@@ -214,19 +218,41 @@ private:
     for_each_point(ALL_POINTS, [this](const Vertex_handle v) { m_suppress.relocate(v); });
   }
 
-  // Where there is no number in the ball of v, and none around it will do: makes room, and tries again.
+  // Takes out those points that are gone, or that `work` gives such a position.
+  template <typename Work>
+  void round(std::vector<Vertex_handle>& points, Work&& work)
+  {
+    std::size_t kept = 0;
+    for(const Vertex_handle v : points)
+      if(m_mesh.ledger.is_free(v) && ! work(v))
+        points[kept++] = v;
+    points.resize(kept);
+  }
+
+  // Where there is no number in the ball of v, and none around it will do: takes edges off v, so that fewer planes
+  // bound the kernel, and tries again. Returns true, too, if v is gone then.
+  bool round_in_smaller_ball(const Vertex_handle v, const int l_max)
+  {
+    return m_mesh.context.go_further() && (m_suppress.remove(v, l_max) || m_round(v));
+  }
+
+  // The same where all around v make room. Points that hold each other fast near the edge that they came off get away
+  // from it together, a bit in each round.
   bool round_among_moved_neighbors(const Vertex_handle v)
   {
     if(! collect_ball(v))
       return false;
     const std::vector<Vertex_handle> neighbors = internal::vertices_without(m_ball, v);
-    return std::any_of(neighbors.begin(), neighbors.end(), [&](const Vertex_handle w)
-    {
-      if(! m_mesh.ledger.is_free(w) || ! m_mesh.context.go_further())
-        return false;
-      m_suppress.relocate(w);
-      return m_round(v);
-    });
+    for(const Vertex_handle w : neighbors)
+      if(m_mesh.ledger.is_free(w) && m_mesh.context.go_further())
+      {
+        if(m_mesh.positions.contains(w))
+          m_round.center(w);
+        else
+          m_suppress.relocate(w);
+      }
+    m_round.center(v);
+    return m_round(v);
   }
 
   // Returns false if v is on the hull.
@@ -242,6 +268,9 @@ private:
   // Where one of hundreds of points after the other stays, as in Chazelle's polyhedra, the rest will.
   static constexpr std::size_t max_number_of_failures = 40;
   static constexpr std::size_t failures_per_removed_point = 10;
+
+  // In which points that are left make room for each other.
+  static constexpr int max_number_of_rounds = 20;
 
   Mesh& m_mesh;
   Suppress_free_point_3<Tr, Visitor, typename Mesh::Constraints> m_suppress;
