@@ -13,7 +13,6 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/filling/Unit_frame_3.h>
-#include <CGAL/Boundary_recovery_3/internal/numbers/binary_scale.h>
 
 #include <algorithm>
 #include <array>
@@ -93,7 +92,7 @@ public:
   template <typename Is_of_interest, typename Visit>
   void search(const Coordinates_3& p, const Is_of_interest& is_of_interest, const Visit& visit) const
   {
-    if(internal::largest_coordinate(p) < far_away)
+    if((std::max)({ std::abs(p[0]), std::abs(p[1]), std::abs(p[2]) }) < far_away)
     {
       if(m_size > 0)
         search_tree(Rounded_point(p), is_of_interest, visit);

@@ -130,7 +130,7 @@ private:
     return smallest;
   }
 
-  // Makes the number m smaller, if the sites of a leaf do. Whether h + g d <= m is written without comparisons and roots,
+  // Makes the number m smaller, if the sites of a leaf do. That h + g d <= m is written without comparisons and roots,
   // as (g d)^2 - (m - h) |m - h| <= 0: processors compute that for several sites at once.
   void look_at(const Leaf& leaf, const Coordinates_3& p, double& smallest) const
   {
