@@ -28,6 +28,7 @@
 #include <iostream>
 #include <map>
 #include <set>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -137,10 +138,11 @@ void check_marks(const Scene<Tr>& scene, const FacetRange& facets, const std::ve
       const Vertex_handle v = c->vertex(i);
       const auto known_dimension = dimension.find(v);
       assert(v->in_dimension() == (known_dimension == dimension.end() ? 3 : known_dimension->second));
-      if constexpr(std::is_same<std::decay_t<decltype(v->index())>, int>::value)
-        assert(v->index() == (known_dimension == dimension.end() ? int(c->subdomain_index()) : index[v]));
+      typedef std::decay_t<decltype(v->index())> Index; // of CGAL 6, a variant
+      if constexpr(std::is_constructible<Index, int>::value)
+        assert(v->index() == Index(known_dimension == dimension.end() ? int(c->subdomain_index()) : index[v]));
       else if(v->in_dimension() == 2)
-        assert(v->index() == std::make_pair(index[v], -index[v])); // that it can be made of a patch only
+        assert(v->index() == Index(index[v], -index[v])); // it can be made of a patch only
     }
   }
   assert(number_of_sides == 2 * patch_of.size()); // each one is there
