@@ -371,7 +371,7 @@ def cavity():
     d = Drawing(760, 330)
     points = [(32, 28), (122, 20), (205, 42), (20, 118), (92, 84), (168, 98), (232, 130), (52, 176), (128, 165), (190, 186),
               (22, 250), (96, 238), (158, 250), (228, 240)]
-    p, triangles = (106, 146), delaunay(points)
+    p, triangles = (104, 153), delaunay(points)
     walls = [(7, 8), (8, 9), (6, 9), (3, 7)]
     hole, behind = cavity_of(p, points, triangles, walls)
     for panel, title in enumerate(["the cell of p", "the cavity", "the star"]):
