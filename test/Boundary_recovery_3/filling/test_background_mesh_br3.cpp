@@ -202,6 +202,24 @@ void test_soups()
   assert(! Field(mesh).is_valid() && ! Field(cube(), -1).is_valid());
 }
 
+// Several tetrahedra at one place: the smallest size wins, inside and outside.
+void test_overlaps()
+{
+  Mesh mesh;
+  for(const double size : { 3., 7., 1., 9., 2. })
+  {
+    const std::size_t n = mesh.points.size();
+    for(int i = 0; i < 4; ++i)
+    {
+      mesh.points.emplace_back(i == 1, i == 2, i == 3);
+      mesh.sizes.push_back(size);
+    }
+    mesh.tetrahedra.push_back({{ n, n + 1, n + 2, n + 3 }});
+    assert(Field(mesh)(Point_3(.1, .1, .1)) == *std::min_element(mesh.sizes.begin(), mesh.sizes.end()));
+    assert(Field(mesh)(Point_3(-1, .1, .1)) == *std::min_element(mesh.sizes.begin(), mesh.sizes.end()));
+  }
+}
+
 // Sizes that are carried along edges until nothing changes.
 void test_grading()
 {
@@ -388,6 +406,7 @@ int main()
   test_facets();
   test_outside();
   test_soups();
+  test_overlaps();
   test_grading();
   test_reading();
   test_messages();
