@@ -45,7 +45,7 @@ typedef br3_test::Rational                                  Rational;
 typedef CGAL::Exact_predicates_inexact_constructions_kernel K;
 typedef CGAL::Exact_predicates_exact_constructions_kernel   Exact;
 
-const std::size_t max_number_of_new_vertices = 250;
+const std::size_t max_number_of_new_vertices = 800;
 
 // A mesh with regions, walls and edges that must stay.
 template <typename Kernel>
@@ -79,13 +79,15 @@ public:
       mark_random_sheets();
     }
     const bool is_selected_all = random_int(2) == 0;
-    const int part_of_edges = 5 + random_int(60);
+    const int part_of_edges = 5 + random_int(100);
     for(const Cell_handle c : tr.finite_cell_handles())
       if(is_selected_all || random_int(3) > 0)
         selected.insert(c);
-    for(const auto& e : tr.finite_edges())
-      if(random_int(part_of_edges) == 0)
-        edges.insert({ e.first->vertex(e.second), e.first->vertex(e.third) });
+    for(const Cell_handle c : tr.finite_cell_handles()) // the order of finite_edges() depends on addresses
+      for(int i = 0; i < 4; ++i)
+        for(int j = 0; j < i; ++j)
+          if(random_int(part_of_edges) == 0)
+            edges.insert({ c->vertex(i), c->vertex(j) });
   }
 
   int random_int(const int n) { return br3_test::random_int(rng, n); }
@@ -144,11 +146,15 @@ public:
     return result;
   }
 
-  // A point on a constraint, at a vertex, in a cell, or outside; coordinates are rounded.
-  Point random_place()
+  Cell_handle random_cell()
   {
     const auto cells = cells_of_domain();
-    const Cell_handle c = cells[random_int(static_cast<int>(cells.size()))];
+    return cells[random_int(static_cast<int>(cells.size()))];
+  }
+
+  // At a vertex of a cell, on an edge or a facet, inside, or, rarely, outside; coordinates are rounded.
+  Point random_place(const Cell_handle c)
+  {
     const int i = random_int(4), number_of_corners = 1 + random_int(4);
     std::array<double, 3> x = {{ 0, 0, 0 }};
     for(int k = 0; k < number_of_corners; ++k)
@@ -159,6 +165,9 @@ public:
     return Point(x[0], x[1], x[2]);
   }
 
+  Point random_place() { return random_place(random_cell()); }
+
+private:
   std::vector<Cell_handle> cells_of_domain() const
   {
     std::vector<Cell_handle> result;
@@ -168,7 +177,6 @@ public:
     return result;
   }
 
-private:
   static Rational volume(const std::array<Vertex_handle, 3>& v, const br3_test::Rational_point& p)
   {
     return br3_test::volume(br3_test::to_rational(v[0]->point()), br3_test::to_rational(v[1]->point()),
@@ -251,15 +259,15 @@ private:
   // Facets between regions may have a patch, and others, too.
   void mark_random_sheets()
   {
-    const int part = 5 + random_int(40);
-    for(const auto& f : tr.finite_facets())
-      if(random_int(is_wall(f.first, f.second) ? 2 : part) == 0)
-      {
-        const auto mirror = tr.mirror_facet(f);
-        const int patch = 1 + random_int(9);
-        f.first->set_surface_patch_index(f.second, patch);
-        mirror.first->set_surface_patch_index(mirror.second, patch);
-      }
+    const int part = 10 + random_int(80);
+    for(const Cell_handle c : tr.finite_cell_handles()) // the order of finite_facets() depends on addresses
+      for(int i = 0; i < 4; ++i)
+        if(random_int(is_wall(c, i) ? 4 : part) == 0)
+        {
+          const int patch = 1 + random_int(9);
+          c->set_surface_patch_index(i, patch);
+          c->neighbor(i)->set_surface_patch_index(tr.mirror_index(c, i), patch);
+        }
   }
 };
 
@@ -353,7 +361,7 @@ void count_and_check(const Result& result, const std::size_t number_of_vertices,
 template <typename Kernel>
 double random_size(Random_mesh<Kernel>& mesh)
 {
-  const double power = mesh.random_int(3) == 0 ? mesh.random_number(-3, 3) : mesh.random_number(-1, -0.3);
+  const double power = mesh.random_int(3) == 0 ? mesh.random_number(-3, 3) : mesh.random_number(-0.8, -0.2);
   return mesh.extent * std::pow(10, power);
 }
 
@@ -431,9 +439,9 @@ void insert_anywhere(Random_mesh<Kernel>& mesh, Counts& counts)
   std::size_t number = 0;
   for(int k = 0; k < 20; ++k)
   {
-    const auto p = mesh.random_place();
-    const auto cells = mesh.cells_of_domain();
-    const bool is_found = cavity.find(p, cells[mesh.random_int(static_cast<int>(cells.size()))]);
+    const auto c = mesh.random_cell();
+    const auto p = mesh.random_place(c);
+    const bool is_found = cavity.find(p, c);
     if(is_found)
       insert(cavity, p);
     else
