@@ -116,7 +116,7 @@ private:
     m_star.clear();
     m_tr.tds().incident_cells(v, std::back_inserter(m_star));
     for(const Cell_handle c : m_star)
-      if(is_there(c) && c->has_vertex(v))
+      if(can_go_on() && is_there(c) && c->has_vertex(v))
         look_at(c);
   }
 
