@@ -1,5 +1,5 @@
-// Random constrained meshes are filled with points for random sizes: boxes in grids, and random regions, sheets and edges
-// among random points of small grids, or beside them; sources are outside, inside, and on the constraints. After that,
+// Random constrained meshes are filled with points for random sizes: boxes in grids, and random regions, sheets and
+// edges among random points of small grids, or beside them; sources are outside, inside, and on the constraints. Then
 // points are inserted exactly on constraints. Each mesh is judged in rational numbers, and made twice.
 //   N SEED [SECONDS]  N meshes, or as many as fit in the time; N consecutive SEEDs. Each is told before it is made.
 
@@ -126,7 +126,7 @@ public:
         if(region(c) != 0 && region(c) != region(c->neighbor(i)))
         {
           const auto v = internal::facet_vertices(c, i);
-          result[region(c)] += volume({{ v[0], v[1], v[2] }}, br3_test::to_rational(br3_test::Coordinates{{ 0, 0, 0 }}));
+          result[region(c)] += volume({{ v[0], v[1], v[2] }}, br3_test::Rational_point{ { 0, 0, 0 } });
         }
     return result;
   }
@@ -188,11 +188,11 @@ private:
   {
     extent = 3;
     const br3_test::Box outer = { {{ 0, 0, 0 }}, {{ 3, 3, 3 }} };
-    br3_test::Box inner = { {{ 1, 1, 1 }}, {{ 2, 2, 2 }} };
-    const bool is_outer_outward = random_int(4) > 0, is_inner_outward = random_int(2) == 0, has_inner = random_int(3) > 0;
-    this->add_box(outer.low, outer.high, is_outer_outward);
+    const br3_test::Box inner = { {{ 1, 1, 1 }}, {{ 2, 2, 2 }} };
+    const bool has_inner = random_int(3) > 0;
+    this->add_box(outer.low, outer.high, random_int(4) > 0);
     if(has_inner)
-      this->add_box(inner.low, inner.high, is_inner_outward);
+      this->add_box(inner.low, inner.high, random_int(2) == 0);
     if(random_int(2) == 0) // it does not reach through
     {
       const int axis = random_int(3), position = 1 + random_int(2);
