@@ -205,21 +205,28 @@ def judge(arguments, surface):
         return check_incomplete(arguments, surface, folder, report, triangles, unused)
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+def parser_of(text, below, budget):
+    parser = argparse.ArgumentParser(description=text, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--program", required=True)
     parser.add_argument("--verify", required=True)
-    parser.add_argument("--below", type=int, default=5000)
+    parser.add_argument("--below", type=int, default=below)
     parser.add_argument("--skip", default=SLOW)
-    parser.add_argument("--flips-only", action="store_true")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--limit", type=float, default=60)
-    parser.add_argument("--budget", type=float, default=240)
+    parser.add_argument("--budget", type=float, default=budget)
     parser.add_argument("folder")
+    parser.set_defaults(flips_only=False)
+    return parser
+
+
+def arguments_of(parser):
     arguments = parser.parse_args()
     # absolute, because the runs may be given relative names from anywhere
     arguments.program, arguments.verify = os.path.abspath(arguments.program), os.path.abspath(arguments.verify)
+    return arguments
 
+
+def choose_surfaces(arguments):
     surfaces = sorted(os.path.join(arguments.folder, n) for n in os.listdir(arguments.folder) if n.endswith(".off"))
     small = [s for s in surfaces if number_of_triangles(s) < arguments.below]
     names = arguments.skip.split(",")
@@ -228,31 +235,54 @@ def main():
         print("skipped  %-40s it takes long" % os.path.basename(surface), flush=True)
     print("skipped  %d of %d surfaces, which have %d triangles or more"
           % (len(surfaces) - len(small), len(surfaces), arguments.below), flush=True)
-    surfaces = [s for s in small if s not in skipped]
+    return [s for s in small if s not in skipped]
+
+
+def judge_all(arguments, surfaces, judge_one, describe):
+    """Prints a line for each surface; returns what was found on those that are right."""
     begin = time.monotonic()
 
     def outcome(surface):
         if time.monotonic() - begin > arguments.budget:
             return False, "not run, the budget of %g s was used up" % arguments.budget
         try:
-            return True, judge(arguments, surface)
+            return True, judge_one(arguments, surface)
         except Refused as refused:
             return False, str(refused)
         except Exception as error:  # a malformed report or mesh is the program's fault, too
             return False, "%s: %s" % (type(error).__name__, error)
 
-    passed, points = 0, []
+    right = []
     with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
         for surface, (ok, found) in zip(surfaces, pool.map(outcome, surfaces)):
-            passed += ok
-            if isinstance(found, int):
-                points.append(found)
-                found = "recovered" + (", %d points" % found if found else "")
-            print("%-8s %-40s %s" % ("ok" if ok else "FAILED", os.path.basename(surface), found), flush=True)
-    print("corpus: %d of %d surfaces recovered, %d of them without points, %d points in total, %.0f s"
-          % (len(points), len(surfaces), points.count(0), sum(points), time.monotonic() - begin))
+            if ok:
+                right.append(found)
+            print("%-8s %-40s %s" % ("ok" if ok else "FAILED", os.path.basename(surface),
+                                     describe(found) if ok else found), flush=True)
+    print("corpus: %.0f s" % (time.monotonic() - begin))
+    return right
+
+
+def finish(surfaces, passed):
+    """Prints the line that .ci/run counts; returns the exit status."""
     print("corpus: %d passed, %d failed" % (passed, len(surfaces) - passed))
     return 0 if surfaces and passed == len(surfaces) else 1
+
+
+def describe_recovery(found):
+    return found if isinstance(found, str) else "recovered" + (", %d points" % found if found else "")
+
+
+def main():
+    parser = parser_of(__doc__, 5000, 240)
+    parser.add_argument("--flips-only", action="store_true")
+    arguments = arguments_of(parser)
+    surfaces = choose_surfaces(arguments)
+    found = judge_all(arguments, surfaces, judge, describe_recovery)
+    points = [n for n in found if isinstance(n, int)]
+    print("corpus: %d of %d surfaces recovered, %d of them without points, %d points in total"
+          % (len(points), len(surfaces), points.count(0), sum(points)))
+    return finish(surfaces, len(found))
 
 
 if __name__ == "__main__":
