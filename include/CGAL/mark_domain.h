@@ -30,7 +30,7 @@ namespace internal {
 // The position of a facet in the input: that which it has with it, as `Surface_facet_3` does, or else that in its
 // range.
 template <typename Facet>
-auto input_position(const Facet& facet, std::size_t, int) -> std::enable_if_t<sizeof(facet.index) != 0, std::size_t>
+std::size_t input_position(const Facet& facet, std::size_t, int, decltype(facet.index)* = nullptr)
 {
   return facet.index;
 }

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws the figures of the user manual that explain notions: shell, recursion, conditions, Steiner points.
+"""Draws the figures of the user manual that explain notions: shell, recursion, conditions, points, sizes.
 
 usage: draw_figures.py FOLDER           write the SVG files into FOLDER
        draw_figures.py --check FOLDER   exit 1 unless FOLDER holds exactly what would be written
@@ -46,6 +46,10 @@ class Drawing:
     def dot(self, p, color=BLACK, radius=3):
         self.items.append('<circle cx="%s" cy="%s" r="%s" fill="%s"/>'
                           % (self.number(p[0]), self.number(p[1]), radius, color))
+
+    def circle(self, p, radius, color):
+        self.items.append('<circle cx="%s" cy="%s" r="%s" fill="none" stroke="%s" stroke-dasharray="4 3"/>'
+                          % (self.number(p[0]), self.number(p[1]), self.number(radius), color))
 
     def cross(self, p, color=RED, size=5):
         for s in (-1, 1):
@@ -311,8 +315,155 @@ def splitting():
     return d
 
 
+def circle_of(a, b, c):
+    """The center and the squared radius of the circle through three points."""
+    bx, by, cx, cy = b[0] - a[0], b[1] - a[1], c[0] - a[0], c[1] - a[1]
+    area = 2 * (bx * cy - by * cx)
+    x = (cy * (bx * bx + by * by) - by * (cx * cx + cy * cy)) / area
+    y = (bx * (cx * cx + cy * cy) - cx * (bx * bx + by * by)) / area
+    return (a[0] + x, a[1] + y), x * x + y * y
+
+
+def squared_distance(p, q):
+    return (p[0] - q[0]) ** 2 + (p[1] - q[1]) ** 2
+
+
+def delaunay(points):
+    """The triangles with no point inside of their circles: few points, so all are tried."""
+    triangles, n = [], len(points)
+    for i in range(n):
+        for j in range(i + 1, n):
+            for k in range(j + 1, n):
+                center, radius = circle_of(points[i], points[j], points[k])
+                if all(m in (i, j, k) or squared_distance(points[m], center) > radius for m in range(n)):
+                    triangles.append((i, j, k))
+    return triangles
+
+
+def edges_of(triangle):
+    i, j, k = triangle
+    return [(i, j), (i, k), (j, k)]
+
+
+def cavity_of(p, points, triangles, walls):
+    """The triangles whose circles contain p, from the one that contains p on, but not through walls."""
+    def contains(t):
+        center, radius = circle_of(*(points[i] for i in t))
+        return squared_distance(p, center) < radius
+    conflict = [t for t in triangles if contains(t)]
+    first = [t for t in conflict if sum(d < 0 for d in sides(p, [points[i] for i in t])) in (0, 3)]
+    cavity, behind = list(first), []
+    for t in cavity:
+        for e in edges_of(t):
+            for u in conflict:
+                if u not in cavity and e in edges_of(u):
+                    (behind if e in walls else cavity).append(u)
+    return cavity, [u for u in behind if u not in cavity]
+
+
+def sides(p, t):
+    return [(t[(i + 1) % 3][0] - t[i][0]) * (p[1] - t[i][1]) - (t[(i + 1) % 3][1] - t[i][1]) * (p[0] - t[i][0])
+            for i in range(3)]
+
+
+def cavity():
+    """A new point, its cavity, which ends at a wall, and the star that takes its place; in the plane."""
+    d = Drawing(760, 330)
+    points = [(32, 28), (122, 20), (205, 42), (20, 118), (92, 84), (168, 98), (232, 130), (52, 176), (128, 165), (190, 186),
+              (22, 250), (96, 238), (158, 250), (228, 240)]
+    p, triangles = (104, 153), delaunay(points)
+    walls = [(7, 8), (8, 9), (6, 9), (3, 7)]
+    hole, behind = cavity_of(p, points, triangles, walls)
+    for panel, title in enumerate(["the cell of p", "the cavity", "the star"]):
+        move = lambda q, x=250 * panel: (q[0] + x, q[1] + 12)
+        for t in triangles:
+            fill = "none"
+            if panel == 1 and t in hole or panel == 0 and t == hole[0]:
+                fill = LIGHT_ORANGE
+            if panel < 2 or t not in hole:
+                d.polygon([move(points[i]) for i in t], fill=fill, stroke=GREY, width=1)
+        if panel == 1:
+            for t in hole + behind:
+                center, radius = circle_of(*(points[i] for i in t))
+                d.circle(move(center), math.sqrt(radius), RED if t in behind else ORANGE)
+        if panel == 2:
+            border = [e for t in hole for e in edges_of(t) if sum(e in edges_of(u) for u in hole) == 1]
+            for e in border:
+                d.polygon([move(p), move(points[e[0]]), move(points[e[1]])], fill=LIGHT_ORANGE, stroke=ORANGE, width=1.6)
+        for i, j in walls:
+            d.line(move(points[i]), move(points[j]), stroke=BLUE, width=3)
+        for q in points:
+            d.dot(move(q), radius=2.5)
+        d.dot(move(p), RED, 4)
+        d.label(move(p), "p", dx=11, dy=-5, color=RED)
+        d.text((125 + 250 * panel, 312), title, size=14)
+    return d
+
+
+class Graph:
+    """Axes in a drawing, with the origin at a place, and lengths per unit."""
+    def __init__(self, drawing, origin, unit, size, names):
+        self.drawing, self.origin, self.unit = drawing, origin, unit
+        drawing.arrow(origin, (origin[0] + size[0], origin[1]))
+        drawing.arrow(origin, (origin[0], origin[1] - size[1]))
+        drawing.text((origin[0] + size[0] / 2, origin[1] + 34), names[0], size=13)
+        drawing.text((origin[0] + 6, origin[1] - size[1] - 12), names[1], size=13)
+
+    def at(self, x, y):
+        return (self.origin[0] + x * self.unit[0], self.origin[1] - y * self.unit[1])
+
+    def curve(self, function, first, last, **options):
+        n = 120
+        xs = [first + (last - first) * i / n for i in range(n + 1)]
+        self.drawing.path([self.at(x, function(x)) for x in xs], **options)
+
+
+def source():
+    """The size at a distance from a source: linear, and doubling."""
+    d = Drawing(560, 320)
+    s, r, doubled, g = 1.0, 1.0, 3.0, 0.25
+    graph = Graph(d, (60, 265), (70, 50), (470, 225), ("distance d from the source", "size"))
+    for x, y, name in ((r, s, "r"), (doubled, 2 * s, "D"), (2 * doubled - r, 4 * s, "2D - r")):
+        d.line(graph.at(x, 0), graph.at(x, y), stroke=GREY, width=1, dash="4 3")
+        d.label(graph.at(x, 0), name, dy=14)
+    for y, name in ((s, "s"), (2 * s, "2s"), (4 * s, "4s")):
+        d.line(graph.at(0, y), graph.at(r if y == s else doubled if y == 2 * s else 2 * doubled - r, y),
+               stroke=GREY, width=1, dash="4 3")
+        d.label(graph.at(0, y), name, dx=-16)
+    d.line(graph.at(0, s), graph.at(r, s), stroke=BLACK, width=2.6)
+    graph.curve(lambda x: s + g * (x - r), r, 6, stroke=BLUE, width=2.6)
+    graph.curve(lambda x: s * 2 ** ((x - r) / (doubled - r)), r, 5.1, stroke=ORANGE, width=2.6)
+    d.text(graph.at(5.6, 1.75), "linear", color=BLUE, size=14)
+    d.text(graph.at(3.55, 3.1), "doubling", color=ORANGE, size=14)
+    return d
+
+
+def gradation():
+    """Sizes at vertices of a surface, and what is made of them in between: the lowest of all cones."""
+    d = Drawing(560, 300)
+    graph = Graph(d, (50, 250), (47, 40), (490, 215), ("place", "size"))
+    sizes, g = [(0.6, 1.0), (2, 0.5), (3.2, 3.2), (5.4, 1.7), (7.2, 1), (8.9, 1.6)], 0.5
+    for x, h in sizes:
+        for end in (0, 10):
+            d.line(graph.at(x, h), graph.at(*clipped(x, h, end, g, 3.8)), stroke=GREY, width=1, dash="4 3")
+    graph.curve(lambda x: min(h + g * abs(x - q) for q, h in sizes), 0, 10, stroke=BLUE, width=2.6)
+    for x, h in sizes:
+        lowest = min(k + g * abs(x - q) for q, k in sizes)
+        d.line(graph.at(x, 0), graph.at(x, h), stroke=LIGHT_BLUE, width=1.4)
+        d.dot(graph.at(x, h), RED if lowest < h else BLUE, 4.5)
+    d.text(graph.at(3.2, 4.2), "too large beside its neighbors", color=RED)
+    return d
+
+
+def clipped(x, h, end, g, top):
+    """The end of a line from (x, h) with the slope g, away from x, that does not leave the picture."""
+    length = min(abs(end - x), (top - h) / g)
+    return (x + math.copysign(length, end - x), h + g * length)
+
+
 FIGURES = {"shell.svg": shell, "recursion.svg": recursion, "conditions.svg": conditions,
-           "conforming.svg": conforming, "splitting.svg": splitting}
+           "conforming.svg": conforming, "splitting.svg": splitting, "cavity.svg": cavity, "source.svg": source,
+           "gradation.svg": gradation}
 
 
 def main(arguments):

@@ -1,5 +1,5 @@
-// Cavities of field points against a naive search, on grids and random points with random walls; and their stars: valid,
-// with the regions, walls and marks of before.
+// Cavities of field points against a naive search, on grids with other regions, sheets and edges; and their stars:
+// valid, with the regions, walls and marks of before.
 
 #undef NDEBUG // the checks are assertions, also in a Release build
 
@@ -56,7 +56,7 @@ struct Scene
 
   explicit Scene(const int n) : Base(n) { }
 
-  // Its neighbors included, each cell that the point is in conflict with and that can be reached without crossing a wall.
+  // Each cell that the point is in conflict with and that can be reached without crossing a wall.
   Cells reachable_conflicts(const Point& p, const Cell_handle first, bool& is_wall_inside) const
   {
     Cells cells = { first };

@@ -1,5 +1,5 @@
-// What the filling is made of: numbers of vertices, sizes at them, bounds of sizes, circumspheres, the forecast, and the
-// memory that is left.
+// What the filling is made of: numbers of vertices, sizes at them, bounds of sizes, circumspheres, the forecast, and
+// the memory that is left.
 
 #undef NDEBUG // the checks are assertions, also in a Release build
 

@@ -1,5 +1,5 @@
-// insert_field_points(): what may change and what must not, sizes that are kept, limits, stops, and fields without sizes;
-// on our triangulations, on those of CGAL's remeshing, and on cells without room for sizes.
+// insert_field_points(): what may change and what must not, sizes that are kept, limits, stops, and fields without
+// sizes; on our triangulations, on those of CGAL's remeshing, and on vertices without room for sizes.
 
 #undef NDEBUG // the checks are assertions, also in a Release build
 

@@ -21,13 +21,16 @@
 #include <cmath>
 #include <cstddef>
 #include <iostream>
+#include <optional>
 #include <random>
+#include <set>
 #include <vector>
 
 typedef CGAL::Exact_rational                                           Rational;
 typedef CGAL::Boundary_recovery_3::internal::Representable_point_3<Rational> Representable_point_3;
 typedef Representable_point_3::Point_3                                 Point_3;
 typedef Representable_point_3::Plane_3                                 Plane_3;
+typedef Representable_point_3::Kernel::Vector_3                        Vector_3;
 
 bool is_inside(const std::vector<Plane_3>& planes, const Point_3& p)
 {
@@ -159,15 +162,82 @@ void test_no_volume()
   add_box(Point_3(0, 0, 0), Rational(1), planes);
   planes.push_back(plane(Point_3(0, 0, 0), 1, 2, 3));
   planes.push_back(plane(Point_3(0, 0, 0), -1, -2, -3));
-  assert(! Representable_point_3()(planes));
+  assert(! Representable_point_3()(planes) && ! Representable_point_3().center(planes));
   planes.push_back(plane(Point_3(-5, 0, 0), 1, 0, 0));
-  assert(! Representable_point_3()(planes));
+  assert(! Representable_point_3()(planes) && ! Representable_point_3().center(planes));
+}
+
+// The mean of all the points in which three planes meet and that no plane cuts off.
+Point_3 mean_of_vertices(const std::vector<Plane_3>& planes)
+{
+  std::set<Point_3> vertices;
+  for(std::size_t i = 0; i < planes.size(); ++i)
+    for(std::size_t j = 0; j < i; ++j)
+      for(std::size_t k = 0; k < j; ++k)
+      {
+        const Vector_3 u = planes[i].orthogonal_vector(), v = planes[j].orthogonal_vector(),
+                       w = planes[k].orthogonal_vector();
+        const Rational determinant = CGAL::determinant(u, v, w);
+        if(determinant == 0)
+          continue;
+        const Vector_3 sum = planes[i].d() * CGAL::cross_product(v, w) + planes[j].d() * CGAL::cross_product(w, u)
+                           + planes[k].d() * CGAL::cross_product(u, v);
+        const Point_3 p = CGAL::ORIGIN - sum / determinant;
+        if(std::none_of(planes.begin(), planes.end(), [&](const Plane_3& h) { return h.has_on_positive_side(p); }))
+          vertices.insert(p);
+      }
+  const Rational n(static_cast<int>(vertices.size()));
+  Rational x(0), y(0), z(0);
+  for(const Point_3& p : vertices)
+  {
+    x += p.x() / n;
+    y += p.y() / n;
+    z += p.z() / n;
+  }
+  return Point_3(x, y, z);
+}
+
+// In boxes that are cut by slabs of any width, some of them far thinner than numbers are from each other, and some of
+// no width at all.
+void test_center()
+{
+  std::minstd_rand random(2);
+  const auto number = [&random](const int n) { return static_cast<int>(random() % (2 * n + 1)) - n; };
+  for(int k = 0; k < 60; ++k)
+  {
+    const Rational third = Rational(1) / Rational(3);
+    const Point_3 inside(Rational(number(100)) * third, Rational(number(100)) * third, Rational(number(100)) * third);
+    std::vector<Plane_3> planes;
+    add_box(inside, Rational(1), planes);
+    const Rational width = k % 3 == 0 ? Rational(1) / Rational(3) : k % 3 == 1 ? Rational(1e-22) : Rational(0);
+    const int number_of_slabs = 1 + k / 3 % 3;
+    for(int slab = 0; slab < number_of_slabs; ++slab)
+    {
+      const int a = number(6), b = number(6), c = 1 + k % 5;
+      const Point_3 other = translated(inside, Rational(number(9)) / Rational(9) * width, 0, width);
+      planes.push_back(plane(translated(inside, 0, 0, - width), - a, - b, - c));
+      if(slab == 0)
+        planes.push_back(plane(translated(inside, 0, 0, width), a, b, c));
+      else
+        planes.push_back(plane(other, a, b, c + 20));
+    }
+    const std::optional<Point_3> center = Representable_point_3().center(planes);
+    assert(bool(center) == (width > 0));
+    assert(! center || (*center == mean_of_vertices(planes) && is_inside(planes, *center)));
+  }
+  std::vector<Plane_3> planes;
+  for(int i = 0; i < 11; ++i)
+    add_box(Point_3(0, 0, 0), Rational(1 + i), planes);
+  assert(! Representable_point_3().center(planes)); // of too many faces
+  planes.resize(60);
+  assert(Representable_point_3().center(planes) == Point_3(0, 0, 0));
 }
 
 int main()
 {
   test_below_a_power_of_two();
   test_no_volume();
+  test_center();
   test_against_brute_force();
   test_thin_slabs();
   test_sizes();

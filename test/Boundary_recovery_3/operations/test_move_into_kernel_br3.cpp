@@ -20,9 +20,11 @@
 #include <CGAL/Boundary_recovery_3/internal/geometry/Visibility_kernel_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/exact_point_on_ray.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/representable_point_in_kernel.h>
+#include <CGAL/Boundary_recovery_3/internal/numbers/nearest_integer.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/Move_into_kernel_3.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Kernel_traits.h>
 
 #include <algorithm>
 #include <cassert>
@@ -42,6 +44,7 @@ class Polyhedron
 {
 public:
   typedef internal::Move_into_kernel_3<Tr> Move_into_kernel;
+  typedef Move_into_kernel::Exact_point    Exact_point;
 
   Polyhedron(const std::vector<br3_test::Coordinates>& points, const std::vector<br3_test::Simplex>& triangles)
     : m_predicates(m_tr, &m_positions), m_move_into_kernel(m_predicates, m_positions), m_v(m_tr.tds().create_vertex())
@@ -73,6 +76,18 @@ public:
     assert(result == is_in_kernel());
     return result;
   }
+
+  // Puts the vertex at an exact point inside, and moves it on to the middle of the kernel.
+  Exact_point centered(const Exact_point& inside)
+  {
+    m_positions.set(m_v, inside);
+    assert(is_in_kernel());
+    m_move_into_kernel.center(m_v, m_faces);
+    assert(is_in_kernel());
+    return m_positions(m_v);
+  }
+
+  Exact_point exact(const std::size_t i) const { return m_positions(vertices[i]); }
 
   bool has_exact_position() const { return m_positions.contains(m_v); }
   Point_3 point() const { return m_v->point(); }
@@ -201,11 +216,43 @@ void test_ray()
   assert(! flat.has_point_on_ray(0, Vector(-1, -1, 0)) && ! flat.has_exact_position());
 }
 
+// From a corner of a bipyramid, which may be thinner than numbers are from each other, the vertex moves near to the mean
+// of all corners. How long its numbers are depends neither on where it was nor on the unit.
+void test_center()
+{
+  typedef Polyhedron::Exact_point Exact_point;
+  typedef CGAL::Kernel_traits<Exact_point>::Kernel::FT FT;
+  const std::vector<br3_test::Simplex> bipyramid = { { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 },
+                                                     { 1, 0, 4 }, { 2, 1, 4 }, { 0, 2, 4 } };
+  for(const int exponent : { 0, 300, -300, 800, -800 })
+    for(const double height : { 1., std::ldexp(1., -52) })
+    {
+      Polyhedron p(scaled({ {{ 0, 0, 1 }}, {{ 1, 0, 1 }}, {{ 0, 1, 1 }}, {{ .25, .25, 1 + height }},
+                            {{ .25, .25, 1 - height }} }, exponent), bipyramid);
+      auto sum = p.exact(0) - CGAL::ORIGIN;
+      for(std::size_t i = 1; i < 5; ++i)
+        sum = sum + (p.exact(i) - CGAL::ORIGIN);
+      const Exact_point mean = CGAL::ORIGIN + sum / 5;
+      const FT unit = (p.exact(3).z() - p.exact(4).z()) / 1024;
+      for(const double part : { 1e-22, .5 })
+      {
+        const Exact_point found = p.centered(p.exact(0) + part * (mean - p.exact(0)));
+        assert(p.has_exact_position());
+        for(int i = 0; i < 3; ++i)
+        {
+          const FT multiple = found[i] / unit;
+          assert(CGAL::abs(FT(found[i] - mean[i])) < 64 * unit && multiple == internal::nearest_integer(multiple));
+        }
+      }
+    }
+}
+
 int main()
 {
   test_kernel_alone();
   test_deepest_point();
   test_empty_kernel();
   test_ray();
+  test_center();
   std::cout << "done" << std::endl;
 }

@@ -301,9 +301,10 @@ class Checker:
         self.require(manuals[:1] == ["Manual"], "doc/%s/dependencies" % PACKAGE, "does not start with Manual")
 
     def check_readme(self):
-        example = read(self.root, "examples/%s/recover_boundary_minimal.cpp" % PACKAGE)
-        self.require("```cpp\n%s```" % example in read(self.root, "README.md"), "README.md",
-                     "does not show recover_boundary_minimal.cpp as it is")
+        for name in ("make_boundary_constrained_mesh.cpp", "recover_boundary_minimal.cpp"):
+            example = read(self.root, "examples/%s/%s" % (PACKAGE, name))
+            self.require("```cpp\n%s```" % example in read(self.root, "README.md"), "README.md",
+                         "does not show %s as it is" % name)
         for link in re.findall(r"\]\((?!https?:)([^)#]+)\)", read(self.root, "README.md")):
             self.require(os.path.exists(os.path.join(self.root, link)), "README.md", "links to %s, which does not exist" % link)
 

@@ -74,12 +74,16 @@ public:
     if(planes.size() > max_number_of_planes)
       return std::nullopt;
     collect_vertices(planes);
-    if(m_vertices.size() < 4)
+    if(m_vertices.empty())
       return std::nullopt;
     Vector_3 sum = CGAL::NULL_VECTOR;
     for(const Vector_3& v : m_vertices)
       sum = sum + v;
-    return CGAL::ORIGIN + sum / Rational(static_cast<int>(m_vertices.size()));
+    const Point_3 mean = CGAL::ORIGIN + sum / Rational(static_cast<int>(m_vertices.size()));
+    for(const Plane_3& h : planes)
+      if(! h.has_on_negative_side(mean)) // all the vertices are on that plane
+        return std::nullopt;
+    return mean;
   }
 
 private:

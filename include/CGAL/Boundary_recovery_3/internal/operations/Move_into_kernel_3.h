@@ -112,21 +112,15 @@ public:
   }
 
   // Moves v, which has an exact position inside, to one that is as far inside as the vertices of the kernel are in the
-  // mean. Does nothing if there are too many faces.
+  // mean, roughly. Does nothing if there are too many faces.
   void center(const Vertex_handle v, const std::vector<Vertex_triple>& faces)
   {
     if constexpr(! Positions::is_kernel_exact)
-    {
-      const Exact_point before = m_positions(v);
-      const auto p = center_of_kernel(m_positions, faces);
-      if(! p)
-        return;
-      m_positions.set(v, *p);
-      if(! is_in_kernel(v, faces))
-        m_positions.set(v, before);
-      else
+      if(const auto p = center_of_kernel(m_positions, faces))
+      {
+        m_positions.set(v, *p);
         simplify_position(v, faces, {{ 1, 1, 1 }}, least_distance(*p, faces));
-    }
+      }
   }
 
   // Whether v sees all the faces.
@@ -156,7 +150,8 @@ private:
     };
   }
 
-  // From the planes of the faces, roughly.
+  // From the planes of the faces, roughly. Normal vectors are divided by their largest coordinate, since their squares
+  // may be out of range.
   double least_distance(const Exact_point& p, const std::vector<Vertex_triple>& faces) const
   {
     double least = std::numeric_limits<double>::infinity();
@@ -164,8 +159,10 @@ private:
     {
       const Exact_point q = m_positions(f[0]);
       const Exact_vector n = CGAL::cross_product(m_positions(f[1]) - q, m_positions(f[2]) - q);
-      const double length = std::sqrt(CGAL::to_double(n.squared_length()));
-      least = (std::min)(least, CGAL::to_double(CGAL::scalar_product(n, p - q)) / length);
+      const FT largest = (std::max)({ FT(CGAL::abs(n.x())), FT(CGAL::abs(n.y())), FT(CGAL::abs(n.z())) });
+      const Vector unit = approximate(n / largest);
+      least = (std::min)(least, CGAL::to_double(FT(CGAL::scalar_product(n, p - q) / largest))
+                                  / std::hypot(unit[0], unit[1], unit[2]));
     }
     return least;
   }
