@@ -186,9 +186,11 @@ class Surface_files:
         self.folder = tempfile.TemporaryDirectory(prefix="br3_")
         self.path = os.path.join(self.folder.name, "in.off")
         programs.recover(file, "--write-surface", self.path)
+        if not os.path.exists(self.path):
+            sys.exit(file + ": no surface that can be read")
 
     def __enter__(self):
-        return self.path if os.path.exists(self.path) else None
+        return self.path
 
     def __exit__(self, *_):
         self.folder.cleanup()
@@ -212,9 +214,6 @@ def measure_all(arguments, programs, records, kind, model, surface, size, others
 def measure_surfaces(arguments, programs, records):
     for file in wanted(arguments, surfaces_of(arguments)):
         with Surface_files(programs, file) as surface:
-            if surface is None:
-                print(model_of(file) + ": no surface that can be meshed", file=sys.stderr)
-                continue
             mean, volume = measures_of(surface)
             size = max(mean, size_for(volume, arguments.cells))
             measure_all(arguments, programs, records, "surface", model_of(file), surface, size, "all")
