@@ -58,6 +58,8 @@ def peak_memory_of(process, program):
 
 
 def outcome_of(status):
+    if status is not None and status < 0:
+        return "crash"
     return {None: "timeout", 0: "ok"}.get(status, "status %d" % (status or 0))
 
 
@@ -72,8 +74,8 @@ def mesh_by_us(arguments, surface, options):
     for _ in range(arguments.runs):
         status, output, memory = run_measured([arguments.mesher, surface, "--quiet", "--timing"] + options,
                                               arguments.timeout)
-        if status != 0:
-            return {"outcome": outcome_of(status), "note": (output.strip().splitlines() or [""])[-1]}
+        if status != 0:  # 2: the surface is refused
+            return {"outcome": "invalid_input" if status == 2 else outcome_of(status), "note": (output.strip().splitlines() or [""])[-1]}
         rows.append(dict({name: number_after("@@%s (.+)" % word, output) for name, word in
                           (("recovery", "rec"), ("filling", "fill"), ("total", "tmesh"))}, memory=memory))
     row = best(rows)
@@ -209,6 +211,8 @@ def measure_all(arguments, programs, records, kind, model, surface, size, others
             row = mesh_by_gmsh(arguments, surface, size)
         records.add(dict(key, **row))
         print("%s, size %.4g, %s: %s" % (model, size, program, row["outcome"]), file=sys.stderr, flush=True)
+        if row["outcome"] == "invalid_input":
+            break
 
 
 def measure_surfaces(arguments, programs, records):
@@ -343,7 +347,7 @@ def main():
     if arguments.aircraft:
         measure_aircraft(arguments, programs, records)
     print_summary(records.rows)
-    return 1 if any(r["program"] == "ours" and r["outcome"] != "ok" for r in records.rows) else 0
+    return 1 if any(r["program"] == "ours" and r["outcome"] not in ("ok", "invalid_input") for r in records.rows) else 0
 
 
 if __name__ == "__main__":
