@@ -1,4 +1,4 @@
-"""What the drivers robustness.py, quality.py and performance.py share: finding surfaces, running programs with limits,
+"""What the drivers robustness.py, quality.py, performance.py and meshing.py share: finding surfaces, running programs with limits,
 and a file of records that a later run goes on with."""
 import argparse
 import concurrent.futures
@@ -100,13 +100,13 @@ class Programs:
         result["wall_seconds"] = seconds
         return result
 
-    def mesh_by_tetgen(self, surface, switches, ours):
+    def mesh_by_tetgen(self, surface, switches, ours, *size):
         """TetGen's figures, with the seconds of its steps; a surface that bounds nothing is meshed in its hull by both"""
         if ours.get("domain_is_hull"):
             switches += "c"
         if not self.has_tetgen:
             return {"outcome": "skipped"}
-        status, output, errors, seconds = run([self.tetgen, switches + "V", surface], self.timeout)
+        status, output, errors, seconds = run([self.tetgen, switches + "V", surface, *size], self.timeout)
         if status != 0:
             return {"outcome": "timeout" if status is None else "error", "wall_seconds": seconds,
                     "note": (errors.strip().splitlines() or [""])[-1]}

@@ -122,13 +122,56 @@ br3_benchmark::Dihedral_angles angles_of(const tetgenio& out)
   return angles;
 }
 
+typedef std::vector<std::array<int, 2> > Edges;
+
+// The edges of simplices, sorted, each of them once.
+Edges edges_of(const int* list, const std::size_t number, const int size)
+{
+  Edges edges;
+  edges.reserve(number * static_cast<std::size_t>(size * (size - 1) / 2));
+  for(std::size_t i = 0; i < number; ++i)
+    for(int j = 0; j < size; ++j)
+      for(int k = 0; k < j; ++k)
+      {
+        const int* simplex = list + i * static_cast<std::size_t>(size);
+        edges.push_back({{ (std::min)(simplex[j], simplex[k]), (std::max)(simplex[j], simplex[k]) }});
+      }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
+// The share of the edges inside whose lengths are from sqrt(1/2) to sqrt(2) times the size, as `mesh_surface` counts
+// them: without those of the surface.
+double share_of_edges_in_size(const Surface& surface, const tetgenio& out, const double size)
+{
+  const Edges of_surface = edges_of(surface.triangles.data(), surface.triangles.size() / 3, 3);
+  std::size_t number = 0, number_in_size = 0;
+  for(const auto& e : edges_of(out.tetrahedronlist, static_cast<std::size_t>(out.numberoftetrahedra),
+                               out.numberofcorners))
+    if(! std::binary_search(of_surface.begin(), of_surface.end(), e))
+    {
+      double squared_length = 0;
+      for(int i = 0; i < 3; ++i)
+      {
+        const double d = out.pointlist[3 * e[0] + i] - out.pointlist[3 * e[1] + i];
+        squared_length += d * d;
+      }
+      const double ratio = squared_length / (size * size);
+      ++number;
+      number_in_size += ratio >= 0.5 && ratio <= 2;
+    }
+  return number == 0 ? 1 : double(number_in_size) / double(number);
+}
+
 int main(int argc, char* argv[])
 {
   Surface surface;
-  if(argc != 3 || ! read_surface(argv[2], surface))
+  const double size = argc == 4 ? std::atof(argv[3]) : 0;
+  if(argc < 3 || argc > 4 || (argc == 4 && ! (size > 0)) || ! read_surface(argv[2], surface))
   {
-    std::cerr << "usage: benchmark_tetgen SWITCHES SURFACE.off, e.g. pYVe; exit status: 0 done, 1 no such surface,\n"
-                 "2 TetGen failed\n";
+    std::cerr << "usage: benchmark_tetgen SWITCHES SURFACE.off [SIZE], e.g. pYVe; with a size, the share of edges of\n"
+                 "about this length is told; exit status: 0 done, 1 no such surface, 2 TetGen failed\n";
     return 1;
   }
   tetgenio in, out;
@@ -159,9 +202,12 @@ int main(int argc, char* argv[])
   std::printf("\n{\"seconds\": %.6f, \"peak_memory_mb\": %.3f, \"points\": %zu, \"points_on_edges\": %zu, "
               "\"points_on_facets\": %zu, \"points_inside\": %zu, \"tetrahedra\": %d, \"smallest_angle\": %.9g, "
               "\"largest_angle\": %.9g, "
-              "\"split_triangles\": %zu}\n", seconds, memory, all, on_edges.size(), on_facets.size(),
+              "\"split_triangles\": %zu, ", seconds, memory, all, on_edges.size(), on_facets.size(),
               all - on_edges.size() - on_facets.size(), out.numberoftetrahedra, angles.smallest(), angles.largest(),
               number_of_split_triangles(surface, out));
+  if(size > 0)
+    std::printf("\"share_in_size\": %.6f, ", share_of_edges_in_size(surface, out, size));
+  std::printf("\"vertices\": %d}\n", out.numberofpoints);
   std::fflush(stdout);
   std::_Exit(0); // TetGen's destructors take long, and there is nothing to keep
 }
