@@ -216,8 +216,8 @@ void test_ray()
   assert(! flat.has_point_on_ray(0, Vector(-1, -1, 0)) && ! flat.has_exact_position());
 }
 
-// From a corner of a bipyramid, which may be thinner than numbers are from each other, the vertex moves near to the mean
-// of all corners. How long its numbers are depends neither on where it was nor on the unit.
+// From a corner of a bipyramid, which may be thinner than numbers are from each other, the vertex moves near to the
+// mean of all corners. How long its numbers are depends neither on where it was nor on the unit.
 void test_center()
 {
   typedef Polyhedron::Exact_point Exact_point;

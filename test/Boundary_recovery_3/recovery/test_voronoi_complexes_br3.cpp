@@ -1,9 +1,11 @@
 // Voronoi diagrams in a cube: their polygons, with vertices rounded to doubles and cut into fans, are a surface that is
-// no manifold anywhere. Each is recovered strictly, and divides the cube into as many regions as there are sites.
+// no manifold anywhere. Each is recovered strictly, and divides the cube into as many regions as there are sites. Since
+// hardly any of their edges needs a point, also a surface with points on edges at which three triangles meet.
 #undef NDEBUG
 
 #include "exact_mesh_checker_br3.h"
 #include "recovered_mesh_br3.h"
+#include "steiner_inputs_br3.h"
 
 #include <CGAL/Boundary_recovery_3/label_regions.h>
 #include <CGAL/Delaunay_triangulation_3.h>
@@ -144,26 +146,67 @@ void check_regions(const Voronoi_complex& complex, const Triangulation& tr, cons
   }
 }
 
-void test_complex(const std::size_t number_of_sites, const unsigned seed)
+// Strictly in both modes. `check` looks at what was recovered.
+template <typename Check>
+void test_surface(const std::vector<Coordinates>& coordinates,
+                  const std::vector<br3_test::Indexed_mesh::Facet>& triangles, const Check& check)
 {
-  const Voronoi_complex complex(number_of_sites, seed);
   std::vector<Kernel::Point_3> points;
-  for(const Coordinates& c : complex.points)
+  for(const Coordinates& c : coordinates)
     points.emplace_back(c[0], c[1], c[2]);
   for(const Mode mode : { Mode::constrained, Mode::conforming })
   {
     Triangulation tr;
-    const Result result = CGAL::recover_boundary(tr, points, complex.triangles, CGAL::parameters::recovery_mode(mode));
+    const Result result = CGAL::recover_boundary(tr, points, triangles, CGAL::parameters::recovery_mode(mode));
     if(! result)
       std::cout << result << std::endl;
     assert(result);
     typedef br3_test::Recovered_mesh<Triangulation, Result> Mesh;
-    const Mesh mesh(tr, result, complex.points, complex.triangles);
+    const Mesh mesh(tr, result, coordinates, triangles);
     br3_test::Exact_mesh_checker(mesh.mesh(), Mesh::kind(mode, result))();
-    check_regions(complex, tr, result);
-    std::cout << number_of_sites << " sites, " << complex.triangles.size() << " triangles, "
-              << result.steiner_vertices.size() << " Steiner points" << std::endl;
+    check(mode, tr, result);
+    std::cout << triangles.size() << " triangles, " << result.steiner_vertices.size() << " Steiner points" << std::endl;
   }
+}
+
+void test_complex(const std::size_t number_of_sites, const unsigned seed)
+{
+  const Voronoi_complex complex(number_of_sites, seed);
+  test_surface(complex.points, complex.triangles, [&](Mode, const Triangulation& tr, const Result& result)
+  {
+    check_regions(complex, tr, result);
+  });
+}
+
+// The reflex edges of a twisted prism need points; each of them has a fin outside.
+void test_points_on_edges_of_three_triangles(const std::size_t n)
+{
+  br3_test::Plc plc = br3_test::twisted_prism(n, .3, 1000, 1000);
+  std::vector<std::array<std::size_t, 2> > edges;
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    edges.push_back({{ i, n + (i + 1) % n }});
+    const Coordinates p = plc.points[edges[i][0]], q = plc.points[edges[i][1]];
+    plc.triangles.push_back({ edges[i][0], edges[i][1], plc.points.size() });
+    plc.points.push_back({{ 2 * (p[0] + q[0]), 2 * (p[1] + q[1]), 500 }});
+  }
+  std::vector<br3_test::Indexed_mesh::Facet> triangles;
+  for(const br3_test::Simplex& t : plc.triangles)
+    triangles.push_back({{ t[0], t[1], t[2] }});
+  test_surface(plc.points, triangles, [&](const Mode mode, const Triangulation&, const Result& result)
+  {
+    assert(! result.steiner_vertices.empty());
+    if(mode != Mode::conforming)
+      return;
+    std::size_t number_on_edges = 0;
+    for(const auto v : result.steiner_vertices)
+      for(const auto& e : edges)
+      {
+        const Kernel::Segment_3 s(result.vertices[e[0]]->point(), result.vertices[e[1]]->point());
+        number_on_edges += CGAL::squared_distance(s, v->point()) < 1e-12 ? 1 : 0; // rounded points
+      }
+    assert(number_on_edges > 0);
+  });
 }
 
 int main()
@@ -173,5 +216,7 @@ int main()
   for(unsigned seed = 0; seed < 6; ++seed)
     test_complex(5 + 5 * seed, seed);
   test_complex(200, 7);
+  for(const std::size_t n : { 3, 5, 8 })
+    test_points_on_edges_of_three_triangles(n);
   return EXIT_SUCCESS;
 }
