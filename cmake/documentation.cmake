@@ -5,12 +5,14 @@ if(DOXYGEN_FOUND)
   # that they need no network; without it, they load MathJax from the net.
   find_path(BR3_MATHJAX_DIR MathJax.js PATHS /usr/share/javascript/mathjax NO_DEFAULT_PATH)
   mark_as_advanced(BR3_MATHJAX_DIR)
-  set(BR3_MATHJAX_RELPATH "")
-  set(BR3_MATHJAX_FORMAT "")
+  set(BR3_MATHJAX_SETTINGS "")
   set(br3_copy_mathjax "")
   if(BR3_MATHJAX_DIR)
-    set(BR3_MATHJAX_RELPATH mathjax)
-    set(BR3_MATHJAX_FORMAT SVG) # needs no fonts, which some browsers do not load for local pages
+    # SVG needs no fonts, which some browsers do not load for local pages.
+    set(BR3_MATHJAX_SETTINGS "MATHJAX_RELPATH = mathjax\nMATHJAX_FORMAT = SVG")
+    if(DOXYGEN_VERSION VERSION_GREATER_EQUAL 1.9.2)
+      string(APPEND BR3_MATHJAX_SETTINGS "\nMATHJAX_VERSION = MathJax_2") # Debian's; Doxygen's default may change
+    endif()
     set(br3_mathjax_target ${CMAKE_CURRENT_BINARY_DIR}/doc_output/mathjax)
     foreach(folder extensions jax/element jax/input/TeX jax/output/SVG/autoload jax/output/SVG/fonts/TeX)
       list(APPEND br3_copy_mathjax

@@ -91,6 +91,14 @@ add_test(NAME install_and_find_package COMMAND ${CMAKE_COMMAND}
 if(DOXYGEN_FOUND)
   add_test(NAME manual_builds_without_warning
            COMMAND ${CMAKE_COMMAND} --build ${CMAKE_CURRENT_BINARY_DIR} --target doc)
+  set_tests_properties(manual_builds_without_warning PROPERTIES FIXTURES_SETUP manual)
 else()
   br3_add_skipped_test(manual_builds_without_warning "no doxygen was found")
+endif()
+if(DOXYGEN_FOUND AND BR3_MATHJAX_DIR)
+  add_test(NAME formulas_need_no_network COMMAND ${CMAKE_COMMAND}
+           -DPAGES=${CMAKE_CURRENT_BINARY_DIR}/doc_output -P ${br3_package_tests}/check_formulas.cmake)
+  set_tests_properties(formulas_need_no_network PROPERTIES FIXTURES_REQUIRED manual)
+else()
+  br3_add_skipped_test(formulas_need_no_network "no doxygen or no MathJax was found")
 endif()

@@ -301,7 +301,12 @@ struct Counting_visitor
   }
 
   template <typename CellRange>
-  void before_cells_removal(const CellRange& cells) { number_of_cells -= static_cast<long>(cells.size()); }
+  void before_cells_removal(const CellRange& cells)
+  {
+    number_of_cells -= static_cast<long>(cells.size());
+    if(number_of_removals_until_throw-- == 0)
+      throw std::runtime_error("the visitor wants to keep these cells");
+  }
 
   template <typename CellRange>
   void after_cells_creation(const CellRange& cells)
@@ -317,6 +322,7 @@ struct Counting_visitor
   double progress = 0;
   int number_of_reports = 0;
   long number_of_cells = 0;
+  long number_of_removals_until_throw = -1;
   long number_of_insertions_until_throw = -1;
   std::size_t number_of_questions = 0;
   std::size_t last_question = std::size_t(-1);
@@ -370,7 +376,7 @@ void test_visitor()
   assert((visitor.begun == std::vector<BR3::Meshing_phase>{ BR3::Meshing_phase::forecast,
                                                              BR3::Meshing_phase::field_point_insertion }));
   assert(cells + visitor.number_of_cells == static_cast<long>(scene.tr.number_of_finite_cells()));
-  assert(visitor.number_of_reports > 50 && visitor.progress > 0.7);
+  assert(visitor.number_of_reports > 50 && visitor.progress == 1);
 
   const std::size_t number_of_questions = visitor.number_of_questions;
   assert(number_of_questions >= 2);
@@ -387,15 +393,20 @@ void test_visitor()
       assert(v->meshing_info() >= 0); // nothing is left pending
   }
   for(const long n : { 0, 7 })
-  {
-    Scene<Tr> thrown(3);
-    Counting_visitor thrower;
-    thrower.number_of_insertions_until_throw = n;
-    bool is_caught = false;
-    try { CGAL::insert_field_points(thrown.tr, 0.25, parameters::visitor(std::ref(thrower))); }
-    catch(const std::runtime_error&) { is_caught = true; }
-    assert(is_caught && br3_test::is_valid_mesh(thrown.tr));
-  }
+    for(const bool is_before : { false, true })
+    {
+      Scene<Tr> thrown(3);
+      const State<Tr> at_first(thrown);
+      Counting_visitor thrower;
+      (is_before ? thrower.number_of_removals_until_throw : thrower.number_of_insertions_until_throw) = n;
+      bool is_caught = false;
+      try { CGAL::insert_field_points(thrown.tr, 0.25, parameters::visitor(std::ref(thrower))); }
+      catch(const std::runtime_error&) { is_caught = true; }
+      assert(is_caught);
+      at_first.check(thrown, static_cast<std::size_t>(is_before ? n : n + 1));
+      for(const Tr::Vertex_handle v : thrown.tr.finite_vertex_handles())
+        assert(v->meshing_info() >= 0);
+    }
   Scene<Tr> late(3);
   const auto r = CGAL::insert_field_points(late.tr, 0.25, parameters::maximum_running_time(0.));
   assert(r.status == Status::stopped && r.number_of_field_points == 0);

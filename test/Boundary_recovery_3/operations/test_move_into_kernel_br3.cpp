@@ -241,7 +241,8 @@ void test_center()
         for(int i = 0; i < 3; ++i)
         {
           const FT multiple = found[i] / unit;
-          assert(CGAL::abs(FT(found[i] - mean[i])) < 64 * unit && multiple == internal::nearest_integer(multiple));
+          assert(CGAL::abs(FT(found[i] - mean[i])) < 64 * unit);
+          assert(multiple == internal::nearest_integer(multiple));
         }
       }
     }

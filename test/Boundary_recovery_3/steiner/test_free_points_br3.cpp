@@ -29,6 +29,7 @@
 #include <CGAL/Boundary_recovery_3/internal/steiner/Round_free_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_ledger_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_mesh_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_suppression_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/replace_and_forget.h>
 
 #include <algorithm>
@@ -149,6 +150,66 @@ void test_points_without_number()
     assert(is_done || tr.degree(v) == 4);
     ++number_of[is_done ? "point that got a number" : context.is_stopped() ? "stop" : "point without a number"];
   }
+}
+
+// Points in a layer of slivers, each but the first in the ball of another one: some of them get a number only when
+// neighbors have gone or moved.
+void test_cluster_without_numbers(const unsigned seed)
+{
+  std::mt19937 rng(seed);
+  Tr tr = thin_layer(rng);
+  const Cells cells = finite_cells(tr);
+  const auto thin = std::find_if(cells.begin(), cells.end(), is_thin);
+  if(thin == cells.end())
+    return;
+  Constraints constraints;
+  const int density = 1 + random_int(rng, 5);
+  for(const Cell_handle c : cells)
+    for(int i = 0; i < 4; ++i)
+      if(random_int(rng, 6) < density)
+      {
+        const Facet f = BR::internal::facet_vertices(c, i);
+        constraints.insert(f[0], f[1]);
+        if(random_int(rng, 2) == 0)
+          constraints.insert(f[0], f[1], f[2]);
+      }
+  Ledger ledger(constraints);
+  Vertices points(1, insert_in_center(tr, *thin, ledger.positions()));
+  for(int i = random_int(rng, 6); i >= 0; --i)
+  {
+    Cells ball;
+    assert(BR::internal::collect_ball(tr, points[random_int(rng, static_cast<int>(points.size()))], ball));
+    const Cell_handle c = ball[random_int(rng, static_cast<int>(ball.size()))];
+    points.push_back(insert_in_center(tr, c, ledger.positions()));
+  }
+  for(const Vertex_handle v : points)
+    ledger.insert_free(v, { 1, 0 });
+
+  const Predicates predicates(tr, &ledger.positions());
+  Mirror mirror(tr);
+  Editor editor(tr, mirror);
+  Context context(mirror);
+  Mesh mesh(editor, predicates, constraints, ledger, context);
+  BR::internal::Round_free_point_3<Tr, Mirror> round_point(mesh);
+  std::size_t number_held = 0;
+  for(int pass = 0; pass < 2; ++pass)
+    number_held = static_cast<std::size_t>(std::count_if(points.begin(), points.end(), [&](const Vertex_handle v)
+    {
+      return ledger.is_free(v) && ! round_point(v);
+    }));
+  assert((number_held == 0) == ledger.positions().empty());
+  const std::size_t number_before = ledger.free_points().size();
+  BR::internal::Steiner_suppression_3<Tr, Mirror> suppress(mesh);
+  const bool is_done = suppress.round_points(0);
+  mirror.check(tr);
+  assert(BR::internal::is_mesh_valid(tr, predicates) && is_done == ledger.positions().empty());
+  const Tetrahedra tetrahedra = tetrahedra_of(finite_cells(tr));
+  for(const Edge& e : constraints.edges())
+    assert(number_around(tetrahedra, e) > 0);
+  for(const Facet& f : constraints.facets())
+    assert(number_around(tetrahedra, f) > 0);
+  if(is_done && number_held > number_before - ledger.free_points().size())
+    ++number_of["cluster of which a point got a number in a round"];
 }
 
 // A mesh in which some of the inner vertices are free Steiner points, and some facets between others are constrained.
@@ -387,9 +448,12 @@ int main()
   test_merge_of_exact_position();
   test_forgetting();
   test_points_without_number();
+  for(const unsigned seed : { 32, 215, 279, 378, 530, 774, 785, 811, 881, 1013, 1113, 1147 })
+    test_cluster_without_numbers(seed);
   for(const char* kind : { "points that were merged", "point that cannot be merged", "neighbor that was removed",
                            "ball that was reduced", "ball that was not reduced", "point that got a number",
-                           "point without a number", "stop" })
+                           "point without a number", "stop",
+                           "cluster of which a point got a number in a round" })
   {
     std::cout << number_of[kind] << " x " << kind << std::endl;
     assert(number_of[kind] > 0);

@@ -45,16 +45,23 @@ template <typename Tr, typename Domain, typename Sizes, typename Visitor>
 class Fill_domain_3
 {
 public:
-  typedef typename Tr::Vertex_handle      Vertex_handle;
-  typedef typename Tr::Cell_handle        Cell_handle;
-  typedef typename Tr::Geom_traits::Point_3 Point_3;
-  typedef std::vector<Vertex_handle>      Vertices;
-  typedef std::array<Coordinates_3, 4>    Corners;
+  typedef typename Tr::Vertex_handle          Vertex_handle;
+  typedef typename Tr::Cell_handle            Cell_handle;
+  typedef typename Tr::Geom_traits::Point_3   Point_3;
+  typedef std::vector<Vertex_handle>          Vertices;
+  typedef std::array<Coordinates_3, 4>        Corners;
 
   Fill_domain_3(Tr& tr, Domain& domain, Sizes& sizes, Recovery_context<Visitor>& context)
     : m_tr(tr), m_domain(domain), m_sizes(sizes), m_context(context), m_cavity(tr, domain),
       m_insert(tr, domain, context.visitor())
   { }
+
+  // No vertex is left as pending, also if somebody throws.
+  ~Fill_domain_3()
+  {
+    for(const Vertex_handle v : m_pending)
+      m_sizes.settle(v);
+  }
 
   // Fills the domain, which has these cells, until it is done, or there are as many vertices as allowed, or the context
   // or the sizes say no. About `expected_number` points are expected; only reports of progress depend on that.
@@ -69,8 +76,8 @@ public:
         look_at(cells[k]);
         look_around_new_vertices();
       }
-    for(const Vertex_handle v : m_pending)
-      m_sizes.settle(v);
+    if(can_go_on())
+      tell_progress(m_vertices.size());
   }
 
   // The vertices that were inserted, in order.
@@ -211,7 +218,12 @@ private:
       return;
     m_expected_number = (std::max)(m_expected_number, n);
     m_next_report = n + m_expected_number / number_of_reports + 1;
-    m_context.visitor().on_progress(Meshing_phase::field_point_insertion, n, m_expected_number);
+    tell_progress(m_expected_number);
+  }
+
+  void tell_progress(const std::size_t expected_number)
+  {
+    m_context.visitor().on_progress(Meshing_phase::field_point_insertion, m_vertices.size(), expected_number);
   }
 
   Tr& m_tr;

@@ -40,14 +40,11 @@ public:
 
   Insert_field_point_3(Tr& tr, Domain& domain, Visitor& visitor) : m_tr(tr), m_domain(domain), m_visitor(visitor) { }
 
-  // Inserts p; the cavity is that of p. Returns the new vertex. If memory is lacking, nothing is changed.
+  // Inserts p; the cavity is that of p. Returns the new vertex. If memory is lacking, or the visitor throws beforehand,
+  // nothing is changed.
   Vertex_handle operator()(Cavity& cavity, const Point& p)
   {
-    m_visitor.before_cells_removal(cavity.cells());
-    collect_facets(cavity);
-    reserve_edges(cavity.vertices().size());
-    const Vertex_handle v = m_tr.tds().create_vertex();
-    create_cells(v);
+    const Vertex_handle v = prepare(cavity);
     v->set_point(p);
     v->set_cell(m_new_cells.front());
     glue_facets(cavity.cells().front()->subdomain_index());
@@ -75,6 +72,22 @@ private:
     int index;
     Surface_patch_index patch;
   };
+
+  // Creates the vertex and the cells.
+  Vertex_handle prepare(Cavity& cavity)
+  {
+    try {
+      m_visitor.before_cells_removal(cavity.cells());
+      collect_facets(cavity);
+      reserve_edges(cavity.vertices().size());
+      const Vertex_handle v = m_tr.tds().create_vertex();
+      create_cells(v);
+      return v;
+    } catch(...) {
+      cavity.clear(true);
+      throw;
+    }
+  }
 
   void collect_facets(const Cavity& cavity)
   {
