@@ -75,8 +75,12 @@ public:
     else
     {
       insert_random_points();
-      mark_random_regions();
-      mark_random_sheets();
+      if(random_int(2) == 0)
+        flip_randomly();
+      const bool is_one_region = random_int(3) == 0;
+      mark_random_regions(is_one_region);
+      if(! is_one_region)
+        mark_random_sheets();
     }
     const bool is_selected_all = random_int(2) == 0;
     const int part_of_edges = 5 + random_int(100);
@@ -214,7 +218,7 @@ private:
 
   void insert_random_points()
   {
-    const int grid = 2 + random_int(5), number = 6 + random_int(25), positions = random_int(4);
+    const int grid = 2 + random_int(5), number = 6 + random_int(40), positions = random_int(4);
     const double unit = positions == 0 ? 0.1 : 1;
     extent = grid * unit;
     const auto coordinate = [&]
@@ -232,12 +236,27 @@ private:
     assert(tr.dimension() == 3);
   }
 
-  // Each grows from a cell; or each cell has any region.
-  void mark_random_regions()
+  // Far from Delaunay, circumspheres contain vertices.
+  void flip_randomly()
+  {
+    for(int k = 0; k < 400; ++k)
+    {
+      const std::vector<Cell_handle> cells(tr.finite_cell_handles().begin(), tr.finite_cell_handles().end());
+      const Cell_handle c = cells[random_int(static_cast<int>(cells.size()))];
+      const int i = random_int(4);
+      if(! tr.flip(c, i))
+        tr.flip(c, i, (i + 1 + random_int(3)) % 4);
+    }
+    assert(br3_test::is_valid_mesh(tr));
+  }
+
+  // Each grows from a cell; or each cell has any region; or all have the same.
+  void mark_random_regions(const bool is_one_region)
   {
     const std::vector<Cell_handle> cells(tr.finite_cell_handles().begin(), tr.finite_cell_handles().end());
-    const int number = static_cast<int>(cells.size()), number_of_regions = 1 + random_int(3);
-    const bool are_scattered = random_int(4) == 0, is_background_inside = random_int(2) == 0;
+    const int number = static_cast<int>(cells.size()), number_of_regions = is_one_region ? 1 : 1 + random_int(3);
+    const bool are_scattered = ! is_one_region && random_int(4) == 0;
+    const bool is_background_inside = is_one_region || random_int(2) == 0;
     for(const Cell_handle c : tr.all_cell_handles())
       c->set_subdomain_index(tr.is_infinite(c) ? 0 : are_scattered ? random_int(number_of_regions + 1)
                                                                    : is_background_inside);
@@ -475,7 +494,10 @@ std::vector<double> make_and_judge(const unsigned seed, Counts& counts)
 {
   Random_mesh<Kernel> mesh(seed);
   if(seed % 2 == 0)
+  {
+    insert_anywhere(mesh, counts); // before most of the mesh is Delaunay
     fill_with_one_size(mesh, counts);
+  }
   else
     fill_around_sources(mesh, counts);
   insert_anywhere(mesh, counts);
