@@ -41,15 +41,16 @@ namespace CGAL {
  * by the Bowyer-Watson algorithm in the region of the cell: constrained facets and edges, and facets between regions,
  * are neither crossed nor split. Where triangles of the surface are larger than the size, cells at them are, too.
  *
- * The triangulation may come from `mark_domain()`, or from CGAL's remeshing; those of Mesh_3 have weighted points, and
- * do not fit. Constrained are the facets for which `is_facet_on_surface()` holds, those between cells of different
- * `subdomain_index()`, and edges that are named. New cells have the region of their place, new vertices the dimension 3
- * and its index. If vertices have `meshing_info()`, the sizes at them are there afterwards.
+ * The triangulation may come from `mark_domain()`, from CGAL's remeshing, or, by `convert_to_triangulation_3()`, from
+ * Mesh_3, whose points have weights that nobody asks for. Constrained are the facets for which `is_facet_on_surface()`
+ * holds, those between cells of different `subdomain_index()`, and edges that are named. New cells have the region of
+ * their place, new vertices the dimension 3 and its index. If vertices have `meshing_info()`, the sizes at them are
+ * there afterwards.
  *
  * Nothing is printed. What the size field throws does not get out.
  *
- * \tparam Triangulation an instance of `Triangulation_3`, or of a class derived from it, whose point type is the
- *         `Point_3` of its geometric traits; its cells are models of `MeshCellBase_3`
+ * \tparam Triangulation an instance of `Triangulation_3`, or of a class derived from it, whose cells are models of
+ *         `MeshCellBase_3`
  * \tparam SizingField a number type, or a model of `MeshDomainField_3`
  * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
  *

@@ -47,7 +47,7 @@ class Field_point_cavity_3
 public:
   typedef typename Tr::Vertex_handle    Vertex_handle;
   typedef typename Tr::Cell_handle      Cell_handle;
-  typedef typename Tr::Point            Point;
+  typedef typename Tr::Geom_traits::Point_3 Point;
   typedef std::vector<Cell_handle>      Cells;
   typedef Local_numbers<Vertex_handle>  Vertices;
 
@@ -170,7 +170,9 @@ private:
 
   bool is_seen(const std::array<Vertex_handle, 3>& face) const
   {
-    return m_tr.geom_traits().orientation_3_object()(face[0]->point(), face[1]->point(), face[2]->point(), m_point)
+    return m_tr.geom_traits().orientation_3_object()(internal::bare_point<Point>(face[0]->point()),
+                                                     internal::bare_point<Point>(face[1]->point()),
+                                                     internal::bare_point<Point>(face[2]->point()), m_point)
       == POSITIVE;
   }
 

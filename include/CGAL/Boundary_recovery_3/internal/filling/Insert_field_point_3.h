@@ -36,7 +36,7 @@ public:
   typedef Field_point_cavity_3<Tr, Domain>  Cavity;
   typedef typename Tr::Vertex_handle        Vertex_handle;
   typedef typename Tr::Cell_handle          Cell_handle;
-  typedef typename Tr::Point                Point;
+  typedef typename Cavity::Point            Point;
 
   Insert_field_point_3(Tr& tr, Domain& domain, Visitor& visitor) : m_tr(tr), m_domain(domain), m_visitor(visitor) { }
 
@@ -45,7 +45,7 @@ public:
   Vertex_handle operator()(Cavity& cavity, const Point& p)
   {
     const Vertex_handle v = prepare(cavity);
-    v->set_point(p);
+    v->set_point(typename Tr::Point(p));
     v->set_cell(m_new_cells.front());
     glue_facets(cavity.cells().front()->subdomain_index());
     glue_cells(cavity.vertices());

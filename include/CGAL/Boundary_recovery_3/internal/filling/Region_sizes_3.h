@@ -61,7 +61,7 @@ public:
           continue;
         if(! is_one_region)
           last_region[v] = region(c);
-        const double size = m_query(v->point(), 3, region(c));
+        const double size = m_query(internal::bare_point<Point_3>(v->point()), 3, region(c));
         if(! is_valid())
           return false;
         m_at_vertices.set(v, m_at_vertices.is_known(v) ? (std::min)(m_at_vertices[v], size) : size);
