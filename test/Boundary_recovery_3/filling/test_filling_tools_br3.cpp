@@ -197,6 +197,7 @@ void test_region_sizes()
     const Coordinates center = internal::centroid(t);
     const double least = sizes.least_size_inside(c, t);
     assert(least > 0 && least <= sizes(center, c) && sizes(center, c) == cone(point(center)));
+    assert(sizes.likely_size_inside(c, t, 0.4) >= sizes(center, c));
   }
 
   // At vertices of several regions, the smallest size counts.
@@ -222,7 +223,7 @@ void test_region_sizes()
   const double number = 0.25;
   internal::Region_sizes_3<Tr, double> numbers(tr, number);
   assert(numbers.ask_at_vertices(cells) && numbers.least_size_inside(cells[0], internal::corners(cells[0])) == 0.25);
-  assert(numbers.smallest_size_at_vertices(cells[0]) == 0.25);
+  assert(numbers.likely_size_inside(cells[0], internal::corners(cells[0]), 0) == 0.25);
 
   const auto bad = [](const Point& p) { return p.x() - 0.5; };
   internal::Region_sizes_3<Tr, decltype(bad)> invalid(tr, bad);

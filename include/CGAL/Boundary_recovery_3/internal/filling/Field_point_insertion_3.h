@@ -118,7 +118,10 @@ private:
     auto size = [this](const Coordinates_3& p, const int region) { return m_sizes(p, region); };
     Forecast_3<decltype(size)> integral(size, m_sizes.gradation());
     for(const Cell_handle c : m_cells)
-      integral.add(internal::corners(c), m_sizes.region(c), m_sizes.smallest_size_at_vertices(c));
+    {
+      const auto corners = internal::corners(c);
+      integral.add(corners, m_sizes.region(c), m_sizes.likely_size_inside(c, corners, integral.gradation()));
+    }
     const double number = integral((std::min)(least_number_of_questions + m_cells.size(), largest_number_of_questions));
     return std::isnan(number) ? std::numeric_limits<double>::infinity() : number;
   }

@@ -43,7 +43,10 @@ public:
     : m_size(size), m_gradation((std::min)(gradation, assumed_gradation))
   { }
 
-  // Its size at some place inside, or near it, is `h`.
+  // By how much sizes are assumed to grow per length.
+  double gradation() const { return m_gradation; }
+
+  // Its size at the centroid is about `h`.
   void add(const Tetrahedron& t, const int region, const double h) { push(t, region, h); }
 
   // Cuts the tetrahedra, which takes as many questions as are allowed, and returns the sum.

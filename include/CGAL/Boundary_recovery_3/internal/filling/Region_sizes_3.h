@@ -99,10 +99,15 @@ public:
     return least;
   }
 
-  double smallest_size_at_vertices(const Cell_handle c) const
+  // A size that is likely at the centroid of a cell: as far as the vertices tell, sizes grow from these with `gradation`.
+  double likely_size_inside(const Cell_handle c, const std::array<Coordinates_3, 4>& corners,
+                            const double gradation) const
   {
-    return (std::min)((std::min)(m_at_vertices[c->vertex(0)], m_at_vertices[c->vertex(1)]),
-                      (std::min)(m_at_vertices[c->vertex(2)], m_at_vertices[c->vertex(3)]));
+    const Coordinates_3 center = internal::centroid(corners);
+    double likely = std::numeric_limits<double>::infinity();
+    for(int i = 0; i < 4; ++i)
+      likely = (std::min)(likely, m_at_vertices[c->vertex(i)] + gradation * internal::distance(corners[i], center));
+    return likely;
   }
 
   // By how much sizes grow per length, at most; maybe infinite.
