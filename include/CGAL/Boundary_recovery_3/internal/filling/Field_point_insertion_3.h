@@ -103,10 +103,12 @@ private:
     for(const Cell_handle c : m_tr.finite_cell_handles())
       if(m_domain.contains(c))
         m_cells.push_back(c);
-    if(! m_sizes.ask_at_vertices(m_cells))
-      return;
     const double number_of_cells = static_cast<double>(m_cells.size());
     const double number_of_vertices = static_cast<double>(m_tr.number_of_vertices());
+    m_result.forecast_of_cells = number_of_cells; // what is there at least
+    m_result.forecast_of_vertices = number_of_vertices;
+    if(! m_sizes.ask_at_vertices(m_cells))
+      return;
     m_result.forecast_of_cells = (std::max)(cells_per_forecast_cell * number_of_regular_cells(), number_of_cells);
     const double inner_cells = m_result.forecast_of_cells - cells_per_surface_vertex * number_of_vertices;
     m_result.forecast_of_vertices = number_of_vertices + (std::max)(0., inner_cells / cells_per_inner_vertex);

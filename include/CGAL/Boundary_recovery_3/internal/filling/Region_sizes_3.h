@@ -99,7 +99,7 @@ public:
     return least;
   }
 
-  // A size that is likely at the centroid of a cell: as far as the vertices tell, sizes grow from these with `gradation`.
+  // A size that is likely at the centroid of a cell: sizes grow from those at the vertices with `gradation`.
   double likely_size_inside(const Cell_handle c, const std::array<Coordinates_3, 4>& corners,
                             const double gradation) const
   {
