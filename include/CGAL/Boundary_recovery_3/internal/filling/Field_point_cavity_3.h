@@ -119,10 +119,8 @@ private:
   // Returns whether it is far enough.
   bool add(const Vertex_handle v)
   {
-    if(! m_vertices.insert(v))
-      return true;
-    const Coordinates_3 d = internal::difference(internal::coordinates_of(v->point()), m_coordinates);
-    return internal::dot_product(d, d) >= m_min_squared_distance;
+    return ! m_vertices.insert(v)
+        || internal::squared_distance(internal::coordinates_of(v->point()), m_coordinates) >= m_min_squared_distance;
   }
 
   void add(const Cell_handle c)

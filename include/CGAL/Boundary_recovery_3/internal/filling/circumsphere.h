@@ -13,6 +13,7 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/filling/Unit_frame_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/distances_3.h>
 
 #include <array>
 #include <cmath>
@@ -60,8 +61,7 @@ inline Coordinates_3 centroid(const std::array<Coordinates_3, 4>& p)
 
 inline double distance(const Coordinates_3& p, const Coordinates_3& q)
 {
-  const Coordinates_3 d = difference(p, q);
-  return std::sqrt(dot_product(d, d));
+  return std::sqrt(squared_distance(p, q));
 }
 
 template <typename Cell_handle>
