@@ -148,11 +148,8 @@ private:
   // Whether the point does not see a facet from inside; only asked for in large cavities.
   bool is_hidden(const Cell_handle c, const int i) const
   {
-    if(m_cells.size() < max_number_of_hidden_cells)
-      return false;
-    std::array<Coordinates_3, 4> with_point = internal::corners(c);
-    with_point[i] = m_coordinates;
-    return ! (internal::volume_times_6(with_point) > 0);
+    return m_cells.size() >= max_number_of_hidden_cells
+        && ! (internal::volume_times_6_with(internal::corners(c), i, m_coordinates) > 0);
   }
 
   // Whether the circumsphere of a cell contains the point, in floating point numbers: a wrong answer makes another

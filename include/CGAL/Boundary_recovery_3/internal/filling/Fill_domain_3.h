@@ -169,9 +169,7 @@ private:
     double smallest_volume = 0;
     for(int i = 0; i < 4; ++i)
     {
-      Corners with_q = p;
-      with_q[i] = q;
-      const double volume = internal::volume_times_6(with_q);
+      const double volume = internal::volume_times_6_with(p, i, q);
       if(volume < smallest_volume)
       {
         smallest_volume = volume;

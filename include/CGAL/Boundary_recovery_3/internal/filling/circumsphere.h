@@ -77,6 +77,13 @@ inline double volume_times_6(const std::array<Coordinates_3, 4>& p)
   return dot_product(difference(p[1], p[0]), cross_product(difference(p[2], p[0]), difference(p[3], p[0])));
 }
 
+// The same with q in the place of the corner i: not positive if the facet opposite to that corner hides q.
+inline double volume_times_6_with(std::array<Coordinates_3, 4> p, const int i, const Coordinates_3& q)
+{
+  p[i] = q;
+  return volume_times_6(p);
+}
+
 } // namespace internal
 } // namespace Boundary_recovery_3
 } // namespace CGAL
