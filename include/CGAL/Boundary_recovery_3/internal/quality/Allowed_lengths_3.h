@@ -1,0 +1,249 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_ALLOWED_LENGTHS_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_ALLOWED_LENGTHS_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/internal/filling/Vertex_sizes_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/distances_3.h>
+
+#include <CGAL/Unique_hash_map.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <queue>
+#include <tuple>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * How long edges of the mesh may be, so that the size field holds: neither longer than twice nor shorter than half of
+ * the size, as far as sizes are known.
+ *
+ * But an edge may be as long as a constrained one that has an end in common with it, and as short as the constrained
+ * ones nearby, where "nearby" fades with distance: beside a thin triangle of the surface, cells of the right size would
+ * be bad.
+ */
+template <typename Tr>
+class Allowed_lengths_3
+{
+public:
+  typedef typename Tr::Vertex_handle Vertex_handle;
+
+  struct Range
+  {
+    double least;
+    double largest;
+  };
+
+  template <typename Domain>
+  Allowed_lengths_3(const Tr& tr, const Domain& domain)
+    : m_of_constraints(Range{ std::numeric_limits<double>::infinity(), 0 })
+  {
+    if constexpr(Has_meshing_info<typename Tr::Vertex>::value)
+    {
+      std::vector<Vertex_handle> vertices;
+      for(const auto c : tr.finite_cell_handles())
+        if(domain.contains(c))
+          for(int i = 0; i < 4; ++i)
+            if(domain.is_wall(c, i))
+              add_facet(c, i, vertices);
+      spread_least(tr, vertices);
+      spread_largest(tr, vertices);
+    }
+  }
+
+  // The size at a vertex; 0: not known.
+  static double size(const Vertex_handle v)
+  {
+    if constexpr(Has_meshing_info<typename Tr::Vertex>::value)
+      return CGAL::to_double(v->meshing_info());
+    else
+      return 0;
+  }
+
+  // The length that edges of a vertex have at least.
+  double least(const Vertex_handle v) const { return (std::min)(0.5 * size(v), of_constraints(v).least); }
+
+  // Where an edge may have this length, edges this far away may be longer by that.
+  static double faded(const double least, const double distance) { return least + 0.5 * distance; }
+
+  // Edges of a new vertex may have this length.
+  void set_least(const Vertex_handle v, const double length) { m_of_constraints[v].least = length; }
+
+  // Of an edge between two vertices.
+  Range at(const Vertex_handle u, const Vertex_handle v) const { return at(u, size(v), of_constraints(v)); }
+
+  // Of an edge from u to a new vertex with this size, whose edges may have this length.
+  Range at(const Vertex_handle u, const double size, const double least) const
+  {
+    return at(u, size, Range{ least, 0 });
+  }
+
+private:
+  Range at(const Vertex_handle u, const double size_at_v, const Range& constraints_at_v) const
+  {
+    const double size_at_u = size(u);
+    if(! (size_at_u > 0 && size_at_v > 0))
+      return Range{ 0, std::numeric_limits<double>::infinity() };
+    const double mean = 0.5 * (size_at_u + size_at_v);
+    const Range& constraints = of_constraints(u);
+    return Range{ (std::min)({ 0.5 * mean, constraints.least, constraints_at_v.least }),
+                  (std::max)({ 2 * mean, constraints.largest, constraints_at_v.largest }) };
+  }
+
+  const Range& of_constraints(const Vertex_handle v) const
+  {
+    const auto& table = m_of_constraints;
+    return table[v];
+  }
+
+  static double distance(const Vertex_handle u, const Vertex_handle v)
+  {
+    return internal::distance(internal::coordinates_of(u->point()), internal::coordinates_of(v->point()));
+  }
+
+  template <typename Cell_handle>
+  void add_facet(const Cell_handle c, const int i, std::vector<Vertex_handle>& vertices)
+  {
+    for(int k = 0; k < 4; ++k)
+      for(int l = 0; l < 4; ++l)
+        if(k != i && l != i && k != l)
+        {
+          const double d = distance(c->vertex(k), c->vertex(l));
+          Range& range = m_of_constraints[c->vertex(k)];
+          if(range.largest == 0)
+            vertices.push_back(c->vertex(k));
+          range.least = (std::min)(range.least, d);
+          range.largest = (std::max)(range.largest, d);
+        }
+  }
+
+  void spread_least(const Tr& tr, const std::vector<Vertex_handle>& from)
+  {
+    spread(tr, from,
+           [this](const Vertex_handle v) { return - m_of_constraints[v].least; },
+           [this](const Vertex_handle v) { return - least(v); },
+           [this](const Vertex_handle v, const double x) { m_of_constraints[v].least = -x; }, 0.5);
+  }
+
+  void spread_largest(const Tr& tr, const std::vector<Vertex_handle>& from)
+  {
+    spread(tr, from,
+           [this](const Vertex_handle v) { return m_of_constraints[v].largest; },
+           [this](const Vertex_handle v) { return (std::max)(2 * size(v), m_of_constraints[v].largest); },
+           [this](const Vertex_handle v, const double x) { m_of_constraints[v].largest = x; }, 1);
+  }
+
+  // From the vertices on constraints to those around (Dijkstra), as long as it makes a difference: what fades with
+  // distance is larger than what is known there.
+  template <typename Value, typename Known, typename Set>
+  void spread(const Tr& tr, const std::vector<Vertex_handle>& from, const Value& value, const Known& known,
+              const Set& set, const double fading)
+  {
+    typedef std::tuple<double, std::size_t, Vertex_handle> Entry; // the number makes the order independent of addresses
+    const auto is_later = [](const Entry& x, const Entry& y)
+    {
+      return std::get<0>(x) < std::get<0>(y) || (std::get<0>(x) == std::get<0>(y) && std::get<1>(x) > std::get<1>(y));
+    };
+    std::priority_queue<Entry, std::vector<Entry>, decltype(is_later)> queue(is_later);
+    std::size_t number = 0;
+    for(const Vertex_handle v : from)
+      if(value(v) >= known(v))
+        queue.emplace(value(v), number++, v);
+    std::vector<Vertex_handle> neighbors;
+    while(! queue.empty())
+    {
+      const auto [at_u, k, u] = queue.top();
+      queue.pop();
+      if(at_u < value(u))
+        continue;
+      neighbors.clear();
+      tr.tds().adjacent_vertices(u, std::back_inserter(neighbors));
+      for(const Vertex_handle v : neighbors)
+      {
+        if(tr.is_infinite(v))
+          continue;
+        const double at_v = at_u - fading * distance(u, v);
+        if(at_v > known(v))
+        {
+          set(v, at_v);
+          queue.emplace(at_v, number++, v);
+        }
+      }
+    }
+  }
+
+  Unique_hash_map<Vertex_handle, Range> m_of_constraints; // for looking up only
+};
+
+/*
+ * Where a vertex may be, so that the lengths of its edges are allowed. Edges whose lengths are not may stay as they are.
+ */
+template <typename Tr>
+class Allowed_places_3
+{
+public:
+  typedef typename Tr::Vertex_handle Vertex_handle;
+
+  // The vertex v has edges to these vertices.
+  template <typename VertexRange>
+  void assign(const Allowed_lengths_3<Tr>& lengths, const Vertex_handle v, const VertexRange& neighbors)
+  {
+    m_limits.clear();
+    const Coordinates_3 before = internal::coordinates_of(v->point());
+    for(const Vertex_handle u : neighbors)
+    {
+      const Coordinates_3 p = internal::coordinates_of(u->point());
+      const double d = internal::distance(before, p);
+      const auto range = lengths.at(v, u);
+      add(p, (std::min)(range.least, d), (std::max)(range.largest, d));
+    }
+  }
+
+  bool operator()(const Coordinates_3& p) const
+  {
+    return std::all_of(m_limits.begin(), m_limits.end(), [&](const Limit& limit)
+    {
+      const double d = internal::squared_distance(p, limit.center);
+      return d >= limit.least && d <= limit.largest;
+    });
+  }
+
+private:
+  // Squares of lengths.
+  struct Limit
+  {
+    Coordinates_3 center;
+    double least;
+    double largest;
+  };
+
+  void add(const Coordinates_3& center, const double least, const double largest)
+  {
+    m_limits.push_back(Limit{ center, least * least, largest * largest });
+  }
+
+  std::vector<Limit> m_limits;
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_ALLOWED_LENGTHS_3_H

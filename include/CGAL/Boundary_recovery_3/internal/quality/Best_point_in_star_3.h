@@ -1,0 +1,204 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_BEST_POINT_IN_STAR_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_BEST_POINT_IN_STAR_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/distances_3.h>
+
+#include <boost/container/static_vector.hpp>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * Searches the point from which a polyhedron is starred best: the worst of the cells of its faces and the point is to
+ * be as good as possible.
+ *
+ * That is a small non-smooth optimisation (Freitag and Ollivier-Gooch): from the point at hand, it goes in the direction
+ * in which all of the worst cells get better at once, that is, the shortest convex combination of the gradients of their
+ * qualities; by half of the step again and again where that is too far. Gradients are differences.
+ */
+template <typename Quality>
+class Best_point_in_star_3
+{
+public:
+  typedef std::array<Coordinates_3, 3> Face; // seen from inside
+
+  explicit Best_point_in_star_3(const Quality& quality) : m_quality(quality) { }
+
+  // Cells better than `enough` need not be any better.
+  void clear(const double enough)
+  {
+    m_enough = enough;
+    m_faces.clear();
+  }
+
+  void add(const Face& face) { m_faces.push_back(face); }
+
+  std::size_t number_of_faces() const { return m_faces.size(); }
+
+  // The quality of the worst cell with the point.
+  double worst_quality(const Coordinates_3& p) const
+  {
+    double worst = 2;
+    for(std::size_t k = 0; k < m_faces.size(); ++k)
+      worst = (std::min)(worst, quality(k, p));
+    return worst;
+  }
+
+  // Moves the point to better places, until all cells are good enough, or nothing helps. The worst cell never gets worse. `is_allowed` tells where the point may be. Returns whether the point was moved.
+  template <typename IsAllowed>
+  bool improve(Coordinates_3& p, const IsAllowed& is_allowed)
+  {
+    const Coordinates_3 before = p;
+    double badness = set_qualities(p);
+    double step = 0.25 * typical_length(p);
+    for(int round = 0; round < max_number_of_rounds && badness > 0; ++round)
+    {
+      Coordinates_3 direction = descent(p, 1e-4 * typical_length(p));
+      const double length = std::sqrt(dot_product(direction, direction));
+      if(! (length > 0))
+        break;
+      for(double& x : direction)
+        x /= length;
+      if(! walk(p, direction, step, badness, is_allowed))
+        break;
+      const double better = set_qualities(p);
+      const bool is_slow = better > (1 - least_progress) * badness;
+      badness = better;
+      if(is_slow)
+        break;
+    }
+    return p != before;
+  }
+
+private:
+  // See "Tuning constants" in the manual.
+  static constexpr int max_number_of_rounds = 8;
+  static constexpr int max_number_of_halvings = 5;
+  static constexpr std::size_t max_number_of_active_cells = 6;
+  static constexpr double active_difference = 0.05;
+  static constexpr double least_progress = 0.005;
+
+  double quality(const std::size_t k, const Coordinates_3& p) const
+  {
+    const Face& f = m_faces[k];
+    return m_quality({{ f[0], f[1], f[2], p }});
+  }
+
+  // Returns how bad the cells are.
+  double set_qualities(const Coordinates_3& p)
+  {
+    m_qualities.resize(m_faces.size());
+    double badness = 0;
+    m_worst = 2;
+    for(std::size_t k = 0; k < m_faces.size(); ++k)
+    {
+      m_qualities[k] = quality(k, p);
+      m_worst = (std::min)(m_worst, m_qualities[k]);
+      badness += lack(m_qualities[k]) * lack(m_qualities[k]);
+    }
+    return badness;
+  }
+
+  double lack(const double quality) const { return (std::max)(0., 1 - quality / m_enough); }
+
+  bool is_better(const Coordinates_3& p, const double badness) const
+  {
+    double sum = 0;
+    for(std::size_t k = 0; k < m_faces.size(); ++k)
+    {
+      const double q = quality(k, p);
+      sum += lack(q) * lack(q);
+      if(q < m_worst || ! (sum < badness))
+        return false;
+    }
+    return true;
+  }
+
+  double typical_length(const Coordinates_3& p) const
+  {
+    double sum = 0;
+    for(const Face& f : m_faces)
+      sum += internal::distance(f[0], p);
+    return sum / static_cast<double>(m_faces.size());
+  }
+
+  // Goes as far as the step, or a half or a quarter of it ..., if that makes the worst cell better. The next step is
+  // about as long.
+  template <typename IsAllowed>
+  bool walk(Coordinates_3& p, const Coordinates_3& direction, double& step, const double badness,
+            const IsAllowed& is_allowed) const
+  {
+    for(int halving = 0; halving <= max_number_of_halvings; ++halving)
+    {
+      const Coordinates_3 q = {{ p[0] + step * direction[0], p[1] + step * direction[1], p[2] + step * direction[2] }};
+      if(is_allowed(q) && is_better(q, badness))
+      {
+        p = q;
+        step *= 1.5;
+        return true;
+      }
+      step *= 0.5;
+    }
+    return false;
+  }
+
+  Coordinates_3 gradient(const std::size_t k, const Coordinates_3& p, const double h) const
+  {
+    Coordinates_3 g;
+    for(int i = 0; i < 3; ++i)
+    {
+      Coordinates_3 lower = p, upper = p;
+      lower[i] -= h;
+      upper[i] += h;
+      g[i] = (quality(k, upper) - quality(k, lower)) / (2 * h);
+    }
+    return g;
+  }
+
+  // The direction in which the cells get less bad.
+  Coordinates_3 descent(const Coordinates_3& p, const double h) const
+  {
+    Coordinates_3 sum = {{ 0, 0, 0 }};
+    for(std::size_t k = 0; k < m_faces.size(); ++k)
+      if(m_qualities[k] < m_enough)
+      {
+        const Coordinates_3 g = gradient(k, p, h);
+        for(int i = 0; i < 3; ++i)
+          sum[i] += lack(m_qualities[k]) * g[i];
+      }
+    return sum;
+  }
+
+  const Quality& m_quality;
+  std::vector<Face> m_faces;
+  std::vector<double> m_qualities;
+  double m_enough = 0;
+  double m_worst = 0; // of the qualities
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_BEST_POINT_IN_STAR_3_H

@@ -1,0 +1,139 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_CONTRACT_BAD_EDGE_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_CONTRACT_BAD_EDGE_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Free_star_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/contains.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * Removes a free vertex by the contraction of one of its edges: the cells that are left fill the star of the vertex from
+ * the other end.
+ */
+template <typename Mesh>
+class Contract_bad_edge_3
+{
+public:
+  typedef typename Mesh::Vertex_handle Vertex_handle;
+  typedef typename Mesh::Cell_handle   Cell_handle;
+  typedef typename Mesh::Cells         Cells;
+
+  explicit Contract_bad_edge_3(Mesh& mesh) : m_mesh(mesh), m_star(mesh) { }
+
+  // Searches for the best edge of v to be contracted. Returns whether the cells would be less bad then, by more than
+  // `least_gain`, and none worse than the worst one now.
+  bool find(const Vertex_handle v, const double least_gain)
+  {
+    m_v = v;
+    m_to = Vertex_handle();
+    if(! m_star.collect(v))
+      return false;
+    m_worst = 2;
+    double badness = 0;
+    for(const Cell_handle c : m_star.cells())
+    {
+      const double q = m_mesh.quality(c);
+      m_worst = (std::min)(m_worst, q);
+      badness += m_mesh.badness(q);
+    }
+    m_least = badness - least_gain;
+    for(const Vertex_handle u : m_star.neighbors())
+      look_at(u);
+    m_gain = badness - m_least;
+    return m_to != Vertex_handle();
+  }
+
+  // By how much the cells would be less bad.
+  double gain() const { return m_gain; }
+
+  // Contracts the edge. Returns false, and does nothing, if a new cell is not positively oriented.
+  bool apply()
+  {
+    m_tetrahedra.clear();
+    for(const auto& f : m_star.faces())
+      if(! internal::contains(f, m_to))
+      {
+        if(! m_mesh.is_positive(f[0], f[1], f[2], m_to))
+          return false;
+        m_tetrahedra.push_back(Tetrahedron{{ f[0], f[1], f[2], m_to }});
+      }
+    m_new_cells = &m_mesh.replace(m_star.cells(), m_tetrahedra, m_v);
+    return true;
+  }
+
+  const Cells& new_cells() const { return *m_new_cells; }
+
+private:
+  typedef typename Mesh::Tetrahedron Tetrahedron;
+
+  void look_at(const Vertex_handle u)
+  {
+    const Coordinates_3 p = Mesh::coordinates(u);
+    double badness = 0;
+    for(const auto& f : m_star.faces())
+      if(! internal::contains(f, u))
+      {
+        const double q = m_mesh.quality({{ Mesh::coordinates(f[0]), Mesh::coordinates(f[1]),
+                                           Mesh::coordinates(f[2]), p }});
+        badness += m_mesh.badness(q);
+        if(q < m_worst || ! (badness < m_least))
+          return;
+      }
+    if(! are_edges_in_size(u))
+      return;
+    m_least = badness;
+    m_to = u;
+  }
+
+  // Whether the edges that u gets would be.
+  bool are_edges_in_size(const Vertex_handle u) const
+  {
+    for(const auto& f : m_star.faces())
+      if(! internal::contains(f, u))
+        for(const Vertex_handle w : f)
+          if(! m_mesh.is_edge_in_size(u, w) && ! is_edge_of_link(u, w))
+            return false;
+    return true;
+  }
+
+  bool is_edge_of_link(const Vertex_handle u, const Vertex_handle w) const
+  {
+    return std::any_of(m_star.faces().begin(), m_star.faces().end(), [&](const auto& f)
+    {
+      return internal::contains(f, u) && internal::contains(f, w);
+    });
+  }
+
+  Mesh& m_mesh;
+  Free_star_3<Mesh> m_star;
+  Vertex_handle m_v, m_to;
+  double m_worst = 0; // quality of the cells around v
+  double m_least = 0; // badness
+  double m_gain = 0;
+  std::vector<Tetrahedron> m_tetrahedra;
+  const Cells* m_new_cells = nullptr;
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_CONTRACT_BAD_EDGE_3_H

@@ -1,0 +1,74 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_FLIP_BAD_CELL_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_FLIP_BAD_CELL_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/internal/quality/Remove_bad_edge_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Remove_bad_facet_3.h>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * Removes the edge or the facet of a bad cell that helps most.
+ */
+template <typename Mesh>
+class Flip_bad_cell_3
+{
+public:
+  typedef typename Mesh::Cell_handle Cell_handle;
+  typedef typename Mesh::Cells       Cells;
+
+  explicit Flip_bad_cell_3(Mesh& mesh) : m_remove_edge(mesh), m_remove_facet(mesh) { }
+
+  // Returns whether that was done.
+  bool operator()(const Cell_handle c)
+  {
+    double gain = 0;
+    int i = -1, j = -1; // the edge from vertex i to vertex j, or, if j is negative, the facet opposite to vertex i
+    for(int k = 0; k < 4; ++k)
+      for(int l = k + 1; l < 4; ++l)
+        if(m_remove_edge.find(c, k, l, gain))
+        {
+          gain = m_remove_edge.gain();
+          i = k;
+          j = l;
+        }
+    for(int k = 0; k < 4; ++k)
+      if(m_remove_facet.find(c, k, gain))
+      {
+        gain = m_remove_facet.gain();
+        i = k;
+        j = -1;
+      }
+    m_new_cells = nullptr;
+    if(i >= 0 && j >= 0 && m_remove_edge.find(c, i, j, 0) && m_remove_edge.apply())
+      m_new_cells = &m_remove_edge.new_cells();
+    if(i >= 0 && j < 0 && m_remove_facet.find(c, i, 0) && m_remove_facet.apply())
+      m_new_cells = &m_remove_facet.new_cells();
+    return m_new_cells != nullptr;
+  }
+
+  const Cells& new_cells() const { return *m_new_cells; }
+
+private:
+  Remove_bad_edge_3<Mesh> m_remove_edge;
+  Remove_bad_facet_3<Mesh> m_remove_facet;
+  const Cells* m_new_cells = nullptr;
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_FLIP_BAD_CELL_3_H

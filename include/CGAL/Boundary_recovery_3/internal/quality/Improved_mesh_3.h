@@ -1,0 +1,185 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_IMPROVED_MESH_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_IMPROVED_MESH_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/distances_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Cell_replacement.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Mark_domain_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/mesh_indices.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Allowed_lengths_3.h>
+
+
+#include <CGAL/enum.h>
+
+#include <algorithm>
+#include <array>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * The mesh whose quality is improved: what all operations ask of it, and how they change it.
+ *
+ * An operation exchanges cells of one region for others that fill the same polyhedron. Qualities are computed in
+ * floating point numbers and only rank cells; whether a cell is positively oriented is decided exactly. That suffices:
+ * positively oriented cells whose outer facets are those of the polyhedron cover each of its points once.
+ */
+template <typename Tr, typename Domain_, typename Quality_, typename Visitor>
+class Improved_mesh_3
+{
+public:
+  typedef Tr                                Triangulation;
+  typedef Domain_                           Domain;
+  typedef Quality_                          Quality;
+  typedef typename Tr::Vertex_handle        Vertex_handle;
+  typedef typename Tr::Cell_handle          Cell_handle;
+  typedef typename Tr::Geom_traits::Point_3 Point_3;
+  typedef std::array<Coordinates_3, 4>      Corners;
+  typedef Cell_replacement<Tr>              Replacement;
+  typedef typename Replacement::Tetrahedron Tetrahedron;
+  typedef typename Replacement::Cells       Cells;
+
+  Improved_mesh_3(Tr& tr, Domain& domain, const Quality& quality, Visitor& visitor)
+    : m_tr(tr), m_domain(domain), m_quality(quality), m_visitor(visitor),
+      m_orientation(tr.geom_traits().orientation_3_object()),
+      m_lengths(tr, domain)
+  { }
+
+  Tr& triangulation() { return m_tr; }
+  const Tr& triangulation() const { return m_tr; }
+  const Domain& domain() const { return m_domain; }
+
+  static Coordinates_3 coordinates(const Vertex_handle v) { return internal::coordinates_of(v->point()); }
+
+  double quality(const Corners& corners) const { return m_quality(corners); }
+  double quality(const Cell_handle c) const { return m_quality(internal::corners(c)); }
+
+  // From now on, cells better than this need not be any better.
+  void set_enough(const double quality)
+  {
+    m_enough = quality;
+    m_inverse = 1 / quality;
+  }
+  double enough() const { return m_enough; }
+
+  // How bad a cell of this quality is: from 0, good enough, to 1, flat. The sum over all cells never rises.
+  double badness(const double quality) const
+  {
+    const double lack = 1 - quality * m_inverse;
+    return lack > 0 ? lack * lack : 0;
+  }
+
+  bool is_positive(const Vertex_handle p, const Vertex_handle q, const Vertex_handle r, const Vertex_handle s) const
+  {
+    return is_positive(point(p), point(q), point(r), point(s));
+  }
+
+  bool is_positive(const Point_3& p, const Point_3& q, const Point_3& r, const Point_3& s) const
+  {
+    return m_orientation(p, q, r, s) == POSITIVE;
+  }
+
+  static Point_3 point(const Vertex_handle v) { return internal::bare_point<Point_3>(v->point()); }
+
+  // Whether the length of an edge between two vertices would be allowed, or is not more extreme than that of an edge that
+  // goes for it.
+  bool is_edge_in_size(const Vertex_handle u, const Vertex_handle v, const double length_before) const
+  {
+    const auto range = m_lengths.at(u, v);
+    const double length = internal::distance(coordinates(u), coordinates(v));
+    return length >= (std::min)(range.least, length_before) && length <= (std::max)(range.largest, length_before);
+  }
+
+  bool is_edge_in_size(const Vertex_handle u, const Vertex_handle v) const
+  {
+    const auto range = m_lengths.at(u, v);
+    const double length = internal::distance(coordinates(u), coordinates(v));
+    return length >= range.least && length <= range.largest;
+  }
+
+  const Allowed_lengths_3<Tr>& allowed_lengths() const { return m_lengths; }
+
+  static double size(const Vertex_handle v) { return Allowed_lengths_3<Tr>::size(v); }
+
+  // A vertex inside of the region of c, which is to be connected at once.
+  Vertex_handle create_vertex(const Point_3& p, const Cell_handle c, const double size, const double least)
+  {
+    const Vertex_handle v = m_tr.tds().create_vertex();
+    v->set_point(typename Tr::Point(p));
+    if constexpr(Has_vertex_indices<typename Tr::Vertex>::value)
+    {
+      v->set_dimension(3);
+      v->set_index(internal::mesh_index<std::decay_t<decltype(v->index())> >(c->subdomain_index()));
+    }
+    if constexpr(Has_meshing_info<typename Tr::Vertex>::value)
+    {
+      v->set_meshing_info(size);
+      if(size > 0)
+        m_lengths.set_least(v, least);
+    }
+    return v;
+  }
+
+  // Exchanges cells of a region for positively oriented ones with the same outer facets.
+  template <typename CellRange, typename TetrahedronRange>
+  const Cells& replace(const CellRange& old_cells, const TetrahedronRange& tetrahedra,
+                       const Vertex_handle dropped = Vertex_handle())
+  {
+    const auto region = (*old_cells.begin())->subdomain_index();
+    for(const Cell_handle c : old_cells)
+      m_domain.remove(c);
+    m_visitor.before_cells_removal(old_cells);
+    m_replace(m_tr, old_cells, tetrahedra);
+    if(dropped != Vertex_handle())
+      m_tr.tds().delete_vertex(dropped);
+    for(const Cell_handle c : m_replace.new_cells())
+      set_indices(c, region);
+    m_visitor.after_cells_creation(m_replace.new_cells());
+    return m_replace.new_cells();
+  }
+
+private:
+  typedef typename Tr::Cell::Subdomain_index Subdomain_index;
+
+  // Facets between the new cells have no mark.
+  void set_indices(const Cell_handle c, const Subdomain_index region)
+  {
+    c->set_subdomain_index(region);
+    for(int i = 0; i < 4; ++i)
+    {
+      const Cell_handle n = c->neighbor(i);
+      c->set_surface_patch_index(i, n->surface_patch_index(n->index(c)));
+    }
+    m_domain.add(c);
+  }
+
+  Tr& m_tr;
+  Domain& m_domain;
+  const Quality& m_quality;
+  Visitor& m_visitor;
+  typename Tr::Geom_traits::Orientation_3 m_orientation;
+  Replacement m_replace;
+  double m_enough = 1;
+  double m_inverse = 1;
+  Allowed_lengths_3<Tr> m_lengths;
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_IMPROVED_MESH_3_H

@@ -1,0 +1,167 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_REMOVE_BAD_FACET_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_REMOVE_BAD_FACET_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
+#include <CGAL/Boundary_recovery_3/internal/util/contains.h>
+
+#include <boost/container/static_vector.hpp>
+
+#include <algorithm>
+#include <array>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * Multi-face removal: facets that are side by side and all between the same two vertices p and q go, and the edge pq
+ * comes; the inverse of the removal of an edge. With one facet it is the 2-3 flip.
+ *
+ * It begins with one facet. Where the new cell at one of its edges would not be better than what is there, the facet
+ * beyond that edge goes, too.
+ */
+template <typename Mesh>
+class Remove_bad_facet_3
+{
+public:
+  typedef typename Mesh::Vertex_handle Vertex_handle;
+  typedef typename Mesh::Cell_handle   Cell_handle;
+  typedef typename Mesh::Cells         Cells;
+
+  static constexpr int max_number_of_facets = 8;
+
+  explicit Remove_bad_facet_3(Mesh& mesh) : m_mesh(mesh) { }
+
+  // Searches for facets to be removed beside the one opposite to the vertex i of a cell of the domain. Returns whether
+  // the cells would be less bad then, by more than `least_gain`, and none worse than the worse cell at the facet.
+  bool find(const Cell_handle c, const int i, const double least_gain)
+  {
+    if(m_mesh.domain().is_wall(c, i))
+      return false;
+    const Cell_handle n = c->neighbor(i);
+    m_p = c->vertex(i);
+    m_q = n->vertex(n->index(c));
+    if(! m_mesh.is_edge_in_size(m_p, m_q))
+      return false;
+    m_at_p = Mesh::coordinates(m_p);
+    m_at_q = Mesh::coordinates(m_q);
+    m_cells.clear();
+    m_tetrahedra.clear();
+    m_worst = (std::min)(m_mesh.quality(c), m_mesh.quality(n));
+    m_gain = 0;
+    add(c, n);
+    const auto f = internal::facet_vertices(c, i);
+    for(int k = 0; k < 3; ++k)
+      m_open_edges.push_back(Open_edge{ f[k], f[(k + 1) % 3], c, n });
+    while(! m_open_edges.empty())
+    {
+      const Open_edge e = m_open_edges.back();
+      m_open_edges.pop_back();
+      if(! close(e) && ! extend(e))
+      {
+        m_open_edges.clear();
+        return false;
+      }
+    }
+    return m_gain > least_gain;
+  }
+
+  // By how much the cells would be less bad.
+  double gain() const { return m_gain; }
+
+  // Removes the facets. Returns false, and does nothing, if a new cell is not positively oriented.
+  bool apply()
+  {
+    for(const auto& t : m_tetrahedra)
+      if(! m_mesh.is_positive(t[0], t[1], t[2], t[3]))
+        return false;
+    m_new_cells = &m_mesh.replace(m_cells, m_tetrahedra);
+    return true;
+  }
+
+  const Cells& new_cells() const { return *m_new_cells; }
+
+private:
+  typedef typename Mesh::Tetrahedron Tetrahedron;
+
+  // An edge of a facet that goes, along which the facet is on the left, seen from p; with the cells on both sides.
+  struct Open_edge
+  {
+    Vertex_handle u, v;
+    Cell_handle at_p, at_q;
+  };
+
+  void add(const Cell_handle at_p, const Cell_handle at_q)
+  {
+    m_gain += m_mesh.badness(m_mesh.quality(at_p)) + m_mesh.badness(m_mesh.quality(at_q));
+    m_cells.push_back(at_p);
+    m_cells.push_back(at_q);
+  }
+
+  // The edge stays: it gets a cell with the new edge.
+  bool close(const Open_edge& e)
+  {
+    const double q = m_mesh.quality({{ Mesh::coordinates(e.u), Mesh::coordinates(e.v), m_at_q, m_at_p }});
+    if(q < m_worst)
+      return false;
+    m_gain -= m_mesh.badness(q);
+    m_tetrahedra.push_back(Tetrahedron{{ e.u, e.v, m_q, m_p }});
+    return true;
+  }
+
+  // The edge goes, and with it the facet beyond, if p and q are on both sides of that, too.
+  bool extend(const Open_edge& e)
+  {
+    if(static_cast<int>(m_cells.size()) >= 2 * max_number_of_facets)
+      return false;
+    const int i = opposite(e.at_p, e.u, e.v, m_p), j = opposite(e.at_q, e.u, e.v, m_q);
+    if(m_mesh.domain().is_wall(e.at_p, i) || m_mesh.domain().is_wall(e.at_q, j))
+      return false;
+    const Cell_handle at_p = e.at_p->neighbor(i), at_q = e.at_q->neighbor(j);
+    const int k = at_p->index(m_p);
+    if(at_p->neighbor(k) != at_q || m_mesh.domain().is_wall(at_p, k) || internal::contains(m_cells, at_p))
+      return false;
+    if constexpr(Mesh::Domain::has_constrained_edges)
+      if(m_mesh.domain().is_constrained_edge(e.u, e.v))
+        return false;
+    const Vertex_handle w = at_p->vertex(at_p->index(e.at_p));
+    add(at_p, at_q);
+    m_open_edges.push_back(Open_edge{ e.u, w, at_p, at_q });
+    m_open_edges.push_back(Open_edge{ w, e.v, at_p, at_q });
+    return true;
+  }
+
+  // The index of the vertex of a cell that is none of the others.
+  static int opposite(const Cell_handle c, const Vertex_handle u, const Vertex_handle v, const Vertex_handle w)
+  {
+    return 6 - c->index(u) - c->index(v) - c->index(w);
+  }
+
+  Mesh& m_mesh;
+  Vertex_handle m_p, m_q;
+  Coordinates_3 m_at_p, m_at_q;
+  double m_worst = 0; // of the first two cells
+  double m_gain = 0;
+  boost::container::static_vector<Cell_handle, 2 * max_number_of_facets> m_cells;
+  boost::container::static_vector<Tetrahedron, max_number_of_facets + 2> m_tetrahedra;
+  boost::container::static_vector<Open_edge, max_number_of_facets + 3> m_open_edges;
+  const Cells* m_new_cells = nullptr;
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_REMOVE_BAD_FACET_3_H

@@ -1,0 +1,79 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_SMOOTH_VERTEX_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_SMOOTH_VERTEX_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Best_point_in_star_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Free_star_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Allowed_lengths_3.h>
+
+#include <algorithm>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * Moves a free vertex to where the worst of the cells around it is better.
+ */
+template <typename Mesh>
+class Smooth_vertex_3
+{
+public:
+  typedef typename Mesh::Vertex_handle Vertex_handle;
+  typedef typename Mesh::Cell_handle   Cell_handle;
+
+  Smooth_vertex_3(Mesh& mesh, const typename Mesh::Quality& quality)
+    : m_mesh(mesh), m_star(mesh), m_best_point(quality)
+  { }
+
+  // Moves v. Returns whether the cells at v are less bad now.
+  bool operator()(const Vertex_handle v)
+  {
+    if(! m_star.collect(v))
+      return false;
+    m_best_point.clear(m_mesh.enough());
+    for(const auto& f : m_star.faces())
+      m_best_point.add({{ Mesh::coordinates(f[0]), Mesh::coordinates(f[1]), Mesh::coordinates(f[2]) }});
+    Coordinates_3 p = Mesh::coordinates(v);
+    m_limits.assign(m_mesh.allowed_lengths(), v, m_star.neighbors());
+    return m_best_point.improve(p, m_limits) && move(v, p);
+  }
+
+  // The cells around the vertex that was treated last.
+  const std::vector<Cell_handle>& cells() const { return m_star.cells(); }
+
+private:
+  typedef typename Mesh::Point_3 Point_3;
+
+  bool move(const Vertex_handle v, const Coordinates_3& to)
+  {
+    const Point_3 p(to[0], to[1], to[2]);
+    for(const auto& f : m_star.faces())
+      if(! m_mesh.is_positive(Mesh::point(f[0]), Mesh::point(f[1]), Mesh::point(f[2]), p))
+        return false;
+    v->set_point(typename Mesh::Triangulation::Point(p));
+    return true;
+  }
+
+  Mesh& m_mesh;
+  Free_star_3<Mesh> m_star;
+  Best_point_in_star_3<typename Mesh::Quality> m_best_point;
+  Allowed_places_3<typename Mesh::Triangulation> m_limits;
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_SMOOTH_VERTEX_3_H
