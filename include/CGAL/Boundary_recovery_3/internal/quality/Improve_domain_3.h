@@ -16,6 +16,7 @@
 #include <CGAL/Boundary_recovery_3/internal/quality/Flip_bad_cell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Improved_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Insert_into_bad_cell_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Reconnect_bad_cell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Smooth_vertex_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 
@@ -46,7 +47,7 @@ public:
   Improve_domain_3(Tr& tr, Domain& domain, const Quality& quality, Recovery_context<Visitor>& context)
     : m_tr(tr), m_domain(domain), m_quality(quality), m_context(context),
       m_mesh(tr, domain, quality, context.visitor()),
-      m_flip(m_mesh), m_smooth(m_mesh, quality), m_contract(m_mesh), m_insert(m_mesh, quality)
+      m_flip(m_mesh), m_smooth(m_mesh, quality), m_contract(m_mesh), m_insert(m_mesh, quality), m_reconnect(m_mesh)
   { }
 
   void operator()(const double min_dihedral_angle)
@@ -63,12 +64,13 @@ private:
   {
     m_mesh.set_enough(m_quality.of_angle(angle));
     collect_bad_cells();
+    m_last_change.clear(-1);
     double before = sort_bad_cells();
     for(int round = 0; round < max_rounds && ! m_bad.empty(); ++round)
     {
       const double t = m_context.seconds();
       const std::size_t n = m_bad.size();
-      std::size_t counts[4] = { 0, 0, 0, 0 };
+      std::size_t counts[5] = { 0, 0, 0, 0, 0 };
       std::vector<std::pair<double, Cell_handle> > bad;
       bad.swap(m_bad);
       for(const auto& b : bad)
@@ -76,6 +78,12 @@ private:
         const Cell_handle c = b.second;
         if(! is_bad(c))
           continue;
+        if(round > 2 && ! has_changed(c, round - 1))
+        {
+          push(c);
+          continue;
+        }
+        m_round = round;
         if(flip(c))
           ++counts[0];
         else if(contract(c))
@@ -84,11 +92,13 @@ private:
           ++counts[1];
         else if(round > 1 && insert(c))
           ++counts[3];
+        else if(round > 1 && reconnect(c))
+          ++counts[4];
         else
           push(c);
       }
       const double after = sort_bad_cells();
-      std::fprintf(stderr, "angle %g round %d: bad %zu %g, flipped %zu smoothed %zu contracted %zu inserted %zu; bad %zu %g worst %g; %.3f s\n", angle, round, n, before, counts[0], counts[1], counts[2], counts[3], m_bad.size(), after, m_bad.empty() ? 0 : m_bad.front().first, m_context.seconds() - t);
+      std::fprintf(stderr, "angle %g round %d: bad %zu %g, flipped %zu smoothed %zu contracted %zu inserted %zu reconnected %zu; bad %zu %g worst %g; %.3f s\n", angle, round, n, before, counts[0], counts[1], counts[2], counts[3], counts[4], m_bad.size(), after, m_bad.empty() ? 0 : m_bad.front().first, m_context.seconds() - t);
       if(round > 1 && after > 0.98 * before)
         break;
       before = after;
@@ -114,7 +124,19 @@ private:
   void push_all(const Cells& cells)
   {
     for(const Cell_handle c : cells)
+    {
       push(c);
+      for(int i = 0; i < 4; ++i)
+        m_last_change[c->vertex(i)] = m_round;
+    }
+  }
+
+  bool has_changed(const Cell_handle c, const int round) const
+  {
+    for(int i = 0; i < 4; ++i)
+      if(m_last_change.is_defined(c->vertex(i)) && m_last_change[c->vertex(i)] >= round)
+        return true;
+    return false;
   }
 
   // The worst one first. Those that are gone, or are there twice, are taken out. Returns how bad they are together.
@@ -151,6 +173,9 @@ private:
       if(m_flip(d))
       {
         is_flipped = true;
+        for(const Cell_handle n : m_flip.new_cells())
+          for(int i = 0; i < 4; ++i)
+            m_last_change[n->vertex(i)] = m_round;
         for(const Cell_handle n : m_flip.new_cells())
           if(m_mesh.quality(n) < m_mesh.enough())
             m_stack.push_back(n);
@@ -200,6 +225,14 @@ private:
     return true;
   }
 
+  bool reconnect(const Cell_handle c)
+  {
+    if(! m_reconnect.find(c) || ! m_reconnect.apply())
+      return false;
+    push_all(m_reconnect.new_cells());
+    return true;
+  }
+
   Tr& m_tr;
   Domain& m_domain;
   const Quality& m_quality;
@@ -209,8 +242,11 @@ private:
   Smooth_vertex_3<Mesh> m_smooth;
   Contract_bad_edge_3<Mesh> m_contract;
   Insert_into_bad_cell_3<Mesh> m_insert;
+  Reconnect_bad_cell_3<Mesh> m_reconnect;
   std::vector<std::pair<double, Cell_handle> > m_bad;
   std::vector<Cell_handle> m_stack;
+  Unique_hash_map<Vertex_handle, int> m_last_change;
+  int m_round = 0;
 };
 
 } // namespace internal
