@@ -5,8 +5,8 @@
 
 #include "default_flow.h"
 #include "domain.h"
+#include "domain_quality.h"
 #include "edge_lengths.h"
-#include "mesh_quality.h"
 #include "mesh_size.h"
 #include "mesh_surface_options.h"
 #include "print_mesh.h"

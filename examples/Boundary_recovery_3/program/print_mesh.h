@@ -1,8 +1,8 @@
 #ifndef BOUNDARY_RECOVERY_3_PROGRAM_PRINT_MESH_H
 #define BOUNDARY_RECOVERY_3_PROGRAM_PRINT_MESH_H
 
+#include "domain_quality.h"
 #include "edge_lengths.h"
-#include "mesh_quality.h"
 #include "print_summary.h"
 #include "round_number.h"
 

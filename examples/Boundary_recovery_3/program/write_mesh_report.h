@@ -1,8 +1,8 @@
 #ifndef BOUNDARY_RECOVERY_3_PROGRAM_WRITE_MESH_REPORT_H
 #define BOUNDARY_RECOVERY_3_PROGRAM_WRITE_MESH_REPORT_H
 
+#include "domain_quality.h"
 #include "edge_lengths.h"
-#include "mesh_quality.h"
 #include "mesh_surface_options.h"
 #include "write_report.h"
 

@@ -108,7 +108,10 @@ struct Boundary_constrained_mesh_result_3
   /// how the meshing ended
   Meshing_status status = Meshing_status::incomplete;
 
-  Recovery recovery;         ///< steps 2 to 4: the boundary recovery
+  /// steps 2 to 4: the boundary recovery. Steiner points that the improvement moved, or removed, are not among its
+  /// `steiner_vertices` any more.
+  Recovery recovery;
+
   int number_of_regions = 0; ///< step 5: number of regions of the domain
   Filling filling;           ///< step 6: field points
 
@@ -178,6 +181,9 @@ std::ostream& operator<<(std::ostream& os, const Boundary_constrained_mesh_resul
     os << "\nregions: " << result.number_of_regions;
   if(result.number_of_regions > 0)
     os << "\nfilling: " << result.filling;
+  if(result.number_of_regions > 0 && result.filling
+     && (! result.improvement || result.improvement.before.number_of_cells > 0)) // else nobody asked for it
+    os << "\nimprovement: " << result.improvement;
   return os;
 }
 
