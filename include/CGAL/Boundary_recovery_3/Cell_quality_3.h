@@ -133,9 +133,8 @@ public:
   double operator()(const std::array<std::array<double, 3>, 4>& corners) const
   {
     const double square = mean_square(corners);
-    if(! (square > least_square && square < 1 / least_square))
-      return square > 0 ? of_extreme_cell(internal::scaled_corners(corners)) : 0;
-    return quality(corners, square);
+    const bool is_ordinary = square > least_square && square < 1 / least_square;
+    return is_ordinary ? quality(corners, square) : of_extreme_cell(internal::scaled_corners(corners));
   }
 
   /// returns the quality that a cell has at most if its smallest dihedral angle is `degrees`.
@@ -170,7 +169,11 @@ private:
     return root_of_2 * internal::dot_product(difference(p[3], p[0]), normal) / (square * std::sqrt(square));
   }
 
-  static double of_extreme_cell(const internal::Cell_corners_3& p) { return quality(p, mean_square(p)); }
+  static double of_extreme_cell(const internal::Cell_corners_3& p)
+  {
+    const double square = mean_square(p);
+    return square > 0 ? quality(p, square) : 0;
+  }
 };
 
 } // namespace Boundary_recovery_3

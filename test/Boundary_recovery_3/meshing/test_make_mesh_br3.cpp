@@ -144,8 +144,9 @@ struct Scene
       assert(tr.is_edge(e[0], e[1], c, i, j));
     assert(result.phases.size() >= 1 && result.phases[0].phase == BR3::Meshing_phase::domain_marking);
     const auto& counts = result.improvement.counts;
+    const std::size_t number_of_points = result.filling.number_of_field_points + counts.number_of_inserted_points;
     assert(tr.number_of_vertices() + counts.number_of_removed_vertices ==
-           result.phases[0].number_of_vertices + result.filling.number_of_field_points + counts.number_of_inserted_points);
+           result.phases[0].number_of_vertices + number_of_points);
     assert(result.phases[0].number_of_vertices >= points.size() + result.recovery.steiner_vertices.size());
     for(const Vertex_handle v : result.recovery.steiner_vertices)
       assert(tr.tds().is_vertex(v));
