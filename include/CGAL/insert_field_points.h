@@ -20,12 +20,10 @@
 #include <CGAL/Boundary_recovery_3/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/property_map.h>
 
 #include <cstddef>
 #include <limits>
 #include <type_traits>
-#include <utility>
 
 namespace CGAL {
 
@@ -113,24 +111,14 @@ insert_field_points(Triangulation& tr, const SizingField& size, const CGAL_NP_CL
   using parameters::choose_parameter;
   using parameters::get_parameter;
   namespace BR3 = Boundary_recovery_3::internal;
-  typedef typename Triangulation::Vertex_handle           Vertex_handle;
-  typedef typename Triangulation::Cell_handle             Cell_handle;
-  typedef std::pair<Vertex_handle, Vertex_handle>         Edge;
-  typedef Static_boolean_property_map<Cell_handle, true>  All_cells;
-  typedef Static_boolean_property_map<Edge, false>        No_edge;
-
-  const auto is_selected = choose_parameter<All_cells>(get_parameter(np, internal_np::cell_selector));
-  const auto is_constrained = choose_parameter<No_edge>(get_parameter(np, internal_np::edge_is_constrained));
-  typedef BR3::Selected_domain_3<Triangulation, std::decay_t<decltype(is_selected)>,
-                                 std::decay_t<decltype(is_constrained)> > Domain;
-  Domain domain(tr, is_selected, is_constrained);
+  auto domain = BR3::selected_domain(tr, np);
   decltype(auto) visitor = BR3::visitor_of<Default_boundary_constrained_mesh_visitor_3>(np);
   typedef std::decay_t<decltype(visitor)> Visitor;
   const std::size_t max_number_of_vertices = static_cast<std::size_t>(
     choose_parameter(get_parameter(np, BR3::maximum_number_of_vertices), (std::numeric_limits<std::size_t>::max)()));
   const double maximum_running_time = choose_parameter(get_parameter(np, internal_np::maximum_running_time),
                                                        std::numeric_limits<double>::infinity());
-  typedef BR3::Field_point_insertion_3<Triangulation, Domain, SizingField, Visitor> Insertion;
+  typedef BR3::Field_point_insertion_3<Triangulation, decltype(domain), SizingField, Visitor> Insertion;
   return Insertion(tr, domain, size, visitor)(max_number_of_vertices, maximum_running_time);
 }
 

@@ -99,10 +99,8 @@ make_mesh_of_surface(Tr& tr, const FaceListGraph& surface, const SizingField& si
  * It is the mesher of [CZZ+17, Section 4.1] in one call:
  * - the boundary is recovered, see `recover_boundary()` (steps 2 to 4);
  * - the domain is marked, see `mark_domain()` (step 5);
- * - field points are inserted, see `insert_field_points()` (step 6).
- *
- * The improvement of the mesh quality (step 7) is not here yet: cells are as the insertion leaves them, and some of
- * them are thin.
+ * - field points are inserted, see `insert_field_points()` (step 6);
+ * - the quality of the mesh is improved, see `improve_mesh_quality()` (step 7).
  *
  * What is outside of the domain is not meshed, but is in the triangulation, in the region 0: its cells reach to the
  * convex hull. As after a recovery, the triangulation is valid as a `Triangulation_3`, but not Delaunay any more,
@@ -143,6 +141,21 @@ make_mesh_of_surface(Tr& tr, const FaceListGraph& surface, const SizingField& si
  *     \cgalParamType{a model of `ReadablePropertyMap` whose key type is `std::size_t`, the position of a triangle}
  *     \cgalParamDefault{the position of the triangle + 1}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{improve_quality}
+ *     \cgalParamDescription{whether cells are improved after the field points are inserted}
+ *     \cgalParamType{Boolean}
+ *     \cgalParamDefault{`true`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{min_dihedral_angle}
+ *     \cgalParamDescription{the target of the improvement, in degrees, see `improve_mesh_quality()`}
+ *     \cgalParamType{`double`}
+ *     \cgalParamDefault{20}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{cell_quality}
+ *     \cgalParamDescription{what makes a cell better than another one}
+ *     \cgalParamType{a model of `CellQuality_3`}
+ *     \cgalParamDefault{`Boundary_recovery_3::Dihedral_angle_quality_3`}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_number_of_vertices}
  *     \cgalParamDescription{how many vertices the mesh may have; if the forecast is higher, no field point is inserted}
  *     \cgalParamType{`std::size_t`}
@@ -164,7 +177,8 @@ make_mesh_of_surface(Tr& tr, const FaceListGraph& surface, const SizingField& si
  *
  * \return the status, and the results of the steps. It converts to `true` iff all is done. If the recovery did not
  *         succeed, the triangulation is as the recovery left it, and nothing is marked. If the status is `stopped` and
- *         `number_of_regions` is not 0, the domain is marked, and there may be field points.
+ *         `number_of_regions` is not 0, the domain is marked, and there may be field points. Cells that stayed bad are
+ *         in `improvement.certificate`, with the reasons.
  *
  * \pre `tr` is valid: `tr.is_valid()`.
  */

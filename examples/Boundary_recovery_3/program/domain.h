@@ -28,6 +28,7 @@ struct Domain
   std::vector<std::size_t> patches;                     // of each triangle: the number of its face in the file, from 1
   int number_of_regions = 0;
   std::size_t number_of_steiner_points = 0; // those at tetrahedra of the domain
+  std::size_t number_of_field_points = 0;   // and what the improvement made of them
   bool is_convex_hull = false; // no region can be told from the outside: all tetrahedra are here, as region 1
 };
 
@@ -121,6 +122,7 @@ private:
                      { return region(u->cell()) < region(v->cell()); });
     for(const Vertex_handle v : vertices)
       add_vertex(v);
+    m_domain.number_of_field_points = vertices.size();
   }
 
   template <typename Facets, typename Region>

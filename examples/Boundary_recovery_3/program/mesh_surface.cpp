@@ -3,10 +3,11 @@
 
 #include <CGAL/make_boundary_constrained_mesh_3.h>
 
+#include "bad_tetrahedra.h"
 #include "default_flow.h"
 #include "domain.h"
+#include "domain_quality.h"
 #include "edge_lengths.h"
-#include "mesh_quality.h"
 #include "mesh_size.h"
 #include "mesh_surface_options.h"
 #include "print_mesh.h"
@@ -22,6 +23,7 @@
 #include <iostream>
 #include <sstream>
 #include <string>
+#include <vector>
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel           Kernel;
 typedef Kernel::Point_3                                               Point;
@@ -35,6 +37,7 @@ struct Measurements
 {
   Mesh_quality quality;
   Edge_lengths edges;
+  std::vector<Bad_tetrahedron> bad_tetrahedra;
   double seconds_total = 0;    // of all that makes the mesh
   double seconds_recovery = 0; // without the insertion of the surface's points
 };
@@ -45,9 +48,11 @@ Result mesh(Triangulation& tr, const Surface<Point>& surface, const Size& size, 
   const auto common = CGAL::parameters::visitor(std::ref(progress)).maximum_running_time(options.time_limit);
   const auto defects = CGAL::parameters::list_defects(options.list_defects);
   const auto vertices = CGAL::parameters::maximum_number_of_vertices(options.maximum_number_of_vertices);
+  const auto improve = CGAL::parameters::improve_quality(options.improve_quality && options.insert_field_points);
+  const auto angle = CGAL::parameters::min_dihedral_angle(options.min_angle);
   return CGAL::make_boundary_constrained_mesh_3(tr, surface.points, surface.faces,
                                                 options.insert_field_points ? size : Size::unbounded(),
-                                                common, defects, vertices);
+                                                common, defects, vertices, improve, angle);
 }
 
 // the regions, unless they are not known: only what is outside would be written otherwise
@@ -64,7 +69,8 @@ Domain<Point> make_domain(const Triangulation& tr, const Result& result)
 // without the Delaunay insertion, as `recover_boundary` tells it: the phases of the recovery are not all of it
 double seconds_of_recovery(const Result& result)
 {
-  double seconds = make_seconds(result.seconds, result.recovery.phases).recovery - result.filling.seconds;
+  double seconds = make_seconds(result.seconds, result.recovery.phases).recovery - result.filling.seconds
+                   - result.improvement.seconds;
   for(const auto& phase : result.phases)
     if(phase.phase == CGAL::Boundary_recovery_3::Meshing_phase::domain_marking)
       seconds -= phase.seconds;
@@ -72,8 +78,8 @@ double seconds_of_recovery(const Result& result)
 }
 
 // The quality of millions of tetrahedra takes a while: it is measured only if anybody is told.
-Measurements measure(const Domain<Point>& domain, const Size& size, const Result& result, const double seconds,
-                     const Meshing_options& options)
+Measurements measure(const Triangulation& tr, const Domain<Point>& domain, const Size& size, const Result& result,
+                     const double seconds, const Meshing_options& options)
 {
   Measurements measured;
   measured.seconds_total = seconds;
@@ -82,6 +88,7 @@ Measurements measure(const Domain<Point>& domain, const Size& size, const Result
   {
     measured.quality = measure_quality(domain);
     measured.edges = Edge_meter<Point>(domain)(size);
+    measured.bad_tetrahedra = Bad_tetrahedra_list<Triangulation>(tr, domain)(result.improvement.certificate.cells);
   }
   return measured;
 }
@@ -104,12 +111,16 @@ void write_entries(Json_writer& json, const Meshing_options& options, const Resu
   json.entry("seconds", measured.seconds_total);
   json.entry("seconds_recovery", measured.seconds_recovery);
   json.entry("seconds_field_points", result.filling.seconds);
+  if(! is_improved(result))
+    return;
+  json.entry("seconds_improvement", result.improvement.seconds);
+  write_improvement(json, result.improvement, measured.bad_tetrahedra);
 }
 
 void print_timing(const Result& result, const Measurements& measured)
 {
   std::cout << "@@rec " << measured.seconds_recovery << "\n@@fill " << result.filling.seconds
-            << "\n@@improve 0\n@@tmesh " << measured.seconds_total << std::endl;
+            << "\n@@improve " << result.improvement.seconds << "\n@@tmesh " << measured.seconds_total << std::endl;
 }
 
 // tells what is wrong with the input: the surface, or a size
@@ -148,7 +159,8 @@ int finish(const Meshing_options& options, Program<Point>& program, const Result
     return program.fail();
   if(! options.quiet)
   {
-    print_mesh(std::cout, result, domain, measured.quality, measured.edges, measured.seconds_total);
+    print_mesh(std::cout, result, domain, measured.quality, measured.edges, measured.bad_tetrahedra,
+               measured.seconds_total);
     if(options.outputs.empty())
       std::cout << "no mesh is written; -o OUTPUT does that" << std::endl;
   }
@@ -176,8 +188,8 @@ int run(const Meshing_options& options, Program<Point>& program)
   timer.stop();
 
   Domain<Point> domain = make_domain(tr, result);
-  const Measurements measured = measure(domain, size, result, timer.time(), options);
   program.use_numbers_of_file(result.recovery, domain);
+  const Measurements measured = measure(tr, domain, size, result, timer.time(), options);
   return finish(options, program, result, domain, measured);
 }
 

@@ -10,8 +10,8 @@
 constexpr const char* meshing_usage =
   "usage: mesh_surface [INPUT] [options]\n"
   "Meshes the inside of a triangulated surface with tetrahedra of the sizes that are asked for. Every triangle of the\n"
-  "surface is a face of the mesh, exactly as it is. The quality of the tetrahedra is not improved yet: a later\n"
-  "version will do that.\n"
+  "surface is a face of the mesh, exactly as it is. The tetrahedra are improved; for those that have small angles\n"
+  "nevertheless, it is told whether the surface forces them.\n"
   "INPUT is an .off, .ply, .stl or .obj file; without it, the program takes a surface of its own.\n"
   "  -o OUTPUT              write the mesh: .mesh, .msh (Gmsh 4.1), .vtu or .vtk; may be repeated\n"
   "sizes: how long edges shall be. Of those that are given, the smallest one counts at each point; without --size,\n"
@@ -29,9 +29,14 @@ constexpr const char* meshing_usage =
   "                         one of TetGen's .node, .ele and .mtr files, with the others beside it\n"
   "  --grading G            sizes from the surface or of the background mesh grow by at most G per length; default:\n"
   "                         0.2 from the surface, and no limit in the mesh\n"
-  "  --no-field-points      insert no points for the sizes: only those that the surface needs, if any\n"
+  "  --no-field-points      insert no points for the sizes: only those that the surface needs, if any; nor improve\n"
+  "                         the tetrahedra\n"
   "  --max-vertices N       mesh nothing if the mesh would have more vertices than that\n"
   "  --time-limit SECONDS   stop after that time, and write what there is if the surface is recovered by then\n"
+  "quality:\n"
+  "  --min-angle DEGREES    improve tetrahedra with a dihedral angle below that one, default: 20; more than 25 is\n"
+  "                         seldom possible\n"
+  "  --no-improvement       leave the tetrahedra as the field points make them\n"
   "surfaces that are not valid:\n"
   "  --repair               merge points, and drop, turn and divide triangles\n"
   "  --tolerance X          repair: merge points whose coordinates differ by at most X, where that helps; without\n"
@@ -39,10 +44,11 @@ constexpr const char* meshing_usage =
   "                         precision; 0 merges none\n"
   "  --list-defects         look for intersections before anything else, and mesh nothing if there are any\n"
   "messages:\n"
-  "  --report FILE.json     write a report with sizes, times, the quality of the mesh, and all that is wrong\n"
+  "  --report FILE.json     write a report with sizes, times, the quality of the mesh, the tetrahedra with small\n"
+  "                         angles and their reasons, and all that is wrong\n"
   "  --timing               print seconds: @@rec, of the recovery without the insertion of the surface's points,\n"
-  "                         @@fill, of the field points, @@improve, of the quality, which is 0 yet, and @@tmesh, of\n"
-  "                         all that makes the mesh\n"
+  "                         @@fill, of the field points, @@improve, of the quality, and @@tmesh, of all that makes\n"
+  "                         the mesh\n"
   "  --quiet                print errors only, and what --timing asks for\n"
   "  --help                 print this text\n"
   "The vertices of INPUT come first in the mesh, in their order; left out are those that no triangle has, and all but\n"
@@ -63,6 +69,9 @@ struct Meshing_options
   double grading = 0.2;
   bool has_grading = false;
   bool insert_field_points = true;
+  double min_angle = 20;            // in degrees
+  bool has_min_angle = false;
+  bool improve_quality = true;
   std::size_t maximum_number_of_vertices = (std::numeric_limits<std::size_t>::max)();
 };
 
@@ -92,6 +101,13 @@ private:
     }
     else if(option == "--no-field-points")
       m_options.insert_field_points = false;
+    else if(option == "--min-angle")
+    {
+      m_options.min_angle = number_after(option, Number_kind::not_negative);
+      m_options.has_min_angle = true;
+    }
+    else if(option == "--no-improvement")
+      m_options.improve_quality = false;
     else if(option == "--max-vertices")
       m_options.maximum_number_of_vertices =
         static_cast<std::size_t>(number_after(option, Number_kind::integer, largest_integer));
@@ -104,7 +120,13 @@ private:
   {
     if(m_options.has_grading && m_options.size > 0 && m_options.background.empty())
       refuse("--grading is for sizes from the surface or a background mesh only");
+    if(m_options.min_angle > largest_angle)
+      refuse("--min-angle needs an angle of at most 70.53 degrees: no tetrahedron has only larger ones");
+    if(m_options.has_min_angle && (! m_options.improve_quality || ! m_options.insert_field_points))
+      refuse("--min-angle is for tetrahedra that are improved only");
   }
+
+  static constexpr double largest_angle = 70.53;
 
   static constexpr double largest_integer = 9007199254740992; // 2^53: all integers up to here are numbers
 };

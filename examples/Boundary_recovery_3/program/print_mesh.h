@@ -1,8 +1,9 @@
 #ifndef BOUNDARY_RECOVERY_3_PROGRAM_PRINT_MESH_H
 #define BOUNDARY_RECOVERY_3_PROGRAM_PRINT_MESH_H
 
+#include "domain_quality.h"
 #include "edge_lengths.h"
-#include "mesh_quality.h"
+#include "print_improvement.h"
 #include "print_summary.h"
 #include "round_number.h"
 
@@ -60,6 +61,13 @@ inline void print_edges(std::ostream& os, const Edge_lengths& edges)
      << " longer; on average " << edges.mean << " of it, at most " << edges.maximum << '\n';
 }
 
+// whether the tetrahedra were improved, at least for a while
+template <typename Result>
+bool is_improved(const Result& result)
+{
+  return result.improvement.after.number_of_cells > 0;
+}
+
 // why there is no mesh of the domain; empty if there is one
 template <typename Result>
 std::string reason_for_no_mesh(const Result& result)
@@ -89,7 +97,7 @@ std::string reason_for_no_mesh(const Result& result)
 // prints the table at the end of `mesh_surface`
 template <typename Result, typename Domain>
 void print_mesh(std::ostream& os, const Result& result, const Domain& domain, const Mesh_quality& quality,
-                const Edge_lengths& edges, const double seconds)
+                const Edge_lengths& edges, const std::vector<Bad_tetrahedron>& bad_tetrahedra, const double seconds)
 {
   const std::streamsize precision = os.precision(3);
   print_phases(os, result.recovery.phases);
@@ -99,8 +107,10 @@ void print_mesh(std::ostream& os, const Result& result, const Domain& domain, co
     print_quality(os, quality);
     print_edges(os, edges);
   }
+  if(is_improved(result))
+    print_improvement(os, result.improvement, bad_tetrahedra, domain);
   os << to_string(result.status) << ": " << count(domain.points.size(), "point") << ", "
-     << count(result.filling.number_of_field_points, "field point") << " and "
+     << count(domain.number_of_field_points, "field point") << " and "
      << count(domain.number_of_steiner_points, "Steiner point") << " among them, and " << domain.tetrahedra.size()
      << " tetrahedra in " << count(static_cast<std::size_t>(domain.number_of_regions), "region") << "; "
      << seconds << " seconds" << std::endl;

@@ -1,7 +1,7 @@
 #ifndef BOUNDARY_RECOVERY_3_PROGRAM_PRINT_SUMMARY_H
 #define BOUNDARY_RECOVERY_3_PROGRAM_PRINT_SUMMARY_H
 
-#include "mesh_quality.h"
+#include "domain_quality.h"
 
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_visitor_3.h>

@@ -4,7 +4,7 @@
 #include <CGAL/recover_boundary.h>
 
 #include "default_surface.h"
-#include "mesh_quality.h"
+#include "domain_quality.h"
 #include "print_summary.h"
 #include "program.h"
 #include "recover_boundary_options.h"

@@ -1,16 +1,20 @@
 #ifndef BOUNDARY_RECOVERY_3_PROGRAM_WRITE_MESH_REPORT_H
 #define BOUNDARY_RECOVERY_3_PROGRAM_WRITE_MESH_REPORT_H
 
+#include "bad_tetrahedra.h"
+#include "domain_quality.h"
 #include "edge_lengths.h"
-#include "mesh_quality.h"
 #include "mesh_surface_options.h"
 #include "write_report.h"
 
 #include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_result_3.h>
+#include <CGAL/Boundary_recovery_3/Mesh_quality_3.h>
+#include <CGAL/Boundary_recovery_3/Quality_certificate_3.h>
 
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <vector>
 
 // what the user asked for
 inline void write_options(Json_writer& json, const Meshing_options& options)
@@ -78,6 +82,70 @@ inline void write_edges(Json_writer& json, const Edge_lengths& edges)
   json.entry("number_of_edges_above_size", edges.number_above);
   json.entry("mean_length_by_size", edges.mean);
   json.entry("max_length_by_size", edges.maximum);
+}
+
+inline void write_figures(Json_writer& json, const std::string& name,
+                          const CGAL::Boundary_recovery_3::Mesh_quality_3& quality)
+{
+  json.key(name);
+  json.begin('{');
+  json.entry("number_of_tetrahedra", quality.number_of_cells);
+  json.entry("min_dihedral_angle", quality.min_dihedral_angle);
+  json.entry("max_dihedral_angle", quality.max_dihedral_angle);
+  json.key("histogram_of_smallest_angles"); // of five degrees each
+  json.list(quality.histogram, [&](const std::size_t n) { json.value(n); });
+  write_counts(json, "tetrahedra_with_angle_below", Mesh_quality::small_angles, quality.numbers_of_cells_below);
+  write_counts(json, "tetrahedra_with_angle_above", Mesh_quality::large_angles, quality.numbers_of_cells_above);
+  json.entry("mean_radius_ratio", quality.mean_radius_ratio);
+  json.entry("min_radius_ratio", quality.min_radius_ratio);
+  json.entry("share_of_edges_in_size", quality.share_of_edges_in_size);
+  json.end('}');
+}
+
+inline void write_bad_tetrahedron(Json_writer& json, const Bad_tetrahedron& bad)
+{
+  json.entry("tetrahedron", bad.tetrahedron);
+  json.entry("min_dihedral_angle", bad.min_dihedral_angle);
+  json.key("edge");
+  json.list(bad.edge, [&](const Point_number v) { json.value(std::size_t(v)); });
+  json.entry("reason", to_string(bad.reason));
+  if(bad.facets.empty())
+    return;
+  json.entry("surface_angle", bad.surface_angle);
+  json.key("facets");
+  json.objects(bad.facets, [&](const Bad_tetrahedron::Facet& facet)
+  {
+    if(facet.triangle != Bad_tetrahedron::Facet::no_triangle)
+      json.entry("triangle", facet.triangle);
+    json.key("points");
+    json.list(facet.points, [&](const Point_number v) { json.value(std::size_t(v)); });
+  });
+}
+
+// what the improvement did, and the whole certificate
+template <typename Improvement>
+void write_improvement(Json_writer& json, const Improvement& improvement, const std::vector<Bad_tetrahedron>& bad)
+{
+  using CGAL::Boundary_recovery_3::Bad_cell_reason;
+
+  json.key("improvement");
+  json.begin('{');
+  json.entry("status", to_string(improvement.status));
+  json.entry("number_of_rounds", improvement.counts.number_of_rounds);
+  json.entry("number_of_removed_edges", improvement.counts.number_of_removed_edges);
+  json.entry("number_of_removed_facets", improvement.counts.number_of_removed_facets);
+  json.entry("number_of_moved_vertices", improvement.counts.number_of_moved_vertices);
+  json.entry("number_of_inserted_points", improvement.counts.number_of_inserted_points);
+  json.entry("number_of_removed_vertices", improvement.counts.number_of_removed_vertices);
+  json.entry("number_of_reconnected_polyhedra", improvement.counts.number_of_reconnected_polyhedra);
+  write_figures(json, "before", improvement.before);
+  write_figures(json, "after", improvement.after);
+  json.entry("target_angle", improvement.certificate.min_dihedral_angle);
+  for(const auto reason : { Bad_cell_reason::forced, Bad_cell_reason::needle, Bad_cell_reason::not_improved })
+    json.entry(std::string("number_of_") + to_string(reason), improvement.certificate.number_of_cells(reason));
+  json.key("bad_tetrahedra");
+  json.objects(bad, [&](const Bad_tetrahedron& b) { write_bad_tetrahedron(json, b); });
+  json.end('}');
 }
 
 #endif // BOUNDARY_RECOVERY_3_PROGRAM_WRITE_MESH_REPORT_H

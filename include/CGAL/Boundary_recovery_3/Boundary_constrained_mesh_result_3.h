@@ -13,6 +13,8 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
+#include <CGAL/Boundary_recovery_3/Meshing_status.h>
+#include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
 
 #include <array>
 #include <cstddef>
@@ -22,20 +24,6 @@
 
 namespace CGAL {
 namespace Boundary_recovery_3 {
-
-/// \ingroup PkgBoundaryRecovery3Classes
-/// how `CGAL::make_boundary_constrained_mesh_3()`, or one of its steps, ended.
-enum class Meshing_status
-{
-  meshed,        ///< all that was asked for is done
-  no_region,     ///< the surface is in the triangulation, but it bounds no region: there is nothing to be meshed
-  incomplete,    ///< constraints are missing; they are listed in the result of the recovery. Nothing was meshed
-  invalid_input, ///< the surface cannot be recovered by anybody, or a size is not a positive number; what is wrong is
-                 ///< listed
-  too_large,     ///< the mesh would take more vertices, or more memory, than allowed; the forecast tells how many. No
-                 ///< field point was inserted
-  stopped        ///< the visitor or the time limit ended the work early, with a valid mesh
-};
 
 /// \ingroup PkgBoundaryRecovery3Classes
 /// the phases after the recovery of the boundary, in their order, see [CZZ+17, Section 4.1].
@@ -115,13 +103,20 @@ struct Boundary_constrained_mesh_result_3
   typedef std::array<Vertex_handle, 2>              Vertex_pair;   ///< the ends of an edge
   typedef Boundary_recovery_result_3<Triangulation> Recovery;      ///< the result of steps 2 to 4
   typedef Field_points_result_3<Triangulation>      Filling;       ///< the result of step 6
+  typedef Quality_improvement_result_3<Triangulation> Improvement; ///< the result of step 7
 
   /// how the meshing ended
   Meshing_status status = Meshing_status::incomplete;
 
-  Recovery recovery;         ///< steps 2 to 4: the boundary recovery
+  /// steps 2 to 4: the boundary recovery. Steiner points that the improvement moved, or removed, are not among its
+  /// `steiner_vertices` any more.
+  Recovery recovery;
+
   int number_of_regions = 0; ///< step 5: number of regions of the domain
   Filling filling;           ///< step 6: field points
+
+  /// step 7: the improvement of the quality; empty if nobody asked for it
+  Improvement improvement;
 
   /// the mesh edges that the edges given by the named parameter `constrained_edges` are, or consist of: with
   /// `Constrained_edge_map_3`, what is to be told to whoever changes the mesh. Empty if the recovery failed.
@@ -134,22 +129,6 @@ struct Boundary_constrained_mesh_result_3
   /// returns `true` iff all is done.
   explicit operator bool() const { return status == Meshing_status::meshed; }
 };
-
-/// \ingroup PkgBoundaryRecovery3Classes
-/// returns the name of a status, as it is spelled in the enumeration.
-inline const char* to_string(const Meshing_status status)
-{
-  switch(status)
-  {
-    case Meshing_status::meshed:        return "meshed";
-    case Meshing_status::no_region:     return "no_region";
-    case Meshing_status::incomplete:    return "incomplete";
-    case Meshing_status::invalid_input: return "invalid_input";
-    case Meshing_status::too_large:     return "too_large";
-    case Meshing_status::stopped:       return "stopped";
-  }
-  return "";
-}
 
 /// \ingroup PkgBoundaryRecovery3Classes
 /// returns the name of a phase, as it is spelled in the enumeration.
@@ -202,6 +181,9 @@ std::ostream& operator<<(std::ostream& os, const Boundary_constrained_mesh_resul
     os << "\nregions: " << result.number_of_regions;
   if(result.number_of_regions > 0)
     os << "\nfilling: " << result.filling;
+  if(result.number_of_regions > 0 && result.filling
+     && (! result.improvement || result.improvement.before.number_of_cells > 0)) // else nobody asked for it
+    os << "\nimprovement: " << result.improvement;
   return os;
 }
 

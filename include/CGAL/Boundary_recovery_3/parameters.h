@@ -30,6 +30,9 @@ enum list_defects_t              { list_defects };
 enum maximum_number_of_defects_t { maximum_number_of_defects };
 enum grading_t                   { grading };
 enum maximum_number_of_vertices_t { maximum_number_of_vertices };
+enum min_dihedral_angle_t        { min_dihedral_angle };
+enum cell_quality_t              { cell_quality };
+enum improve_quality_t           { improve_quality };
 
 // A pack with all the parameters of both packs; those of the second win.
 template <typename NP, typename T, typename Tag>
@@ -121,6 +124,33 @@ Named_function_parameters<K, Boundary_recovery_3::internal::maximum_number_of_ve
 maximum_number_of_vertices(const K& k)
 {
   return Named_function_parameters<K, Boundary_recovery_3::internal::maximum_number_of_vertices_t>(k);
+}
+
+/// \ingroup PkgBoundaryRecovery3Functions
+/// the dihedral angle that all cells should have at least, in degrees, a number.
+template <typename K>
+Named_function_parameters<K, Boundary_recovery_3::internal::min_dihedral_angle_t>
+min_dihedral_angle(const K& k)
+{
+  return Named_function_parameters<K, Boundary_recovery_3::internal::min_dihedral_angle_t>(k);
+}
+
+/// \ingroup PkgBoundaryRecovery3Functions
+/// what makes a cell better than another one, a model of `CellQuality_3`.
+template <typename K>
+Named_function_parameters<K, Boundary_recovery_3::internal::cell_quality_t>
+cell_quality(const K& k)
+{
+  return Named_function_parameters<K, Boundary_recovery_3::internal::cell_quality_t>(k);
+}
+
+/// \ingroup PkgBoundaryRecovery3Functions
+/// whether cells are improved after the field points are inserted, a Boolean.
+template <typename K>
+Named_function_parameters<K, Boundary_recovery_3::internal::improve_quality_t>
+improve_quality(const K& k)
+{
+  return Named_function_parameters<K, Boundary_recovery_3::internal::improve_quality_t>(k);
 }
 
 } // namespace parameters

@@ -15,6 +15,7 @@ that would need too many cells. What is demanded of both meshes:
   - exit status 0: the verifier finds the class `strict`, so all cells are positive and do not overlap, every triangle of
     the surface is a facet, and nothing else bounds the mesh; no point is on the surface but its own;
   - the report says `meshed`, and as many points and cells as the verifier counts;
+  - what the report says of the tetrahedra that stayed bad is true, see check_certificate.py;
   - where there are two runs, both write the same bytes.
 Only Python's standard library is used.
 """
@@ -23,6 +24,7 @@ import os
 import sys
 import tempfile
 
+from check_certificate import Certificate_checker, Wrong, read_surface, read_tetrahedra
 from check_corpus import Refused, arguments_of, choose_surfaces, finish, judge_all, parser_of, read_off, run_once
 from check_corpus import tokens_of, verify
 
@@ -55,6 +57,13 @@ def uniform_size(surface, cells):
     return max(mean, (CELLS_PER_CUBE * volume / cells) ** (1 / 3))
 
 
+def check_certificate(report, surface, mesh):
+    try:
+        Certificate_checker(report, read_surface(surface), read_tetrahedra(mesh))()
+    except Wrong as wrong:
+        raise Refused("the certificate is wrong: %s" % wrong)
+
+
 def check_mesh(arguments, surface, number_of_triangles, *options):
     """The number of cells."""
     with tempfile.TemporaryDirectory(prefix="check_meshes_") as folder:
@@ -62,6 +71,7 @@ def check_mesh(arguments, surface, number_of_triangles, *options):
         if number_of_triangles < arguments.twice and run_once(arguments, surface, folder, *options)[1] != mesh:
             raise Refused("the second run wrote another mesh")
         verdict = verify(arguments, surface, os.path.join(folder, "out.mesh"))
+        check_certificate(report, surface, os.path.join(folder, "out.mesh"))
     if verdict["class"] != "strict":
         raise Refused("the verifier says %s: %s" % (verdict["class"], verdict.get("reason")))
     if verdict["steiner_seg"] + verdict["steiner_fac"] > 0:

@@ -7,6 +7,8 @@
 #include "mesh_validity_br3.h"
 
 #include <CGAL/Boundary_recovery_3/internal/meshing/Boundary_constrained_meshing_3.h>
+#include <CGAL/Boundary_recovery_3/internal/meshing/Hold_recovered_vertices_3.h>
+#include <CGAL/Boundary_recovery_3/mesh_quality.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
@@ -140,10 +142,14 @@ struct Scene
     int i, j;
     for(const auto& e : result.constrained_edges)
       assert(tr.is_edge(e[0], e[1], c, i, j));
-    assert(tr.number_of_vertices() == points.size() + result.recovery.steiner_vertices.size()
-                                      + result.filling.number_of_field_points);
     assert(result.phases.size() >= 1 && result.phases[0].phase == BR3::Meshing_phase::domain_marking);
-    assert(result.phases[0].number_of_vertices == points.size() + result.recovery.steiner_vertices.size());
+    const auto& counts = result.improvement.counts;
+    const std::size_t number_of_points = result.filling.number_of_field_points + counts.number_of_inserted_points;
+    assert(tr.number_of_vertices() + counts.number_of_removed_vertices ==
+           result.phases[0].number_of_vertices + number_of_points);
+    assert(result.phases[0].number_of_vertices >= points.size() + result.recovery.steiner_vertices.size());
+    for(const Vertex_handle v : result.recovery.steiner_vertices)
+      assert(tr.tds().is_vertex(v));
     double seconds = 0;
     for(const auto& phase : result.recovery.phases)
       seconds += phase.seconds;
@@ -155,15 +161,29 @@ struct Scene
     assert(result.seconds >= seconds);
   }
 
+  void check_improvement() const
+  {
+    const auto& improvement = result.improvement;
+    assert(improvement && improvement.seconds >= 0 && improvement.seconds <= result.seconds);
+    assert(improvement.certificate.min_dihedral_angle == 20);
+    assert(improvement.before.number_of_cells > 0 && improvement.after.number_of_cells > 0);
+    assert(improvement.after.min_dihedral_angle >= improvement.before.min_dihedral_angle);
+    assert(improvement.certificate.cells.size() == improvement.after.numbers_of_cells_below[3]);
+    for(const auto& bad : improvement.certificate.cells)
+      assert(tr.tds().is_cell(bad.cell) && bad.cell->subdomain_index() != 0);
+  }
+
   void check_meshed(const std::vector<int>& patches, const std::vector<long>& volumes) const
   {
     assert(result && result.status == BR3::Meshing_status::meshed && result.filling);
     assert(result.filling.number_of_field_points > 0);
-    assert(result.phases.size() == 3);
+    assert(result.phases.size() == 4);
     assert(result.phases[1].phase == BR3::Meshing_phase::forecast);
     assert(result.phases[2].phase == BR3::Meshing_phase::field_point_insertion);
-    assert(result.phases[2].number_of_vertices == tr.number_of_vertices());
-    assert(result.phases[2].number_of_cells == tr.number_of_finite_cells());
+    assert(result.phases[3].phase == BR3::Meshing_phase::quality_improvement);
+    assert(result.phases[3].number_of_vertices == tr.number_of_vertices());
+    assert(result.phases[3].number_of_cells == tr.number_of_finite_cells());
+    check_improvement();
     check(patches, volumes);
   }
 
@@ -243,6 +263,28 @@ void test_patches()
   scene.make(size, parameters::face_patch_map(CGAL::make_property_map(patches)));
   patches[0] = patches[3] = 2;
   scene.check_meshed(patches, { big.volume() });
+}
+
+// Without the improvement, the mesh is that of the filling; an angle that is none is told.
+void test_improvement()
+{
+  Scene<K> scene(box_with_sheet_and_edges()), other(scene.soup), invalid(scene.soup);
+  const auto size = [](const K::Point_3&, int, int) { return 3.; };
+  scene.make(size, parameters::improve_quality(false));
+  assert(scene.result && scene.result.phases.size() == 3 && scene.result.improvement.before.number_of_cells == 0);
+  assert(scene.result.phases.back().number_of_vertices == scene.tr.number_of_vertices());
+  assert(scene.result.improvement.certificate.cells.empty());
+  scene.check(numbers_from_1(scene.soup.triangles.size()), { big.volume() });
+
+  const std::size_t number_of_cells = BR3::mesh_quality(scene.tr).number_of_cells;
+  other.make(size, parameters::min_dihedral_angle(12.), parameters::cell_quality(BR3::Volume_length_quality_3()));
+  assert(other.result && other.result.improvement.before.number_of_cells == number_of_cells);
+  assert(other.result.improvement.certificate.min_dihedral_angle == 12);
+
+  invalid.make(size, parameters::min_dihedral_angle(71.));
+  assert(invalid.result.status == BR3::Meshing_status::invalid_input && invalid.result.filling);
+  assert(invalid.result.improvement.status == BR3::Meshing_status::invalid_input);
+  invalid.check(numbers_from_1(scene.soup.triangles.size()), { big.volume() });
 }
 
 // No region, or nothing that can be recovered: nothing is inserted.
@@ -326,6 +368,38 @@ void test_parts_of_edges()
   assert((edges.numbers == std::vector<std::size_t>{ 1, 1, 2, 3, 3, 4, 4 }));
 }
 
+// While the mesh is improved, vertices of the input do not seem to be free; Steiner points that went or moved are
+// forgotten afterwards.
+void test_held_vertices()
+{
+  typedef Scene<K>::Tr Tr;
+  BR3::Boundary_recovery_result_3<Tr> recovery;
+  Tr tr;
+  for(int i = 0; i < 9; ++i)
+  {
+    (i < 6 ? recovery.vertices : recovery.steiner_vertices).push_back(tr.insert(K::Point_3(i, i * i, i * i * i)));
+    (i < 6 ? recovery.vertices : recovery.steiner_vertices).back()->set_dimension(i == 4 ? 2 : 3);
+  }
+  const std::vector<Tr::Vertex_handle> steiner = recovery.steiner_vertices;
+  {
+    BR3::internal::Hold_recovered_vertices_3<Tr> hold(tr, recovery);
+    for(const Tr::Vertex_handle v : tr.finite_vertex_handles())
+      assert(v->in_dimension() == (v == recovery.vertices[4] ? 2 : v->point().x() < 6 ? 0 : 3));
+    hold.forget_lost_steiner_vertices();
+    assert(recovery.steiner_vertices == steiner);
+  }
+  for(std::size_t i = 0; i < 6; ++i)
+    assert(recovery.vertices[i]->in_dimension() == (i == 4 ? 2 : 3));
+  {
+    BR3::internal::Hold_recovered_vertices_3<Tr> hold(tr, recovery);
+    tr.remove(steiner[0]);
+    tr.insert(K::Point_3(0, 0, 7)); // which may get its handle
+    steiner[1]->set_point(K::Point_3(7, 49, 340));
+    hold.forget_lost_steiner_vertices();
+  }
+  assert(recovery.steiner_vertices == std::vector<Tr::Vertex_handle>{ steiner[2] });
+}
+
 // Steiner points on the surface: the parts of a triangle have its patch.
 void test_conforming()
 {
@@ -353,9 +427,11 @@ int main()
   test<Exact>(box_with_sheet_and_edges(), 3, { big.volume() });
 #endif
   test_patches();
+  test_improvement();
   test_other_ends();
   test_bad_sizes();
   test_parts_of_edges();
+  test_held_vertices();
   test_conforming();
   std::cout << "meshes are right" << std::endl;
 }

@@ -17,6 +17,10 @@ SKIPPED_FOLDERS = {".git", "build", "__pycache__"}
 FLOORS = [
     "license/Boundary_recovery_3.h",
     "Boundary_recovery_3/Boundary_recovery_result_3.h",
+    "Boundary_recovery_3/Meshing_status.h",
+    "Boundary_recovery_3/Mesh_quality_3.h",
+    "Boundary_recovery_3/Quality_certificate_3.h",
+    "Boundary_recovery_3/Quality_improvement_result_3.h",
     "Boundary_recovery_3/Boundary_constrained_mesh_result_3.h",
     "Boundary_recovery_3/Boundary_constrained_mesh_vertex_base_3.h",
     "Boundary_recovery_3/Boundary_constrained_mesh_cell_base_3.h",
@@ -59,6 +63,10 @@ FLOORS = [
     "Boundary_recovery_3/Bounded_sizing_field_3.h",
     "Boundary_recovery_3/Region_sizing_field_3.h",
     "insert_field_points.h",
+    "quality",      # angles of cells, their improvement, and what is to be said about those that stay bad
+    "Boundary_recovery_3/mesh_quality.h",
+    "Boundary_recovery_3/Cell_quality_3.h",
+    "improve_mesh_quality.h",
     "meshing",      # all steps, one after the other
     "make_boundary_constrained_mesh_3.h",
 ]

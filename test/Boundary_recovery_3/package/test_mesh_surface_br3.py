@@ -7,6 +7,7 @@ Every mesh is read back by parsers of program_tests.py and checked with exact ra
 too, where they are installed.
 """
 import collections
+import copy
 import itertools
 import json
 import math
@@ -15,6 +16,7 @@ import re
 import shutil
 import subprocess
 import sys
+import xml.etree.ElementTree
 
 sys.dont_write_bytecode = True  # the folder of the sources stays as it is
 import program_tests
@@ -25,6 +27,11 @@ from test_program_br3 import (test_binary_off, test_coordinates_are_kept, test_f
                               test_invalid_faces, test_line_ends, test_pipe, test_repair_drops_duplicates_and_turns,
                               test_summary_that_cannot_be_written)
 
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.append(os.path.join(HERE, '..', 'corpus'))
+from check_certificate import Certificate_checker, Wrong
+
+DRAW_QUALITY = os.path.join(HERE, '..', '..', '..', 'examples', 'Boundary_recovery_3', 'program', 'draw_quality.py')
 MESHED = RECOVERED
 
 
@@ -190,7 +197,7 @@ def test_regions():
 
 def test_order_of_points():
     points, faces = schonhardt()
-    result, report = mesh('twisted', (points, faces), '--size', '0.4')
+    result, report = mesh('twisted', (points, faces), '--size', '0.4', '--no-improvement')
     check_domain(result, points, faces)
     n, steiner, field = len(points), report['number_of_steiner_points_in_domain'], report['number_of_field_points']
     assert steiner > 0 and field > 0 and len(result.points) == n + steiner + field
@@ -204,6 +211,13 @@ def test_no_field_points():
         result, report = mesh('box', surface, '--no-field-points', *sizes)
         check_domain(result, *surface)
         assert len(result.points) == 8 and report['number_of_field_points'] == 0 and not report['insert_field_points']
+
+
+def number_of_points_inside(report):
+    """what the field points became"""
+    improvement = report['improvement']
+    return (report['number_of_field_points'] + improvement['number_of_inserted_points']
+            - improvement['number_of_removed_vertices'])
 
 
 def size_of_sources(sources, background):
@@ -396,6 +410,115 @@ def test_quality_in_report():
             check_number(counts[str(x)], extremes, -1 if name == 'below' else x, x if name == 'below' else 181)
 
 
+def wedge(degrees):
+    """a prism that is thin at the edge on the x axis"""
+    ring = [(0, 0), (3, 0), (3 * math.cos(math.radians(degrees)), 3 * math.sin(math.radians(degrees)))]
+    points = [(x, *p) for p in ring for x in (0, 1, 2)]
+    faces = [(0, 3, 1), (1, 3, 4), (1, 4, 2), (2, 4, 5), (0, 1, 6), (1, 7, 6), (1, 2, 7), (2, 8, 7), (3, 6, 4), (4, 6, 7),
+             (4, 7, 5), (5, 7, 8), (0, 6, 3), (2, 5, 8)]
+    return points, faces
+
+
+def check_certificate(name, report, surface):
+    """what the report says of the tetrahedra that stayed bad, and of all of them"""
+    result = read_mesh(name)
+    checker = Certificate_checker(report, surface, (result.points, result.tetrahedra))
+    checker()
+    after = report['improvement']['after']
+    smallest = [min(dihedral_angles([result.points[v] for v in t])) for t in result.tetrahedra]
+    assert after['number_of_tetrahedra'] == len(smallest) and len(after['histogram_of_smallest_angles']) == 18
+    for i, n in enumerate(after['histogram_of_smallest_angles']):
+        check_number(n, smallest, 5 * i, 5 * i + 5)
+    assert math.isclose(after['min_dihedral_angle'], min(smallest), abs_tol=1e-6)
+    for key in ('tetrahedra_with_angle_below', 'tetrahedra_with_angle_above', 'max_dihedral_angle'):
+        assert after[key] == report[key] or math.isclose(after[key], report[key], abs_tol=1e-6)
+    assert after['min_dihedral_angle'] >= report['improvement']['before']['min_dihedral_angle']
+    return report['improvement']['bad_tetrahedra']
+
+
+def test_certificate():
+    points, faces = wedge(8)
+    spare = [(7, 7, 7)] + points, [tuple(v + 1 for v in f) for f in faces]  # a point that no triangle has
+    for name, surface in (('wedge.off', (points, faces)), ('spare.off', spare)):
+        report = report_of(write(name, off_text(*surface)), '-o', 'wedge.mesh', status=MESHED)
+        bad = check_certificate('wedge.mesh', report, surface)
+        forced = [entry for entry in bad if entry['reason'] == 'forced']
+        assert forced and report['improvement']['target_angle'] == 20
+        assert all(math.isclose(entry['surface_angle'], 8, rel_tol=1e-9) for entry in forced)
+        triangles = {tuple(sorted(facet['triangle'] for facet in entry['facets'])) for entry in forced}
+        assert triangles == {(0, 4), (2, 6)}  # those at the edges on the axis
+    for target in (7.9, 0):
+        report = report_of('wedge.off', '--min-angle', str(target), '-o', 'low.mesh', status=MESHED)
+        check_certificate('low.mesh', report, (points, faces))
+        assert report['improvement']['target_angle'] == target and report['improvement']['number_of_forced'] == 0
+    box = grid_box(3)
+    report = report_of(write('grid.off', off_text(*box)), '--size', '0.2', '-o', 'grid.mesh', '--min-angle', '30',
+                       status=MESHED)
+    check_certificate('grid.mesh', report, box)
+    assert report['improvement']['number_of_forced'] == 0
+
+    # the check notices what is wrong
+    report = report_of('wedge.off', '-o', 'wedge.mesh', status=MESHED)
+    position = next(i for i, entry in enumerate(report['improvement']['bad_tetrahedra']) if entry['reason'] == 'forced')
+
+    def change_entry(**changes):
+        return lambda improvement: improvement['bad_tetrahedra'][position].update(changes)
+    for change in (change_entry(surface_angle=9), change_entry(reason='needle'), change_entry(min_dihedral_angle=1),
+                   lambda improvement: improvement['bad_tetrahedra'][position]['facets'][0].update(triangle=12),
+                   lambda improvement: improvement['bad_tetrahedra'].pop(), lambda improvement: improvement.update(target_angle=7)):
+        wrong = copy.deepcopy(report)
+        change(wrong['improvement'])
+        try:
+            check_certificate('wedge.mesh', wrong, (points, faces))
+        except Wrong:
+            continue
+        assert False, change
+
+
+def test_no_improvement():
+    name = write('plain.off', off_text(*wedge(8)))
+    report = report_of(name, '--no-improvement', '--size', '1', '-o', 'plain.mesh', status=MESHED)
+    assert 'improvement' not in report and 'seconds_improvement' not in report
+    assert [phase['name'] for phase in report['meshing_phases']][-1] == 'field_point_insertion'
+    assert report['number_of_points'] == 9 + report['number_of_field_points']
+    process = run(name, '--no-improvement', '--timing', status=MESHED)
+    assert '@@improve 0\n' in process.out and 'tetrahedra below' not in process.out and 'improved' not in process.out
+    for combination in (['--no-improvement', '--min-angle', '10'], ['--no-field-points', '--min-angle', '10']):
+        check_file_error(name, *combination)
+
+
+def test_chart():
+    def draw(*arguments):
+        return subprocess.run([sys.executable, DRAW_QUALITY, *arguments], capture_output=True, timeout=60)
+    name = write('a <chart> & more.off', off_text(*wedge(8)))
+    run(name, '--report', 'chart.json', '--quiet', status=MESHED)
+    for chart in ('first.svg', 'second.svg'):
+        process = draw('chart.json', chart)
+        assert process.returncode == 0 and process.stdout + process.stderr == b'', process
+    assert read('first.svg') == read('second.svg')
+    root = xml.etree.ElementTree.fromstring(read('first.svg').decode())
+    improvement = json.loads(read('chart.json'))['improvement']
+    texts = [element.text for element in root.iter('{http://www.w3.org/2000/svg}text')]
+    assert name in texts and any('%d forced' % improvement['number_of_forced'] in t for t in texts), texts
+    heights = collections.defaultdict(dict)  # of the bars
+    for bar in root.iter('{http://www.w3.org/2000/svg}rect'):
+        words = re.fullmatch(r'(before|after), (\d+) to \d+ degrees: (\d+) tetrahedra', bar[0].text or '')
+        if words:
+            heights[words[1]][int(words[2])] = (int(words[3]), float(bar.get('height')))
+    for key, bars in heights.items():
+        histogram = improvement[key]['histogram_of_smallest_angles']
+        assert [bars[5 * i][0] for i in range(len(bars))] == histogram[:len(bars)] and sum(histogram[len(bars):]) == 0
+    largest = max(height / n for bars in heights.values() for n, height in bars.values() if n > 0)
+    smallest = min(height / n for n, height in heights['after'].values() if n > 0)
+    assert set(heights) == {'before', 'after'} and smallest > 0 and largest <= 280
+    run(name, '--no-improvement', '--report', 'none.json', '--quiet', status=MESHED)
+    for arguments in (['none.json', 'x.svg'], ['nowhere.json', 'x.svg'], [name, 'x.svg'], ['chart.json'],
+                      ['chart.json', 'nowhere/x.svg']):
+        process = draw(*arguments)
+        assert process.returncode == 1 and process.stderr and b'Traceback' not in process.stderr, process
+    assert not os.path.exists('x.svg')
+
+
 def test_report():
     name = write('report.off', off_text(*box((0, 0, 0), (3, 4, 5))))
     report = report_of(name, '-o', 'report.mesh', '--size', '1', status=MESHED)
@@ -403,18 +526,18 @@ def test_report():
     assert report['program'] == 'mesh_surface' and report['input'] == name and report['notes'] == []
     assert report['status'] == 'meshed' and report['recovery_status'] == 'recovered'
     assert report['number_of_edges'] == 18 and report['number_of_facets'] == report['number_of_triangles'] == 12
-    assert report['number_of_points'] == len(result.points) == 8 + report['number_of_field_points']
+    assert report['number_of_points'] == len(result.points) == 8 + number_of_points_inside(report)
     assert report['number_of_tetrahedra'] == len(result.tetrahedra) and report['number_of_regions'] == 1
     for key in ('missing_edges', 'missing_facets', 'unrepresentable_constraints', 'defects', 'steiner_points', 'invalid_sizes'):
         assert report[key] == []
     names = [phase['name'] for phase in report['phases']]
     assert names[0] == 'insertion' and 'search' in names
     names = [phase['name'] for phase in report['meshing_phases']]
-    assert names[0] == 'domain_marking' and names[-1] == 'field_point_insertion', names
+    assert names[0] == 'domain_marking' and names[-2:] == ['field_point_insertion', 'quality_improvement'], names
     last = report['meshing_phases'][-1]
     assert last['number_of_vertices'] == len(result.points) and last['number_of_cells'] >= len(result.tetrahedra)
-    assert 0 <= report['seconds_recovery'] and 0 <= report['seconds_field_points']
-    assert report['seconds_recovery'] + report['seconds_field_points'] <= report['seconds']
+    seconds = [report['seconds_' + step] for step in ('recovery', 'field_points', 'improvement')]
+    assert min(seconds) >= 0 and sum(seconds) <= report['seconds']
 
 
 def test_printing():
@@ -423,16 +546,22 @@ def test_printing():
     assert process.out == '' and process.err == ''
     process = run(surface, '--size', '1', status=MESHED)
     assert 'no mesh is written' in process.out and process.err == '' and '@@' not in process.out and '\r' not in process.out
-    for words in (r'^search ', r'^field_point_insertion +\d+ +\d+ ', r'^ *60 to +70 +[\d.]+ %', r'^edges inside: \d+, [\d.]+ %',
+    for words in (r'^search ', r'^field_point_insertion +\d+ +\d+ ', r'^quality_improvement +\d+ +\d+ ', r'^ *60 to +70 +[\d.]+ %', r'^edges inside: \d+, [\d.]+ %',
                   r'below 5: \d+, 10: \d+, 15: \d+, 20: \d+; above 150: \d+, 160: \d+, 170: \d+',
+                  r'^improved from [\d.e-]+ and [\d.]+ degrees: \d+ edges? and \d+ facets? removed, ',
+                  r'^tetrahedra below 20 degrees: 0 forced by the surface, \d+ at needles of it, \d+ not improved',
                   r'^meshed: \d+ points, \d+ field points? and 0 Steiner points among them, and \d+ tetrahedra in 1 region'):
         assert re.search(words, process.out, re.M), (words, process.out)
     assert 'no mesh is written' not in run(surface, '-o', 'printing.mesh', status=MESHED).out
+    process = run(write('wedge.off', off_text(*wedge(8))), status=MESHED)
+    words = r'^  [\d.]+ degrees at \(([-\d.e]+ ){2}[-\d.e]+\), forced: triangles of the surface meet at 8 degrees$'
+    assert re.search(words, process.out, re.M), process.out
     process = run(surface, '--quiet', '--timing', status=MESHED)
     lines = [re.fullmatch(r'@@(\w+) ([\d.e+-]+)', line).groups() for line in process.out.splitlines()]
     assert [word for word, _ in lines] == ['rec', 'fill', 'improve', 'tmesh']
     seconds = {word: float(x) for word, x in lines}
-    assert min(seconds.values()) >= 0 == seconds['improve'] and seconds['rec'] + seconds['fill'] <= seconds['tmesh']
+    assert min(seconds.values()) >= 0 and seconds['improve'] > 0
+    assert seconds['rec'] + seconds['fill'] + seconds['improve'] <= seconds['tmesh']
 
 
 def test_progress_on_a_terminal():
@@ -504,18 +633,19 @@ def test_time_limit():
 def test_command_line():
     process = run('--help', status=MESHED)
     assert process.out.startswith('usage: mesh_surface') and process.err == ''
-    for option in ('-o --size --sources --background --grading --no-field-points --max-vertices --time-limit --repair '
-                   '--tolerance --list-defects --report --timing --quiet --help').split():
+    for option in ('-o --size --sources --background --grading --no-field-points --max-vertices --time-limit --min-angle '
+                   '--no-improvement --repair --tolerance --list-defects --report --timing --quiet --help').split():
         assert '  %s ' % option in process.out, option
     surface = write('command_line.off', off_text(*tetrahedron()))
     for wrong in (['--unknown'], ['-x'], ['-o'], ['--report'], [surface], [''], ['--size'], ['--size', '0'], ['--size', '-1'],
                   ['--size', 'nan'], ['--size', 'inf'], ['--size', '1e999'], ['--size', '1m'], ['--size', ''],
                   ['--grading', '-1'], ['--grading', 'nan'], ['--grading', '0.3', '--size', '1'], ['--sources'],
                   ['--background'], ['--max-vertices', '-1'], ['--max-vertices', '1.5'], ['--max-vertices', '1e300'],
-                  ['--time-limit', 'soon'], ['--tolerance', '1'], ['--conforming'], ['--min-angle', '10'],
+                  ['--time-limit', 'soon'], ['--tolerance', '1'], ['--conforming'], ['--min-angle'],
+                  ['--min-angle', '-1'], ['--min-angle', '70.6'], ['--min-angle', 'nan'], ['--no-improvement', '1'],
                   ['-o', 'out.stl'], ['-o', 'out']):
         check_file_error(surface, *wrong)
-    run(surface, '--grading', '0.5', '--max-vertices', '100', '--time-limit', '60', status=MESHED)
+    run(surface, '--grading', '0.5', '--max-vertices', '100', '--time-limit', '60', '--min-angle', '70.5', status=MESHED)
 
 
 def test_files_of_sizes_are_not_overwritten():

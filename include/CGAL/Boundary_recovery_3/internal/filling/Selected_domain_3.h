@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/property_map.h>
 
 #include <type_traits>
@@ -85,6 +86,23 @@ private:
   Cell_is_selected_map m_is_selected;
   Edge_is_constrained_map m_is_constrained;
 };
+
+// The domain that the named parameters `cell_is_selected_map` and `edge_is_constrained_map` select.
+template <typename Tr, typename NamedParameters>
+auto selected_domain(const Tr& tr, const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  typedef typename Tr::Cell_handle                       Cell_handle;
+  typedef typename Tr::Vertex_handle                     Vertex_handle;
+  typedef std::pair<Vertex_handle, Vertex_handle>        Edge;
+  typedef Static_boolean_property_map<Cell_handle, true> All_cells;
+  typedef Static_boolean_property_map<Edge, false>       No_edge;
+  const auto is_selected = choose_parameter<All_cells>(get_parameter(np, internal_np::cell_selector));
+  const auto is_constrained = choose_parameter<No_edge>(get_parameter(np, internal_np::edge_is_constrained));
+  return Selected_domain_3<Tr, std::decay_t<decltype(is_selected)>, std::decay_t<decltype(is_constrained)> >(
+    tr, is_selected, is_constrained);
+}
 
 } // namespace internal
 } // namespace Boundary_recovery_3

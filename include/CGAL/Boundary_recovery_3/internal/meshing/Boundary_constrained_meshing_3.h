@@ -17,9 +17,11 @@
 #include <CGAL/Boundary_recovery_3/Constrained_edge_map_3.h>
 #include <CGAL/Boundary_recovery_3/Surface_sizing_field_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mark_domain_3.h>
+#include <CGAL/Boundary_recovery_3/internal/meshing/Hold_recovered_vertices_3.h>
 #include <CGAL/Boundary_recovery_3/internal/meshing/Meshing_recorder_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/visitor_of.h>
+#include <CGAL/improve_mesh_quality.h>
 #include <CGAL/insert_field_points.h>
 #include <CGAL/mark_domain.h>
 #include <CGAL/recover_boundary.h>
@@ -114,9 +116,9 @@ public:
       if(result.number_of_regions == 0)
         result.status = Meshing_status::no_region;
       else if(! recorder.can_go_further())
-        result.status = result.filling.status = Meshing_status::stopped;
+        result.status = result.filling.status = result.improvement.status = Meshing_status::stopped;
       else
-        fill(size, recorder, result);
+        fill_and_improve(size, recorder, result);
     }
     result.seconds = recorder.seconds();
     return result;
@@ -162,13 +164,37 @@ private:
   }
 
   template <typename SizingField, typename Recorder>
-  void fill(const SizingField& size, Recorder& recorder, Result& result)
+  void fill_and_improve(const SizingField& size, Recorder& recorder, Result& result)
   {
-    const auto np = internal::merge_all(
+    fill(size, recorder, result);
+    result.status = result.improvement.status = result.filling.status;
+    using parameters::get_parameter;
+    if(result.filling && parameters::choose_parameter(get_parameter(m_np, internal::improve_quality), true))
+      improve(recorder, result);
+  }
+
+  template <typename Recorder>
+  void improve(Recorder& recorder, Result& result)
+  {
+    Hold_recovered_vertices_3<Tr> hold(m_tr, result.recovery);
+    result.improvement = improve_mesh_quality(m_tr, parameters_of_step(recorder, result));
+    result.status = result.improvement.status;
+    hold.forget_lost_steiner_vertices();
+  }
+
+  // Those of the caller, with the time that is left.
+  template <typename Recorder>
+  auto parameters_of_step(Recorder& recorder, const Result& result) const
+  {
+    return internal::merge_all(
       m_np, parameters::visitor(std::ref(recorder)), parameters::maximum_running_time(recorder.seconds_left()),
       parameters::edge_is_constrained_map(Constrained_edge_map_3<Tr>(result.constrained_edges)));
-    result.filling = insert_field_points(m_tr, size, np);
-    result.status = result.filling.status;
+  }
+
+  template <typename SizingField, typename Recorder>
+  void fill(const SizingField& size, Recorder& recorder, Result& result)
+  {
+    result.filling = insert_field_points(m_tr, size, parameters_of_step(recorder, result));
   }
 
   template <typename Recorder>

@@ -51,20 +51,22 @@ public:
         i = k;
         j = -1;
       }
-    m_new_cells = nullptr;
-    if(i >= 0 && j >= 0 && m_remove_edge.find(c, i, j, 0) && m_remove_edge.apply())
-      m_new_cells = &m_remove_edge.new_cells();
-    if(i >= 0 && j < 0 && m_remove_facet.find(c, i, 0) && m_remove_facet.apply())
-      m_new_cells = &m_remove_facet.new_cells();
-    return m_new_cells != nullptr;
+    m_is_edge_removed = j >= 0;
+    if(i < 0)
+      return false;
+    return m_is_edge_removed ? m_remove_edge.find(c, i, j, 0) && m_remove_edge.apply()
+                             : m_remove_facet.find(c, i, 0) && m_remove_facet.apply();
   }
 
-  const Cells& new_cells() const { return *m_new_cells; }
+  // What was done last: whether an edge was removed, or facets.
+  bool is_edge_removed() const { return m_is_edge_removed; }
+
+  const Cells& new_cells() const { return m_is_edge_removed ? m_remove_edge.new_cells() : m_remove_facet.new_cells(); }
 
 private:
   Remove_bad_edge_3<Mesh> m_remove_edge;
   Remove_bad_facet_3<Mesh> m_remove_facet;
-  const Cells* m_new_cells = nullptr;
+  bool m_is_edge_removed = false;
 };
 
 } // namespace internal

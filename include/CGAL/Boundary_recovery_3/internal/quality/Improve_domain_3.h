@@ -12,6 +12,9 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_result_3.h>
+#include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Bad_cells_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Contract_bad_edge_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Flip_bad_cell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Improved_mesh_3.h>
@@ -22,8 +25,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdio>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -31,222 +32,181 @@ namespace Boundary_recovery_3 {
 namespace internal {
 
 /*
- * Improves the cells of a domain, step 7 of [CZZ+17, Section 4.1]: works through a list of the bad cells, the worst one
- * first, again and again. The first rounds flip and smooth only; the dear operations follow for what these leave.
+ * Improves the cells of a domain, step 7 of [CZZ+17, Section 4.1]: works through the list of its bad cells, the worst
+ * one first, again and again. What is cheap is done for all of them; the dear operations follow, for what that leaves.
  *
- * No operation makes the worst of the cells that it changes worse, and each makes the sum of their badness smaller, so
- * the work ends.
+ * No operation leaves a cell that is worse than the worst one of those that it changes, and each makes the sum of the
+ * badness of the cells smaller. So the work ends, and the worst cell of the mesh does not get worse.
+ *
+ * At last, only those cells count that are really bad; then others may get worse for them.
  */
 template <typename Tr, typename Domain, typename Quality, typename Visitor>
 class Improve_domain_3
 {
 public:
-  typedef typename Tr::Vertex_handle Vertex_handle;
-  typedef typename Tr::Cell_handle   Cell_handle;
+  typedef typename Tr::Cell_handle Cell_handle;
 
   Improve_domain_3(Tr& tr, Domain& domain, const Quality& quality, Recovery_context<Visitor>& context)
-    : m_tr(tr), m_domain(domain), m_quality(quality), m_context(context),
-      m_mesh(tr, domain, quality, context.visitor()),
-      m_flip(m_mesh), m_smooth(m_mesh, quality), m_contract(m_mesh), m_insert(m_mesh, quality), m_reconnect(m_mesh)
+    : m_quality(quality), m_context(context), m_mesh(tr, domain, quality, context.visitor()), m_bad_cells(m_mesh),
+      m_flip(m_mesh), m_contract(m_mesh), m_smooth(m_mesh, quality), m_insert(m_mesh, quality), m_reconnect(m_mesh)
   { }
 
+  // Until no cell has a dihedral angle below that, in degrees, or nothing helps, or the context says stop.
   void operator()(const double min_dihedral_angle)
   {
-    stage(min_dihedral_angle, 6);
-    if(min_dihedral_angle > 12)
-      stage(12, 6);
+    improve_cells_below(min_dihedral_angle, max_number_of_rounds, false);
+    if(min_dihedral_angle > really_bad_angle)
+      improve_cells_below(really_bad_angle, max_number_of_last_rounds, true);
+    tell_progress(m_number_of_visits);
   }
+
+  const Quality_improvement_counts& counts() const { return m_counts; }
 
 private:
   typedef Improved_mesh_3<Tr, Domain, Quality, Visitor> Mesh;
 
-  void stage(const double angle, const int max_rounds)
+  // See "Tuning constants" in the manual.
+  static constexpr double really_bad_angle = 12;
+  static constexpr int max_number_of_rounds = 6;
+  static constexpr int max_number_of_last_rounds = 12;
+  static constexpr int first_dear_round = 3;
+  static constexpr double least_progress = 0.02;
+  static constexpr std::size_t max_number_of_flips = 50;
+  static constexpr std::size_t visits_per_report = 2048;
+  static constexpr std::size_t expected_number_of_visits = 3; // of each cell that is bad at first
+
+  void improve_cells_below(const double angle, const int max_number, const bool reconnects)
   {
     m_mesh.set_enough(m_quality.of_angle(angle));
-    collect_bad_cells();
-    m_last_change.clear(-1);
-    double before = sort_bad_cells();
-    for(int round = 0; round < max_rounds && ! m_bad.empty(); ++round)
+    m_bad_cells.collect();
+    double last_badness = 0;
+    for(m_round = 1; m_round <= max_number && m_context.go_further(); ++m_round)
     {
-      const double t = m_context.seconds();
-      const std::size_t n = m_bad.size();
-      std::size_t counts[5] = { 0, 0, 0, 0, 0 };
-      std::vector<std::pair<double, Cell_handle> > bad;
-      bad.swap(m_bad);
-      for(const auto& b : bad)
-      {
-        const Cell_handle c = b.second;
-        if(! is_bad(c))
-          continue;
-        if(round > 2 && ! has_changed(c, round - 1))
-        {
-          push(c);
-          continue;
-        }
-        m_round = round;
-        if(flip(c))
-          ++counts[0];
-        else if(contract(c))
-          ++counts[2];
-        else if(round > 0 && smooth(c))
-          ++counts[1];
-        else if(round > 1 && insert(c))
-          ++counts[3];
-        else if(round > 1 && reconnect(c))
-          ++counts[4];
-        else
-          push(c);
-      }
-      const double after = sort_bad_cells();
-      std::fprintf(stderr, "angle %g round %d: bad %zu %g, flipped %zu smoothed %zu contracted %zu inserted %zu reconnected %zu; bad %zu %g worst %g; %.3f s\n", angle, round, n, before, counts[0], counts[1], counts[2], counts[3], counts[4], m_bad.size(), after, m_bad.empty() ? 0 : m_bad.front().first, m_context.seconds() - t);
-      if(round > 1 && after > 0.98 * before)
+      const std::vector<Cell_handle> cells = m_bad_cells.next_round();
+      const bool is_slow = m_bad_cells.badness() > (1 - least_progress) * last_badness;
+      if(cells.empty() || (m_round > first_dear_round && is_slow))
         break;
-      before = after;
+      last_badness = m_bad_cells.badness();
+      m_expected_visits = (std::max)(m_expected_visits, expected_number_of_visits * cells.size());
+      m_reconnects = reconnects && m_round >= first_dear_round;
+      ++m_counts.number_of_rounds;
+      for(const Cell_handle c : cells)
+        if(m_context.go_further_after_short_step() && m_bad_cells.contains(c))
+          visit(c);
     }
   }
 
-  void collect_bad_cells()
+  void visit(const Cell_handle c)
   {
-    m_bad.clear();
-    for(const Cell_handle c : m_tr.finite_cell_handles())
-      if(m_domain.contains(c))
-        push(c);
+    if(++m_number_of_visits % visits_per_report == 0)
+      tell_progress((std::max)(m_expected_visits, m_number_of_visits));
+    const bool is_worth_it = m_round <= first_dear_round || m_bad_cells.has_changed(c);
+    if(! is_worth_it || ! improve(c))
+      m_bad_cells.push(c);
   }
 
-  void push(const Cell_handle c)
+  // Returns whether the cell was changed.
+  bool improve(const Cell_handle c)
   {
-    const double q = m_mesh.quality(c);
-    if(q < m_mesh.enough())
-      m_bad.emplace_back(q, c);
-  }
-
-  template <typename Cells>
-  void push_all(const Cells& cells)
-  {
-    for(const Cell_handle c : cells)
-    {
-      push(c);
-      for(int i = 0; i < 4; ++i)
-        m_last_change[c->vertex(i)] = m_round;
-    }
-  }
-
-  bool has_changed(const Cell_handle c, const int round) const
-  {
-    for(int i = 0; i < 4; ++i)
-      if(m_last_change.is_defined(c->vertex(i)) && m_last_change[c->vertex(i)] >= round)
-        return true;
-    return false;
-  }
-
-  // The worst one first. Those that are gone, or are there twice, are taken out. Returns how bad they are together.
-  double sort_bad_cells()
-  {
-    for(auto& b : m_bad)
-      b.first = is_bad(b.second) ? m_mesh.quality(b.second) : 2;
-    std::stable_sort(m_bad.begin(), m_bad.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
-    m_bad.erase(std::unique(m_bad.begin(), m_bad.end()), m_bad.end());
-    double sum = 0;
-    for(const auto& b : m_bad)
-      sum += m_mesh.badness(b.first);
-    while(! m_bad.empty() && m_bad.back().first > 1.5)
-      m_bad.pop_back();
-    return sum;
-  }
-
-  bool is_bad(const Cell_handle c) const
-  {
-    return m_tr.tds().cells().is_used(c) && m_domain.contains(c) && m_mesh.quality(c) < m_mesh.enough();
+    return flip(c) || contract(c) || (m_round > 1 && smooth(c))
+        || (m_round >= first_dear_round && insert(c)) || (m_reconnects && reconnect(c));
   }
 
   // Flips what comes from a cell, until that does not help any more.
   bool flip(const Cell_handle c)
   {
     m_stack.assign(1, c);
-    bool is_flipped = false;
-    for(int k = 0; ! m_stack.empty() && k < 50; ++k)
+    std::size_t number_of_flips = 0;
+    while(! m_stack.empty())
     {
       const Cell_handle d = m_stack.back();
       m_stack.pop_back();
-      if(! is_bad(d))
+      if(! m_bad_cells.contains(d))
         continue;
-      if(m_flip(d))
+      if(number_of_flips < max_number_of_flips && m_flip(d))
       {
-        is_flipped = true;
-        for(const Cell_handle n : m_flip.new_cells())
-          for(int i = 0; i < 4; ++i)
-            m_last_change[n->vertex(i)] = m_round;
-        for(const Cell_handle n : m_flip.new_cells())
-          if(m_mesh.quality(n) < m_mesh.enough())
-            m_stack.push_back(n);
+        ++number_of_flips;
+        ++(m_flip.is_edge_removed() ? m_counts.number_of_removed_edges : m_counts.number_of_removed_facets);
+        m_bad_cells.note_change(m_flip.new_cells());
+        m_stack.insert(m_stack.end(), m_flip.new_cells().begin(), m_flip.new_cells().end());
       }
-      else if(is_flipped)
-        push(d);
+      else if(number_of_flips > 0)
+        m_bad_cells.push(d);
     }
-    for(const Cell_handle d : m_stack)
-      if(is_bad(d))
-        push(d);
-    return is_flipped;
+    return number_of_flips > 0;
   }
 
-  bool smooth(const Cell_handle c)
-  {
-    bool is_smoothed = false;
-    for(int i = 0; i < 4 && m_mesh.quality(c) < m_mesh.enough(); ++i)
-      if(m_smooth(c->vertex(i)))
-      {
-        is_smoothed = true;
-        push_all(m_smooth.cells());
-      }
-    return is_smoothed;
-  }
-
+  // Contracts the edge at a vertex of the cell that helps most.
   bool contract(const Cell_handle c)
   {
     double gain = 0;
-    int at = -1;
+    int best = -1;
     for(int i = 0; i < 4; ++i)
       if(m_contract.find(c->vertex(i), gain))
       {
         gain = m_contract.gain();
-        at = i;
+        best = i;
       }
-    if(at < 0 || ! m_contract.find(c->vertex(at), 0) || ! m_contract.apply())
+    if(best < 0 || ! m_contract.find(c->vertex(best), 0) || ! m_contract.apply())
       return false;
-    push_all(m_contract.new_cells());
+    ++m_counts.number_of_removed_vertices;
+    m_bad_cells.push_changed(m_contract.new_cells());
     return true;
+  }
+
+  // Moves the vertices of the cell, until it is good enough.
+  bool smooth(const Cell_handle c)
+  {
+    bool is_changed = false;
+    for(int i = 0; i < 4 && m_mesh.quality(c) < m_mesh.enough(); ++i)
+      if(m_smooth(c->vertex(i)))
+      {
+        is_changed = true;
+        ++m_counts.number_of_moved_vertices;
+        m_bad_cells.push_changed(m_smooth.cells());
+      }
+    return is_changed;
   }
 
   bool insert(const Cell_handle c)
   {
     if(! m_insert.find(c) || ! m_insert.apply())
       return false;
-    push_all(m_insert.new_cells());
+    ++m_counts.number_of_inserted_points;
+    m_bad_cells.push_changed(m_insert.new_cells());
     return true;
   }
 
   bool reconnect(const Cell_handle c)
   {
-    if(! m_reconnect.find(c) || ! m_reconnect.apply())
+    if(! m_reconnect.find(c))
       return false;
-    push_all(m_reconnect.new_cells());
+    m_reconnect.apply();
+    ++m_counts.number_of_reconnected_polyhedra;
+    m_bad_cells.push_changed(m_reconnect.new_cells());
     return true;
   }
 
-  Tr& m_tr;
-  Domain& m_domain;
+  void tell_progress(const std::size_t expected_visits)
+  {
+    m_context.visitor().on_progress(Meshing_phase::quality_improvement, m_number_of_visits, expected_visits);
+  }
+
   const Quality& m_quality;
   Recovery_context<Visitor>& m_context;
   Mesh m_mesh;
+  Bad_cells_3<Mesh> m_bad_cells;
   Flip_bad_cell_3<Mesh> m_flip;
-  Smooth_vertex_3<Mesh> m_smooth;
   Contract_bad_edge_3<Mesh> m_contract;
+  Smooth_vertex_3<Mesh> m_smooth;
   Insert_into_bad_cell_3<Mesh> m_insert;
   Reconnect_bad_cell_3<Mesh> m_reconnect;
-  std::vector<std::pair<double, Cell_handle> > m_bad;
+  Quality_improvement_counts m_counts;
   std::vector<Cell_handle> m_stack;
-  Unique_hash_map<Vertex_handle, int> m_last_change;
   int m_round = 0;
+  bool m_reconnects = false;
+  std::size_t m_number_of_visits = 0;
+  std::size_t m_expected_visits = 0;
 };
 
 } // namespace internal

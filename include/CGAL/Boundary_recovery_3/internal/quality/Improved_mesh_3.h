@@ -26,6 +26,7 @@
 #include <array>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Boundary_recovery_3 {
@@ -52,6 +53,7 @@ public:
   typedef Cell_replacement<Tr>              Replacement;
   typedef typename Replacement::Tetrahedron Tetrahedron;
   typedef typename Replacement::Cells       Cells;
+  typedef typename Tr::Cell::Subdomain_index Subdomain_index;
 
   Improved_mesh_3(Tr& tr, Domain& domain, const Quality& quality, Visitor& visitor)
     : m_tr(tr), m_domain(domain), m_quality(quality), m_visitor(visitor),
@@ -115,35 +117,41 @@ public:
 
   static double size(const Vertex_handle v) { return Allowed_lengths_3<Tr>::size(v); }
 
-  // A vertex inside of the region of c, which is to be connected at once.
-  Vertex_handle create_vertex(const Point_3& p, const Cell_handle c, const double size, const double least)
+  // Exchanges cells of a region for the star of a new vertex at p, which has this size, and edges that may have the
+  // length `least`. The faces, seen from inside, are those of the cells.
+  template <typename CellRange, typename FaceRange>
+  const Cells& star(const CellRange& old_cells, const FaceRange& faces, const Point_3& p, const double size,
+                    const double least)
   {
-    const Vertex_handle v = m_tr.tds().create_vertex();
-    v->set_point(typename Tr::Point(p));
-    if constexpr(Has_vertex_indices<typename Tr::Vertex>::value)
-    {
-      v->set_dimension(3);
-      v->set_index(internal::mesh_index<std::decay_t<decltype(v->index())> >(c->subdomain_index()));
+    const Vertex_handle v = create_vertex(p, (*old_cells.begin())->subdomain_index(), size, least);
+    try {
+      m_star.clear();
+      for(const auto& f : faces)
+        m_star.push_back(Tetrahedron{{ f[0], f[1], f[2], v }});
+      return replace(old_cells, m_star);
+    } catch(...) {
+      m_tr.tds().delete_vertex(v);
+      throw;
     }
-    if constexpr(Has_meshing_info<typename Tr::Vertex>::value)
-    {
-      v->set_meshing_info(size);
-      if(size > 0)
-        m_lengths.set_least(v, least);
-    }
-    return v;
   }
 
-  // Exchanges cells of a region for positively oriented ones with the same outer facets.
+  // Exchanges cells of a region for positively oriented ones with the same outer facets. The vertex `dropped`, if given,
+  // goes with the old cells. If memory is lacking, or the visitor throws beforehand, nothing is changed.
   template <typename CellRange, typename TetrahedronRange>
   const Cells& replace(const CellRange& old_cells, const TetrahedronRange& tetrahedra,
                        const Vertex_handle dropped = Vertex_handle())
   {
-    const auto region = (*old_cells.begin())->subdomain_index();
+    const Subdomain_index region = (*old_cells.begin())->subdomain_index();
+    m_visitor.before_cells_removal(old_cells);
     for(const Cell_handle c : old_cells)
       m_domain.remove(c);
-    m_visitor.before_cells_removal(old_cells);
-    m_replace(m_tr, old_cells, tetrahedra);
+    try {
+      m_replace(m_tr, old_cells, tetrahedra);
+    } catch(...) {
+      for(const Cell_handle c : old_cells)
+        m_domain.add(c);
+      throw;
+    }
     if(dropped != Vertex_handle())
       m_tr.tds().delete_vertex(dropped);
     for(const Cell_handle c : m_replace.new_cells())
@@ -153,7 +161,23 @@ public:
   }
 
 private:
-  typedef typename Tr::Cell::Subdomain_index Subdomain_index;
+  Vertex_handle create_vertex(const Point_3& p, const Subdomain_index region, const double size, const double least)
+  {
+    const Vertex_handle v = m_tr.tds().create_vertex();
+    v->set_point(typename Tr::Point(p));
+    if constexpr(Has_vertex_indices<typename Tr::Vertex>::value)
+    {
+      v->set_dimension(3);
+      v->set_index(internal::mesh_index<std::decay_t<decltype(v->index())> >(region));
+    }
+    if constexpr(Has_meshing_info<typename Tr::Vertex>::value)
+    {
+      v->set_meshing_info(size);
+      if(size > 0)
+        m_lengths.set_least(v, least);
+    }
+    return v;
+  }
 
   // Facets between the new cells have no mark.
   void set_indices(const Cell_handle c, const Subdomain_index region)
@@ -173,6 +197,7 @@ private:
   Visitor& m_visitor;
   typename Tr::Geom_traits::Orientation_3 m_orientation;
   Replacement m_replace;
+  std::vector<Tetrahedron> m_star;
   double m_enough = 1;
   double m_inverse = 1;
   Allowed_lengths_3<Tr> m_lengths;

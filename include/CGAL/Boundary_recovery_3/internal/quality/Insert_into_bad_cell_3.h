@@ -74,19 +74,16 @@ public:
     for(const Face& f : m_faces)
       if(! m_mesh.is_positive(Mesh::point(f.vertices[0]), Mesh::point(f.vertices[1]), Mesh::point(f.vertices[2]), p))
         return false;
-    const Vertex_handle v = m_mesh.create_vertex(p, m_cells.front(), m_size, m_least);
-    m_tetrahedra.clear();
+    m_face_vertices.clear();
     for(const Face& f : m_faces)
-      m_tetrahedra.push_back(Tetrahedron{{ f.vertices[0], f.vertices[1], f.vertices[2], v }});
-    m_new_cells = &m_mesh.replace(m_cells, m_tetrahedra);
+      m_face_vertices.push_back(f.vertices);
+    m_new_cells = &m_mesh.star(m_cells, m_face_vertices, p, m_size, m_least);
     return true;
   }
 
   const Cells& new_cells() const { return *m_new_cells; }
 
 private:
-  typedef typename Mesh::Tetrahedron Tetrahedron;
-
   // The facet opposite to the vertex `index` of a cell of the cavity, seen from inside.
   struct Face
   {
@@ -244,7 +241,7 @@ private:
   std::vector<Cell_handle> m_cells;
   std::vector<Face> m_faces;
   std::vector<Vertex_handle> m_vertices;
-  std::vector<Tetrahedron> m_tetrahedra;
+  std::vector<std::array<Vertex_handle, 3> > m_face_vertices;
   const Cells* m_new_cells = nullptr;
 };
 

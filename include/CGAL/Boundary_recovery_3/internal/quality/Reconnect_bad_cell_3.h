@@ -76,11 +76,7 @@ public:
   }
 
   // Exchanges the cells, whose orientations are known to be positive.
-  bool apply()
-  {
-    m_new_cells = &m_mesh.replace(m_cells, m_tetrahedra);
-    return true;
-  }
+  void apply() { m_new_cells = &m_mesh.replace(m_cells, m_tetrahedra); }
 
   const Cells& new_cells() const { return *m_new_cells; }
 

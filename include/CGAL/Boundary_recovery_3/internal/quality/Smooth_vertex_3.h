@@ -23,6 +23,33 @@ namespace CGAL {
 namespace Boundary_recovery_3 {
 namespace internal {
 
+// Cells of Mesh_3 and of the remeshing remember their circumcenters and qualities.
+template <typename Cell>
+auto forget_circumcenter(Cell& c, int) -> decltype(c.invalidate_weighted_circumcenter_cache())
+{
+  c.invalidate_weighted_circumcenter_cache();
+}
+
+template <typename Cell>
+void forget_circumcenter(Cell&, long) { }
+
+template <typename Cell>
+auto forget_quality(Cell& c, int) -> decltype(c.reset_cache_validity())
+{
+  c.reset_cache_validity();
+}
+
+template <typename Cell>
+void forget_quality(Cell&, long) { }
+
+// To be called for each cell at a vertex that moved.
+template <typename Cell>
+void forget_shape(Cell& c)
+{
+  internal::forget_circumcenter(c, 0);
+  internal::forget_quality(c, 0);
+}
+
 /*
  * Moves a free vertex to where the worst of the cells around it is better.
  */
@@ -63,6 +90,8 @@ private:
       if(! m_mesh.is_positive(Mesh::point(f[0]), Mesh::point(f[1]), Mesh::point(f[2]), p))
         return false;
     v->set_point(typename Mesh::Triangulation::Point(p));
+    for(const Cell_handle c : m_star.cells())
+      internal::forget_shape(*c);
     return true;
   }
 

@@ -1,5 +1,5 @@
-#ifndef BOUNDARY_RECOVERY_3_PROGRAM_MESH_QUALITY_H
-#define BOUNDARY_RECOVERY_3_PROGRAM_MESH_QUALITY_H
+#ifndef BOUNDARY_RECOVERY_3_PROGRAM_DOMAIN_QUALITY_H
+#define BOUNDARY_RECOVERY_3_PROGRAM_DOMAIN_QUALITY_H
 
 #include "domain.h"
 
@@ -124,4 +124,4 @@ Mesh_quality measure_quality(const Domain<Point>& domain)
   return Quality_meter<Point>(domain)();
 }
 
-#endif // BOUNDARY_RECOVERY_3_PROGRAM_MESH_QUALITY_H
+#endif // BOUNDARY_RECOVERY_3_PROGRAM_DOMAIN_QUALITY_H

@@ -1,0 +1,56 @@
+#ifndef BOUNDARY_RECOVERY_3_PROGRAM_PRINT_IMPROVEMENT_H
+#define BOUNDARY_RECOVERY_3_PROGRAM_PRINT_IMPROVEMENT_H
+
+#include "bad_tetrahedra.h"
+#include "print_summary.h"
+
+#include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
+
+#include <cstddef>
+#include <ostream>
+#include <vector>
+
+// prints what makes a tetrahedron bad, and where it is
+template <typename Domain>
+void print_bad_tetrahedron(std::ostream& os, const Bad_tetrahedron& bad, const Domain& domain)
+{
+  using CGAL::Boundary_recovery_3::Bad_cell_reason;
+
+  const auto& p = domain.points[bad.edge[0]];
+  const auto& q = domain.points[bad.edge[1]];
+  os << "  " << bad.min_dihedral_angle << " degrees at (" << p.x() / 2 + q.x() / 2 << ' ' << p.y() / 2 + q.y() / 2 << ' '
+     << p.z() / 2 + q.z() / 2 << ')';
+  if(bad.reason == Bad_cell_reason::forced)
+    os << ", forced: triangles of the surface meet at " << bad.surface_angle << " degrees";
+  else if(bad.reason == Bad_cell_reason::needle)
+    os << ", needle: a triangle of the surface has an angle of " << bad.surface_angle << " degrees";
+  os << '\n';
+}
+
+// prints what was done, how many tetrahedra are below the target for which reason, and the worst ones
+template <typename Improvement, typename Domain>
+void print_improvement(std::ostream& os, const Improvement& improvement,
+                       const std::vector<Bad_tetrahedron>& bad_tetrahedra, const Domain& domain)
+{
+  using CGAL::Boundary_recovery_3::Bad_cell_reason;
+  static constexpr std::size_t number_of_shown = 5;
+
+  const auto& counts = improvement.counts;
+  os << "improved from " << improvement.before.min_dihedral_angle << " and " << improvement.before.max_dihedral_angle
+     << " degrees: " << count(counts.number_of_removed_edges, "edge") << " and "
+     << count(counts.number_of_removed_facets, "facet") << " removed, vertices moved "
+     << count(counts.number_of_moved_vertices, "time") << ", " << counts.number_of_inserted_points << " inserted and "
+     << counts.number_of_removed_vertices << " removed, " << counts.number_of_reconnected_polyhedra
+     << " polyhedra reconnected\n";
+  const auto& certificate = improvement.certificate;
+  os << "tetrahedra below " << certificate.min_dihedral_angle << " degrees: "
+     << certificate.number_of_cells(Bad_cell_reason::forced) << " forced by the surface, "
+     << certificate.number_of_cells(Bad_cell_reason::needle) << " at needles of it, "
+     << certificate.number_of_cells(Bad_cell_reason::not_improved) << " not improved\n";
+  for(std::size_t i = 0; i < bad_tetrahedra.size() && i < number_of_shown; ++i)
+    print_bad_tetrahedron(os, bad_tetrahedra[i], domain);
+  if(bad_tetrahedra.size() > number_of_shown)
+    os << "  and " << bad_tetrahedra.size() - number_of_shown << " more: --report lists them\n";
+}
+
+#endif // BOUNDARY_RECOVERY_3_PROGRAM_PRINT_IMPROVEMENT_H

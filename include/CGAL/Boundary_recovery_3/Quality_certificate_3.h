@@ -1,0 +1,137 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_QUALITY_CERTIFICATE_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_QUALITY_CERTIFICATE_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <ostream>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// why a cell has a dihedral angle below the target.
+enum class Bad_cell_reason
+{
+  forced,      ///< it has such an angle between two constrained facets that meet at less than the target: there is no
+               ///< mesh with these facets that has no such cell there
+  needle,      ///< it has a constrained facet with a plane angle below the target: only a cell as thin as that facet
+               ///< could do better
+  not_improved ///< neither: there may be better cells
+};
+
+/*!
+ * \ingroup PkgBoundaryRecovery3Classes
+ *
+ * \brief a cell with a dihedral angle below the target, and why it has it.
+ *
+ * \tparam Triangulation_ an instance of `CGAL::Triangulation_3`, or of a class derived from it
+ */
+template <typename Triangulation_>
+struct Bad_cell_3
+{
+  typedef Triangulation_                        Triangulation; ///< the triangulation type
+  typedef typename Triangulation::Cell_handle   Cell_handle;   ///< its cell handle
+  typedef typename Triangulation::Vertex_handle Vertex_handle; ///< its vertex handle
+  typedef typename Triangulation::Facet         Facet;         ///< its facet
+  typedef std::array<Vertex_handle, 2>          Vertex_pair;   ///< the ends of an edge
+
+  Cell_handle cell; ///< the cell
+
+  double min_dihedral_angle; ///< its smallest dihedral angle, in degrees
+
+  Vertex_pair edge; ///< the edge where that angle is
+
+  Bad_cell_reason reason; ///< why it is bad
+
+  /// `forced`: the two constrained facets; they share an edge of the cell, maybe another one than `edge`, and there may
+  /// be other cells between them. `needle`: the first one is the constrained facet, the second one is
+  /// `Triangulation::Facet()`. `not_improved`: both are `Triangulation::Facet()`.
+  std::array<Facet, 2> facets;
+
+  /// `forced`: the angle between both facets. `needle`: the smallest plane angle of the facet. It is below the target,
+  /// in degrees. `not_improved`: NaN.
+  double surface_angle = std::numeric_limits<double>::quiet_NaN();
+
+  /// returns how many facets are named.
+  int number_of_facets() const
+  {
+    return reason == Bad_cell_reason::forced ? 2 : reason == Bad_cell_reason::needle ? 1 : 0;
+  }
+};
+
+/*!
+ * \ingroup PkgBoundaryRecovery3Classes
+ *
+ * \brief a list of all cells that have a dihedral angle below a target, each with the reason.
+ *
+ * It names cells and vertices by their handles, and is worth nothing any more when the mesh is changed.
+ *
+ * \tparam Triangulation_ an instance of `CGAL::Triangulation_3`, or of a class derived from it
+ */
+template <typename Triangulation_>
+struct Quality_certificate_3
+{
+  typedef Triangulation_            Triangulation; ///< the triangulation type
+  typedef Bad_cell_3<Triangulation> Bad_cell;      ///< an entry
+
+  double min_dihedral_angle = 0; ///< the target, in degrees
+
+  std::vector<Bad_cell> cells; ///< the cells below the target, those with the smallest angles first
+
+  /// returns how many cells are bad for this reason, and have an angle below `degrees`.
+  std::size_t number_of_cells(const Bad_cell_reason reason,
+                              const double degrees = std::numeric_limits<double>::infinity()) const
+  {
+    return static_cast<std::size_t>(std::count_if(cells.begin(), cells.end(), [&](const Bad_cell& bad)
+    {
+      return bad.reason == reason && bad.min_dihedral_angle < degrees;
+    }));
+  }
+};
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// returns the name of a reason, as it is spelled in the enumeration.
+inline const char* to_string(const Bad_cell_reason reason)
+{
+  switch(reason)
+  {
+    case Bad_cell_reason::forced:       return "forced";
+    case Bad_cell_reason::needle:       return "needle";
+    case Bad_cell_reason::not_improved: return "not_improved";
+  }
+  return "";
+}
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// writes how many cells are below the target for each reason, as one line.
+template <typename Triangulation>
+std::ostream& operator<<(std::ostream& os, const Quality_certificate_3<Triangulation>& certificate)
+{
+  os << certificate.cells.size() << " cells below " << certificate.min_dihedral_angle << " degrees";
+  const char* separator = ": ";
+  typedef Bad_cell_reason Reason;
+  for(const Reason reason : { Reason::forced, Reason::needle, Reason::not_improved })
+    if(const std::size_t number = certificate.number_of_cells(reason))
+      os << std::exchange(separator, ", ") << number << ' ' << to_string(reason);
+  return os;
+}
+
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_QUALITY_CERTIFICATE_3_H

@@ -1,0 +1,75 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_CELL_SHAPE_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_CELL_SHAPE_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/internal/filling/Unit_frame_3.h>
+#include <CGAL/Boundary_recovery_3/internal/numbers/binary_scale.h>
+
+#include <CGAL/double.h>
+
+#include <algorithm>
+#include <array>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+typedef std::array<Coordinates_3, 4> Cell_corners_3;
+
+// The two vertices of each edge of a cell. Its facets at the edge k are opposite to the vertices of the edge 5 - k.
+constexpr int edges_of_cell[6][2] = {{ 0, 1 }, { 0, 2 }, { 0, 3 }, { 1, 2 }, { 1, 3 }, { 2, 3 }};
+
+/*
+ * What angles of a tetrahedron are made of, in floating point numbers, and without a root: vectors along its edges, and
+ * its normals, which are as long as twice the areas of the facets and point inwards if it is oriented positively.
+ */
+struct Cell_shape_3
+{
+  std::array<Coordinates_3, 6> edges; // in the order of `edges_of_cell`
+  std::array<Coordinates_3, 4> normals;
+  double volume_times_6;
+
+  explicit Cell_shape_3(const Cell_corners_3& p)
+    : edges({{ difference(p[1], p[0]), difference(p[2], p[0]), difference(p[3], p[0]),
+               difference(p[2], p[1]), difference(p[3], p[1]), difference(p[3], p[2]) }})
+    , normals({{ cross_product(edges[4], edges[3]), cross_product(edges[1], edges[2]),
+                 cross_product(edges[2], edges[0]), cross_product(edges[0], edges[1]) }})
+    , volume_times_6(dot_product(edges[2], normals[3]))
+  { }
+
+  // The cosine of the dihedral angle at the edge k, times the lengths of both normals.
+  double scaled_cosine(const int k) const
+  {
+    return - dot_product(normals[edges_of_cell[5 - k][0]], normals[edges_of_cell[5 - k][1]]);
+  }
+};
+
+// The corners in a unit in which the longest edge is about 1, as seen from the first corner.
+inline Cell_corners_3 scaled_corners(const Cell_corners_3& p)
+{
+  double largest = 0;
+  for(int i = 1; i < 4; ++i)
+    largest = (std::max)(largest, internal::largest_coordinate(difference(p[i], p[0])));
+  const double unit = 1 / internal::binary_scale(largest);
+  Cell_corners_3 scaled;
+  for(int i = 0; i < 4; ++i)
+    for(int j = 0; j < 3; ++j)
+      scaled[i][j] = (p[i][j] - p[0][j]) * unit;
+  return scaled;
+}
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_CELL_SHAPE_3_H

@@ -1,0 +1,153 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_EXPLAIN_BAD_CELLS_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_EXPLAIN_BAD_CELLS_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/Quality_certificate_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Unit_frame_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Cell_angles_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Cell_shape_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Edge_walk_3.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * Makes the certificate: says of each cell with a dihedral angle below the target what makes it so.
+ *
+ * All cells between two walls that meet at an edge at less than the target have such an angle there, and so have those
+ * of any other mesh between them.
+ */
+template <typename Tr, typename Domain>
+class Explain_bad_cells_3
+{
+public:
+  typedef typename Tr::Vertex_handle   Vertex_handle;
+  typedef typename Tr::Cell_handle     Cell_handle;
+  typedef typename Tr::Facet           Facet;
+  typedef Quality_certificate_3<Tr>    Certificate;
+  typedef Bad_cell_3<Tr>               Bad_cell;
+
+  Explain_bad_cells_3(const Domain& domain, const double min_dihedral_angle)
+    : m_domain(domain)
+  {
+    m_certificate.min_dihedral_angle = min_dihedral_angle;
+  }
+
+  // Lists the cell if it is bad.
+  void add(const Cell_handle c, const Cell_angles_3& angles)
+  {
+    if(! (angles.smallest() < target()))
+      return;
+    const int* const ends = edges_of_cell[angles.edge_of_smallest()];
+    Bad_cell bad;
+    bad.cell = c;
+    bad.min_dihedral_angle = angles.smallest();
+    bad.edge = {{ c->vertex(ends[0]), c->vertex(ends[1]) }};
+    bad.reason = Bad_cell_reason::not_improved;
+    for(int k = 0; k < 6; ++k)
+      if(angles[k] < target())
+        look_for_walls(bad, k, angles[k]);
+    if(bad.reason == Bad_cell_reason::not_improved)
+      look_for_needle(bad);
+    m_certificate.cells.push_back(bad);
+  }
+
+  Certificate certificate()
+  {
+    std::stable_sort(m_certificate.cells.begin(), m_certificate.cells.end(), [](const Bad_cell& a, const Bad_cell& b)
+    {
+      return a.min_dihedral_angle < b.min_dihedral_angle;
+    });
+    return std::move(m_certificate);
+  }
+
+private:
+  static constexpr double slack = 1; // degrees by which sums of angles are allowed to be too large before all is known
+
+  double target() const { return m_certificate.min_dihedral_angle; }
+
+  // Whether the angle at the edge k is between two walls that are less than the target apart.
+  void look_for_walls(Bad_cell& bad, const int k, double sum_of_angles) const
+  {
+    const Vertex_handle u = bad.cell->vertex(edges_of_cell[k][0]), v = bad.cell->vertex(edges_of_cell[k][1]);
+    const int* const others = edges_of_cell[5 - k];
+    Edge_walk_3<Tr> there(bad.cell, others[0], others[1]), back(bad.cell, others[1], others[0]);
+    if(! go_to_wall(there, u, v, sum_of_angles) || ! go_to_wall(back, u, v, sum_of_angles))
+      return;
+    const double angle = angle_at_edge(u, v, there.apex(), back.apex());
+    if(! (angle < target()) || (bad.reason == Bad_cell_reason::forced && ! (angle < bad.surface_angle)))
+      return;
+    bad.reason = Bad_cell_reason::forced;
+    bad.facets = {{ Facet(there.cell(), there.next_facet()), Facet(back.cell(), back.next_facet()) }};
+    bad.surface_angle = angle;
+  }
+
+  bool go_to_wall(Edge_walk_3<Tr>& walk, const Vertex_handle u, const Vertex_handle v, double& sum_of_angles) const
+  {
+    const Cell_handle start = walk.cell();
+    while(! m_domain.is_wall(walk.cell(), walk.next_facet()))
+    {
+      ++walk;
+      sum_of_angles += angle_at_edge(u, v, walk.cell()->vertex(walk.next_facet()), walk.apex());
+      if(walk.cell() == start || sum_of_angles > target() + slack)
+        return false;
+    }
+    return true;
+  }
+
+  static double angle_at_edge(const Vertex_handle u, const Vertex_handle v,
+                              const Vertex_handle p, const Vertex_handle q)
+  {
+    const Cell_corners_3 corners = {{ coordinates_of(u->point()), coordinates_of(v->point()),
+                                      coordinates_of(p->point()), coordinates_of(q->point()) }};
+    return Cell_angles_3(corners)[0]; // the first edge is that of the first two corners
+  }
+
+  void look_for_needle(Bad_cell& bad) const
+  {
+    for(int i = 0; i < 4; ++i)
+    {
+      if(! m_domain.is_wall(bad.cell, i))
+        continue;
+      const double angle = internal::smallest_plane_angle(corners_of_facet(bad.cell, i));
+      if(! (angle < target()) || (bad.reason == Bad_cell_reason::needle && ! (angle < bad.surface_angle)))
+        continue;
+      bad.reason = Bad_cell_reason::needle;
+      bad.facets[0] = Facet(bad.cell, i);
+      bad.surface_angle = angle;
+    }
+  }
+
+  static std::array<Coordinates_3, 3> corners_of_facet(const Cell_handle c, const int i)
+  {
+    std::array<Coordinates_3, 3> p;
+    for(int j = 0; j < 3; ++j)
+      p[j] = coordinates_of(c->vertex((i + j + 1) % 4)->point());
+    return p;
+  }
+
+  const Domain& m_domain;
+  Certificate m_certificate;
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_EXPLAIN_BAD_CELLS_3_H

@@ -1,0 +1,105 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_QUALITY_IMPROVEMENT_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_QUALITY_IMPROVEMENT_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_result_3.h>
+#include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Cell_angles_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Explain_bad_cells_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Improve_domain_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Measure_quality_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
+
+#include <utility>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+// See "Tuning constants" in the manual.
+constexpr double default_min_dihedral_angle = 20;
+
+// The largest angle that can be asked for: no cell has a larger smallest one than the regular tetrahedron.
+constexpr double largest_possible_target = 70.53;
+
+inline bool is_possible_target(const double degrees) { return degrees >= 0 && degrees <= largest_possible_target; }
+
+/*
+ * The work behind improve_mesh_quality(): the improvement between two measurements, the second of which also explains
+ * what is still bad.
+ */
+template <typename Tr, typename Domain, typename Quality, typename Visitor>
+class Quality_improvement_3
+{
+public:
+  typedef typename Tr::Cell_handle         Cell_handle;
+  typedef Quality_improvement_result_3<Tr> Result;
+
+  Quality_improvement_3(Tr& tr, Domain& domain, const Quality& quality, Visitor& visitor)
+    : m_tr(tr), m_domain(domain), m_quality(quality), m_context(visitor)
+  { }
+
+  Result operator()(const double min_dihedral_angle, const double maximum_running_time)
+  {
+    m_context.set_maximum_running_time(maximum_running_time);
+    if(is_possible_target(min_dihedral_angle))
+    {
+      m_context.visitor().on_phase_begin(Meshing_phase::quality_improvement);
+      improve(min_dihedral_angle);
+      m_context.visitor().on_phase_end(report());
+    }
+    else
+      m_result.status = Meshing_status::invalid_input;
+    m_result.seconds = m_context.seconds();
+    return std::move(m_result);
+  }
+
+private:
+  void improve(const double min_dihedral_angle)
+  {
+    Measure_quality_3<Tr, Domain> measure_before(m_tr, m_domain), measure_after(m_tr, m_domain);
+    m_result.before = measure_before([](const Cell_handle, const Cell_angles_3&) { });
+    if(m_tr.dimension() == 3)
+    {
+      Improve_domain_3<Tr, Domain, Quality, Visitor> improve_domain(m_tr, m_domain, m_quality, m_context);
+      improve_domain(min_dihedral_angle);
+      m_result.counts = improve_domain.counts();
+    }
+    Explain_bad_cells_3<Tr, Domain> explain(m_domain, min_dihedral_angle);
+    m_result.after = measure_after([&](const Cell_handle c, const Cell_angles_3& angles) { explain.add(c, angles); });
+    m_result.certificate = explain.certificate();
+    m_result.status = m_context.is_stopped() ? Meshing_status::stopped : Meshing_status::meshed;
+  }
+
+  Meshing_phase_report report() const
+  {
+    Meshing_phase_report report;
+    report.phase = Meshing_phase::quality_improvement;
+    report.number_of_vertices = m_tr.number_of_vertices();
+    report.number_of_cells = m_tr.number_of_finite_cells();
+    report.seconds = m_context.seconds();
+    return report;
+  }
+
+  Tr& m_tr;
+  Domain& m_domain;
+  const Quality& m_quality;
+  Recovery_context<Visitor> m_context;
+  Result m_result;
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_QUALITY_IMPROVEMENT_3_H

@@ -1,0 +1,101 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_MESH_QUALITY_H
+#define CGAL_BOUNDARY_RECOVERY_3_MESH_QUALITY_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/Mesh_quality_3.h>
+#include <CGAL/Boundary_recovery_3/Quality_certificate_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Selected_domain_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Cell_angles_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Explain_bad_cells_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Measure_quality_3.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <type_traits>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+
+/*!
+ * \ingroup PkgBoundaryRecovery3Functions
+ *
+ * \brief measures the cells of a mesh: their angles, their radius ratios, and how long their edges are beside what was
+ * asked for.
+ *
+ * Sizes are those that `CGAL::insert_field_points()` leaves in vertices that have `meshing_info()`.
+ *
+ * \tparam Triangulation an instance of `Triangulation_3`, or of a class derived from it, whose cells are models of
+ *         `MeshCellBase_3`
+ * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+ *
+ * \param tr the triangulation
+ * \param np an optional sequence of named parameters among the ones listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{cell_is_selected_map}
+ *     \cgalParamDescription{the cells that are measured}
+ *     \cgalParamType{a model of `ReadWritePropertyMap` with `Triangulation::Cell_handle` as key type and `bool` as
+ *                    value type}
+ *     \cgalParamDefault{all cells in regions of the domain}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \return the figures, up to rounding
+ */
+template <typename Triangulation, typename CGAL_NP_TEMPLATE_PARAMETERS>
+Mesh_quality_3 mesh_quality(const Triangulation& tr, const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  typedef typename Triangulation::Cell_handle Cell_handle;
+  const auto domain = internal::selected_domain(tr, np);
+  internal::Measure_quality_3<Triangulation, std::decay_t<decltype(domain)> > measure(tr, domain);
+  return measure([](const Cell_handle, const internal::Cell_angles_3&) { });
+}
+
+/*!
+ * \ingroup PkgBoundaryRecovery3Functions
+ *
+ * \brief lists the cells of a mesh that have a dihedral angle below a target, and for each what of the surface makes it
+ * so, if anything does.
+ *
+ * `CGAL::improve_mesh_quality()` returns such a list; this function makes one for any mesh. Constrained are the facets
+ * for which `is_facet_on_surface()` holds, and those to cells of another region, or that are not selected.
+ *
+ * \tparam Triangulation an instance of `Triangulation_3`, or of a class derived from it, whose cells are models of
+ *         `MeshCellBase_3`
+ * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+ *
+ * \param tr the triangulation
+ * \param min_dihedral_angle the target, in degrees
+ * \param np an optional sequence of named parameters: those of `mesh_quality()`
+ *
+ * \return the certificate: empty if `min_dihedral_angle` is NaN, or not positive
+ */
+template <typename Triangulation, typename CGAL_NP_TEMPLATE_PARAMETERS>
+Quality_certificate_3<Triangulation> quality_certificate(const Triangulation& tr, const double min_dihedral_angle,
+                                                         const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  typedef typename Triangulation::Cell_handle Cell_handle;
+  const auto domain = internal::selected_domain(tr, np);
+  internal::Explain_bad_cells_3<Triangulation, std::decay_t<decltype(domain)> > explain(domain, min_dihedral_angle);
+  if(tr.dimension() == 3)
+    for(const Cell_handle c : tr.finite_cell_handles())
+      if(domain.contains(c))
+        explain.add(c, internal::Cell_angles_3(internal::corners(c)));
+  return explain.certificate();
+}
+
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_MESH_QUALITY_H

@@ -1,0 +1,142 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_IMPROVE_MESH_QUALITY_H
+#define CGAL_IMPROVE_MESH_QUALITY_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_visitor_3.h>
+#include <CGAL/Boundary_recovery_3/Cell_quality_3.h>
+#include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Selected_domain_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Quality_improvement_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/visitor_of.h>
+#include <CGAL/Boundary_recovery_3/parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <limits>
+#include <type_traits>
+
+namespace CGAL {
+
+/*!
+ * \ingroup PkgBoundaryRecovery3Functions
+ *
+ * \brief improves the cells of a mesh until none has a dihedral angle below a target, or nothing helps; the surface
+ * stays as it is.
+ *
+ * This is step 7 of [CZZ+17, Section 4.1]. Cells are made better one after the other, the worst ones first: edges and
+ * facets are removed, vertices are moved, inserted or removed. Nothing is changed unless it makes the worst of the
+ * cells that are concerned better, so no cell is ever worse than the worst one was before.
+ *
+ * The triangulation may come from `insert_field_points()`, from CGAL's remeshing, or, by
+ * `convert_to_triangulation_3()`, from Mesh_3. Constrained are the facets for which `is_facet_on_surface()` holds,
+ * those between cells of different `subdomain_index()`, and edges that are named; they stay, and so do vertices whose
+ * `in_dimension()` is not 3, and those on constrained facets. Other vertices may be moved, and may go, so that handles
+ * of them and of cells lose their meaning.
+ *
+ * For cells that cannot be improved the result tells why: see `Boundary_recovery_3::Quality_certificate_3`.
+ *
+ * Nothing is printed. The same input gives the same mesh, bit for bit, unless time is limited.
+ *
+ * \tparam Triangulation an instance of `Triangulation_3`, or of a class derived from it, whose vertices are models of
+ *         `MeshVertexBase_3`, and whose cells are models of `MeshCellBase_3`
+ * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+ *
+ * \param tr the triangulation
+ * \param np an optional sequence of named parameters among the ones listed below. Those that only this package has
+ *        start a chain; several chains are passed one after the other.
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{min_dihedral_angle}
+ *     \cgalParamDescription{the target, in degrees: cells with a smaller dihedral angle are improved}
+ *     \cgalParamType{`double`}
+ *     \cgalParamDefault{20}
+ *     \cgalParamExtra{It has to be from 0 to 70.53, the angle of the regular tetrahedron. Above 20 or 25, many cells
+ *                     will stay below it, and it takes long.}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{cell_quality}
+ *     \cgalParamDescription{what makes a cell better than another one}
+ *     \cgalParamType{a model of `CellQuality_3`}
+ *     \cgalParamDefault{`Boundary_recovery_3::Dihedral_angle_quality_3`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{cell_is_selected_map}
+ *     \cgalParamDescription{the cells that may be replaced; the facets between them and others stay}
+ *     \cgalParamType{a model of `ReadWritePropertyMap` with `Triangulation::Cell_handle` as key type and `bool` as
+ *                    value type}
+ *     \cgalParamDefault{all cells in regions of the domain}
+ *     \cgalParamExtra{The map is kept up to date: new cells are selected, and cells that go are not.}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{edge_is_constrained_map}
+ *     \cgalParamDescription{edges that must stay beside those of constrained facets}
+ *     \cgalParamType{a model of `ReadablePropertyMap` with `std::pair<Triangulation::Vertex_handle,
+ *                    Triangulation::Vertex_handle>` as key type and `bool` as value type}
+ *     \cgalParamDefault{no edge}
+ *     \cgalParamExtra{It is asked for both orders of the vertices.}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{maximum_running_time}
+ *     \cgalParamDescription{the time in seconds after which the improvement stops soon, with a valid triangulation}
+ *     \cgalParamType{`double`}
+ *     \cgalParamDefault{no limit}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{visitor}
+ *     \cgalParamDescription{is told about the phase `quality_improvement`, about progress, and about the cells that go
+ *                           and come, and can stop the improvement}
+ *     \cgalParamType{a model of `BoundaryConstrainedMeshVisitor_3`}
+ *     \cgalParamDefault{`Default_boundary_constrained_mesh_visitor_3`}
+ *     \cgalParamExtra{Pass `std::ref(visitor)` to have the object itself called and not a copy.}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \return the status, the quality before and after, the cells that are below the target nevertheless, and counts. It
+ *         converts to `true` iff the status is `meshed`. `invalid_input`: `min_dihedral_angle` is not possible; nothing
+ *         was done. `stopped`: what was done until then is there.
+ *
+ * \pre `tr` is valid.
+ */
+template <typename Triangulation, typename CGAL_NP_TEMPLATE_PARAMETERS>
+Quality_improvement_result_3<Triangulation>
+improve_mesh_quality(Triangulation& tr, const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  namespace BR3 = Boundary_recovery_3::internal;
+
+  auto domain = BR3::selected_domain(tr, np);
+  decltype(auto) visitor = BR3::visitor_of<Default_boundary_constrained_mesh_visitor_3>(np);
+  const auto quality = choose_parameter<Boundary_recovery_3::Dihedral_angle_quality_3>(
+    get_parameter(np, BR3::cell_quality));
+  const double min_dihedral_angle = choose_parameter(get_parameter(np, BR3::min_dihedral_angle),
+                                                     BR3::default_min_dihedral_angle);
+  const double maximum_running_time = choose_parameter(get_parameter(np, internal_np::maximum_running_time),
+                                                       std::numeric_limits<double>::infinity());
+  typedef BR3::Quality_improvement_3<Triangulation, decltype(domain), std::decay_t<decltype(quality)>,
+                                     std::decay_t<decltype(visitor)> > Improvement;
+  return Improvement(tr, domain, quality, visitor)(min_dihedral_angle, maximum_running_time);
+}
+
+#ifndef DOXYGEN_RUNNING
+
+// Several chains of named parameters, one after the other.
+template <typename Triangulation,
+          typename T1, typename Tag1, typename Base1, typename T2, typename Tag2, typename Base2, typename ... NPs>
+Quality_improvement_result_3<Triangulation>
+improve_mesh_quality(Triangulation& tr, const Named_function_parameters<T1, Tag1, Base1>& np1,
+                     const Named_function_parameters<T2, Tag2, Base2>& np2, const NPs& ... nps)
+{
+  return improve_mesh_quality(tr, Boundary_recovery_3::internal::merge_all(np1, np2, nps...));
+}
+
+#endif // DOXYGEN_RUNNING
+
+} // namespace CGAL
+
+#endif // CGAL_IMPROVE_MESH_QUALITY_H

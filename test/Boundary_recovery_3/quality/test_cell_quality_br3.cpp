@@ -1,0 +1,168 @@
+// Qualities and angles of tetrahedra against plain geometry: shapes from regular to flat, in units from tiny to huge.
+
+#undef NDEBUG // the checks are assertions, also in a Release build
+
+#include "plain_angles_br3.h"
+#include "random_numbers_br3.h"
+
+#include <CGAL/Boundary_recovery_3/Cell_quality_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Cell_angles_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Cell_shape_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <iostream>
+#include <limits>
+#include <random>
+#include <utility>
+
+namespace BR3 = CGAL::Boundary_recovery_3;
+using br3_test::Corners;
+
+const double pi = 3.14159265358979323846;
+const Corners regular = {{ {{ 1, 1, 1 }}, {{ -1, 1, -1 }}, {{ 1, -1, -1 }}, {{ -1, -1, 1 }} }};
+
+bool is_near(const double a, const double b, const double tolerance) { return std::abs(a - b) <= tolerance; }
+
+Corners scaled(Corners p, const double factor)
+{
+  for(auto& q : p)
+    for(double& x : q)
+      x *= factor;
+  return p;
+}
+
+// Of all shapes: some vertices are near to others, or the whole is nearly flat. Positively oriented.
+Corners random_corners(std::mt19937& rng)
+{
+  const double flatness = br3_test::random_int(rng, 2) == 0 ? 1 : std::pow(10., -br3_test::random_int(rng, 6));
+  Corners p;
+  for(auto& q : p)
+    for(int i = 0; i < 3; ++i)
+      q[i] = (br3_test::random_int(rng, 2000001) - 1000000) * 1e-6 * (i == 2 ? flatness : 1);
+  if(br3_test::random_int(rng, 3) == 0)
+    for(int i = 0; i < 3; ++i)
+      p[3][i] = p[1][i] + (p[3][i] - p[1][i]) * 0.01;
+  if(br3_test::volume_times_6(p) < 0)
+    std::swap(p[0], p[1]);
+  return p;
+}
+
+double plain_dihedral_quality(const Corners& p, const double obtuse_factor)
+{
+  double smallest = std::numeric_limits<double>::infinity();
+  for(const double angle : br3_test::dihedral_angles(p))
+    smallest = (std::min)(smallest, std::sin(angle * pi / 180) * (angle > 90 ? obtuse_factor : 1));
+  return smallest / (std::sqrt(8.) / 3);
+}
+
+double plain_volume_length_quality(const Corners& p)
+{
+  double sum = 0;
+  for(int i = 0; i < 4; ++i)
+    for(int j = 0; j < i; ++j)
+      sum += std::pow(br3_test::distance(p[i], p[j]), 2);
+  return 6 * std::sqrt(2.) * (br3_test::volume_times_6(p) / 6) / std::pow(sum / 6, 1.5);
+}
+
+void test_qualities()
+{
+  const BR3::Dihedral_angle_quality_3 dihedral, mild(0.7), plain(1);
+  const BR3::Volume_length_quality_3 volume_length;
+  std::mt19937 rng(1);
+  for(int k = 0; k < 20000; ++k)
+  {
+    Corners p = random_corners(rng);
+    const double angle = br3_test::smallest(br3_test::dihedral_angles(p));
+    for(const auto& quality : { std::make_pair(dihedral, 0.6), std::make_pair(mild, 0.7), std::make_pair(plain, 1.) })
+    {
+      const double value = quality.first(p);
+      assert(is_near(value, plain_dihedral_quality(p, quality.second), 1e-9));
+      assert(value <= quality.first.of_angle(angle) + 1e-9);
+    }
+    assert(is_near(volume_length(p), plain_volume_length_quality(p), 1e-12));
+    assert(volume_length(p) <= volume_length.of_angle(angle) + 1e-9);
+    std::swap(p[2], p[3]);
+    assert(dihedral(p) < 0 && volume_length(p) < 0);
+  }
+}
+
+// The best that there is for an angle.
+void test_bounds()
+{
+  const BR3::Dihedral_angle_quality_3 dihedral;
+  const BR3::Volume_length_quality_3 volume_length;
+  assert(is_near(dihedral(regular), 1, 1e-12) && is_near(volume_length(regular), 1, 1e-12));
+  for(const double degrees : { 0., 1., 10., 20., 45., 70.5 })
+  {
+    // edges of the length 1 and 2 h sin(angle / 2) across each other, see the manual
+    const double angle = degrees * pi / 180, h = std::sqrt(2 / (3 - std::cos(angle)));
+    const Corners best = {{ {{ -0.5, 0, 0 }}, {{ 0.5, 0, 0 }}, {{ 0, h, 0 }},
+                            {{ 0, h * std::cos(angle), h * std::sin(angle) }} }};
+    assert(is_near(volume_length(best), volume_length.of_angle(degrees), 1e-12));
+    assert(is_near(dihedral.of_angle(degrees), std::sin(angle) * 3 / std::sqrt(8.), 1e-12));
+  }
+  assert(dihedral.of_angle(80) == dihedral.of_angle(75) && is_near(dihedral.of_angle(75), 1, 1e-12));
+  assert(volume_length.of_angle(80) == volume_length.of_angle(75) && is_near(volume_length.of_angle(75), 1, 1e-12));
+  assert(dihedral.of_angle(-1) == 0 && volume_length.of_angle(-1) == 0);
+}
+
+void test_extreme_cells()
+{
+  const BR3::Dihedral_angle_quality_3 dihedral;
+  const BR3::Volume_length_quality_3 volume_length;
+  std::mt19937 rng(2);
+  for(const int exponent : { -280, -200, -70, -30, 30, 70, 200, 280 })
+    for(int k = 0; k < 20; ++k)
+    {
+      const Corners p = random_corners(rng), q = scaled(p, std::pow(10., exponent));
+      assert(is_near(dihedral(q), dihedral(p), 1e-9) && is_near(volume_length(q), volume_length(p), 1e-9));
+      const BR3::internal::Cell_angles_3 of_p(p), of_q(q);
+      assert(is_near(of_p.smallest(), of_q.smallest(), 1e-7) && is_near(of_p.largest(), of_q.largest(), 1e-7));
+      assert(is_near(of_p.radius_ratio(), of_q.radius_ratio(), 1e-9));
+    }
+  Corners flat = regular, line = regular, point = regular;
+  flat[3] = {{ 0, 1, 0 }}; // on an edge
+  for(int i = 0; i < 4; ++i)
+  {
+    line[i] = {{ 1. * i, 2. * i, 3. * i }};
+    point[i] = {{ 1, 2, 3 }};
+  }
+  for(const Corners& p : { flat, line, point })
+    assert(is_near(dihedral(p), 0, 1e-12) && is_near(volume_length(p), 0, 1e-12));
+}
+
+void test_angles()
+{
+  std::mt19937 rng(3);
+  for(int k = 0; k < 20000; ++k)
+  {
+    const Corners p = random_corners(rng);
+    const BR3::internal::Cell_angles_3 angles(p);
+    const std::array<double, 6> expected = br3_test::dihedral_angles(p);
+    for(int i = 0; i < 6; ++i)
+    {
+      assert(is_near(angles[i], expected[i], 1e-7));
+      assert(is_near(angles.part_of_turn(i), expected[i] / 360, 2e-8));
+    }
+    assert(is_near(angles.smallest(), br3_test::smallest(expected), 1e-7));
+    assert(is_near(angles.largest(), br3_test::largest(expected), 1e-7));
+    assert(angles.smallest() == angles[angles.edge_of_smallest()]);
+    assert(angles.largest() == angles[angles.edge_of_largest()]);
+    assert(is_near(angles.radius_ratio(), br3_test::radius_ratio(p), 1e-9));
+    const std::array<std::array<double, 3>, 3> triangle = {{ p[0], p[1], p[2] }};
+    assert(is_near(BR3::internal::smallest_plane_angle(triangle), br3_test::smallest_plane_angle(triangle), 1e-7));
+  }
+  assert(is_near(BR3::internal::Cell_angles_3(regular).radius_ratio(), 1, 1e-12));
+}
+
+int main()
+{
+  test_qualities();
+  test_bounds();
+  test_extreme_cells();
+  test_angles();
+  std::cout << "qualities are right" << std::endl;
+}

@@ -1,0 +1,485 @@
+// The figures of a mesh, and the certificate, against a slow reference on random meshes, and on shapes made by hand;
+// what improve_mesh_quality() says and does where nothing is to be changed.
+
+#undef NDEBUG // the checks are assertions, also in a Release build
+
+#include "plain_angles_br3.h"
+#include "random_numbers_br3.h"
+
+#include <CGAL/Boundary_constrained_mesh_triangulation_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Edge_walk_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Explain_bad_cells_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Measure_quality_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Quality_improvement_3.h>
+#include <CGAL/Boundary_recovery_3/mesh_quality.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/improve_mesh_quality.h>
+#include <CGAL/mark_domain.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <iostream>
+#include <limits>
+#include <map>
+#include <random>
+#include <set>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+namespace BR3 = CGAL::Boundary_recovery_3;
+namespace parameters = CGAL::parameters;
+using BR3::Bad_cell_reason;
+using br3_test::Corners;
+using br3_test::Vector;
+typedef CGAL::Exact_predicates_inexact_constructions_kernel K;
+
+bool is_near(const double a, const double b, const double tolerance = 1e-6) { return std::abs(a - b) <= tolerance; }
+
+// A triangulation, some cells of which may be selected, and slow answers to all questions.
+template <typename Kernel>
+struct Scene
+{
+  typedef typename Kernel::Point_3                                               Point;
+  typedef typename CGAL::Boundary_constrained_mesh_triangulation_3<Kernel>::type Tr;
+  typedef typename Tr::Vertex_handle                                             Vertex_handle;
+  typedef typename Tr::Cell_handle                                               Cell_handle;
+  typedef typename Tr::Facet                                                     Facet;
+  typedef std::map<Cell_handle, bool>                                            Selection;
+  typedef boost::associative_property_map<Selection>                             Selection_map;
+  typedef BR3::Quality_certificate_3<Tr>                                         Certificate;
+  typedef BR3::Bad_cell_3<Tr>                                                    Bad_cell;
+
+  static Vector place(const Vertex_handle v)
+  {
+    return {{ CGAL::to_double(v->point().x()), CGAL::to_double(v->point().y()), CGAL::to_double(v->point().z()) }};
+  }
+
+  static Corners corners(const Cell_handle c)
+  {
+    return {{ place(c->vertex(0)), place(c->vertex(1)), place(c->vertex(2)), place(c->vertex(3)) }};
+  }
+
+  bool contains(const Cell_handle c) const
+  {
+    return ! tr.is_infinite(c) && c->subdomain_index() != 0 && (selection.empty() || selection.at(c));
+  }
+
+  bool is_wall(const Cell_handle c, const int i) const
+  {
+    return c->is_facet_on_surface(i) || c->neighbor(i)->subdomain_index() != c->subdomain_index()
+           || ! contains(c->neighbor(i));
+  }
+
+  static std::array<Vertex_handle, 3> vertices(const Facet& f)
+  {
+    std::array<Vertex_handle, 3> result = {{ f.first->vertex((f.second + 1) % 4), f.first->vertex((f.second + 2) % 4),
+                                             f.first->vertex((f.second + 3) % 4) }};
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  // ------------------------------------------------ the reference
+
+  void check_quality(const BR3::Mesh_quality_3& quality) const
+  {
+    std::size_t n = 0, bins = 0;
+    double sum = 0, low = 180, high = 0, least_ratio = 1;
+    std::map<std::set<Vertex_handle>, bool> is_inner;
+    for(const Cell_handle c : tr.finite_cell_handles())
+      if(contains(c))
+      {
+        ++n;
+        const Corners p = corners(c);
+        const auto angles = br3_test::dihedral_angles(p);
+        low = (std::min)(low, br3_test::smallest(angles));
+        high = (std::max)(high, br3_test::largest(angles));
+        sum += br3_test::radius_ratio(p);
+        least_ratio = (std::min)(least_ratio, br3_test::radius_ratio(p));
+        for(int i = 0; i < 4; ++i)
+          for(int j = 0; j < i; ++j)
+            is_inner.emplace(std::set<Vertex_handle>{ c->vertex(i), c->vertex(j) }, true);
+        for(int i = 0; i < 4; ++i)
+          if(is_wall(c, i))
+            for(int j = 1; j < 4; ++j)
+              is_inner[{ c->vertex((i + j) % 4), c->vertex((i + (j == 3 ? 1 : j + 1)) % 4) }] = false;
+      }
+    assert(quality.number_of_cells == n);
+    if(n == 0)
+    {
+      assert(std::isnan(quality.min_dihedral_angle) && std::isnan(quality.max_dihedral_angle));
+      assert(std::isnan(quality.mean_radius_ratio) && std::isnan(quality.min_radius_ratio));
+      return;
+    }
+    assert(is_near(quality.min_dihedral_angle, low) && is_near(quality.max_dihedral_angle, high));
+    assert(is_near(quality.mean_radius_ratio, sum / double(n)) && is_near(quality.min_radius_ratio, least_ratio));
+    for(const std::size_t m : quality.histogram)
+      bins += m;
+    assert(bins == n);
+    check_counts(quality);
+    check_edges(quality, is_inner);
+  }
+
+  void check_counts(const BR3::Mesh_quality_3& quality) const
+  {
+    std::array<std::size_t, 18> histogram = {};
+    std::array<std::size_t, 4> below = {};
+    std::array<std::size_t, 3> above = {};
+    for(const Cell_handle c : tr.finite_cell_handles())
+      if(contains(c))
+      {
+        const auto angles = br3_test::dihedral_angles(corners(c));
+        ++histogram[static_cast<std::size_t>(br3_test::smallest(angles) / 5)];
+        for(std::size_t i = 0; i < 4; ++i)
+          below[i] += br3_test::smallest(angles) < 5. * double(i + 1);
+        for(std::size_t i = 0; i < 3; ++i)
+          above[i] += br3_test::largest(angles) > 150 + 10. * double(i);
+      }
+    assert(quality.histogram == histogram);
+    assert(quality.numbers_of_cells_below == below && quality.numbers_of_cells_above == above);
+  }
+
+  void check_edges(const BR3::Mesh_quality_3& quality, const std::map<std::set<Vertex_handle>, bool>& is_inner) const
+  {
+    std::size_t number = 0, number_in_size = 0;
+    for(const auto& edge : is_inner)
+    {
+      const Vertex_handle u = *edge.first.begin(), v = *edge.first.rbegin();
+      const double size_u = CGAL::to_double(u->meshing_info()), size_v = CGAL::to_double(v->meshing_info());
+      if(! edge.second || size_u == 0 || size_v == 0)
+        continue;
+      ++number;
+      const double ratio = br3_test::distance(place(u), place(v)) / ((size_u + size_v) / 2);
+      number_in_size += ratio >= std::sqrt(0.5) && ratio <= std::sqrt(2.);
+    }
+    assert(quality.number_of_sized_edges == number);
+    assert(number > 0 ? is_near(quality.share_of_edges_in_size, double(number_in_size) / double(number))
+                      : std::isnan(quality.share_of_edges_in_size));
+  }
+
+  // The angle between the walls around the edge ij of a cell, 360 if there are none, and the walls.
+  double angle_between_walls(const Cell_handle c, const int i, const int j, std::array<Facet, 2>& walls) const
+  {
+    std::vector<Cell_handle> ring; // from the cell on, once around
+    typename Tr::Cell_circulator circulator = tr.incident_cells(c, i, j, c), end = circulator;
+    do
+      ring.push_back(circulator);
+    while(++circulator != end);
+    const Vertex_handle u = c->vertex(i), v = c->vertex(j);
+    const auto angle = [&](const Cell_handle d)
+    {
+      std::vector<Vector> others;
+      for(int k = 0; k < 4; ++k)
+        if(d->vertex(k) != u && d->vertex(k) != v)
+          others.push_back(place(d->vertex(k)));
+      return br3_test::angle_between(place(u), place(v), others[0], others[1]);
+    };
+    const std::size_t n = ring.size();
+    double sum = angle(c);
+    for(const std::size_t step : { std::size_t(1), n - 1 }) // in both directions
+    {
+      std::size_t at = 0;
+      while(! is_wall(ring[at], ring[at]->index(ring[(at + step) % n])))
+      {
+        at = (at + step) % n;
+        if(at == 0)
+          return 360;
+        sum += angle(ring[at]);
+      }
+      walls[step == 1] = Facet(ring[at], ring[at]->index(ring[(at + step) % n]));
+    }
+    return sum;
+  }
+
+  void check_bad_cell(const Bad_cell& bad, const double target) const
+  {
+    const Cell_handle c = bad.cell;
+    const auto angles = br3_test::dihedral_angles(corners(c));
+    assert(contains(c) && is_near(bad.min_dihedral_angle, br3_test::smallest(angles)));
+    assert(bad.min_dihedral_angle < target);
+    double forced = 360, needle = 360;
+    std::set<std::set<std::array<Vertex_handle, 3> > > walls_of_forced;
+    for(int i = 0, k = 0; i < 4; ++i)
+      for(int j = i + 1; j < 4; ++j, ++k)
+      {
+        if(is_near(angles[k], bad.min_dihedral_angle, 1e-12))
+          assert(c->has_vertex(bad.edge[0]) && c->has_vertex(bad.edge[1]));
+        if(! (angles[k] < target))
+          continue;
+        std::array<Facet, 2> walls;
+        const double angle = angle_between_walls(c, i, j, walls);
+        if(angle < target)
+          walls_of_forced.insert({ vertices(walls[0]), vertices(walls[1]) });
+        forced = (std::min)(forced, angle);
+      }
+    for(int i = 0; i < 4; ++i)
+      if(is_wall(c, i))
+        needle = (std::min)(needle, br3_test::smallest_plane_angle({{ place(c->vertex((i + 1) % 4)),
+                                      place(c->vertex((i + 2) % 4)), place(c->vertex((i + 3) % 4)) }}));
+    const int number_of_facets = forced < target ? 2 : needle < target ? 1 : 0;
+    assert(bad.number_of_facets() == number_of_facets);
+    for(int k = 0; k < 2; ++k)
+      assert((bad.facets[k] != Facet()) == (number_of_facets > k));
+    assert(bad.reason == (number_of_facets == 2 ? Bad_cell_reason::forced :
+                          number_of_facets == 1 ? Bad_cell_reason::needle : Bad_cell_reason::not_improved));
+    assert(number_of_facets == 0 ? std::isnan(bad.surface_angle)
+                                 : is_near(bad.surface_angle, number_of_facets == 2 ? forced : needle));
+    for(int k = 0; k < number_of_facets; ++k)
+      assert(is_wall(bad.facets[k].first, bad.facets[k].second));
+    if(number_of_facets == 2)
+      assert(walls_of_forced.count({ vertices(bad.facets[0]), vertices(bad.facets[1]) }) == 1);
+    if(number_of_facets == 1)
+      assert(bad.facets[0].first == c);
+  }
+
+  void check_certificate(const Certificate& certificate, const double target) const
+  {
+    assert(certificate.min_dihedral_angle == target);
+    std::size_t number_of_bad_cells = 0;
+    for(const Cell_handle c : tr.finite_cell_handles())
+      number_of_bad_cells += contains(c) && br3_test::smallest(br3_test::dihedral_angles(corners(c))) < target;
+    assert(certificate.cells.size() == number_of_bad_cells);
+    std::set<Cell_handle> cells;
+    double last = 0;
+    for(const Bad_cell& bad : certificate.cells)
+    {
+      assert(bad.min_dihedral_angle >= last && cells.insert(bad.cell).second);
+      last = bad.min_dihedral_angle;
+      check_bad_cell(bad, target);
+    }
+  }
+
+  // ------------------------------------------------ all answers
+
+  void check()
+  {
+    const Selection_map is_selected(selection);
+    for(const double target : { 5., 20., 40. })
+      if(selection.empty())
+        check_certificate(BR3::quality_certificate(tr, target), target);
+      else
+        check_certificate(BR3::quality_certificate(tr, target, parameters::cell_is_selected_map(is_selected)), target);
+    check_quality(selection.empty() ? BR3::mesh_quality(tr)
+                                    : BR3::mesh_quality(tr, parameters::cell_is_selected_map(is_selected)));
+  }
+
+  Tr tr;
+  Selection selection; // empty: all cells
+};
+
+// Points of a lattice in random places, so that cells are of all kinds, in two regions and outside of them.
+template <typename Kernel>
+Scene<Kernel> random_scene(std::mt19937& rng, const int number_of_points, const bool is_all_selected)
+{
+  typedef Scene<Kernel> S;
+  S scene;
+  const auto coordinate = [&] { return br3_test::random_int(rng, 1001) / 1000.; };
+  for(int i = 0; i < number_of_points; ++i)
+  {
+    const double x = coordinate(), y = coordinate(), z = coordinate();
+    const auto v = scene.tr.insert(typename S::Point(x, y, z * (i % 2 == 0 ? 1 : 0.1)));
+    v->set_meshing_info(i % 5 == 0 ? 0 : 0.2 + 0.1 * (i % 3));
+    v->set_dimension(3);
+  }
+  for(const auto c : scene.tr.finite_cell_handles())
+    c->set_subdomain_index(br3_test::random_int(rng, 8) == 0 ? 0 : br3_test::random_int(rng, 8) == 0 ? 2 : 1);
+  for(const auto& f : scene.tr.finite_facets())
+    if(br3_test::random_int(rng, 6) == 0)
+      for(const auto& side : { f, scene.tr.mirror_facet(f) })
+        side.first->set_surface_patch_index(side.second, 1);
+  if(! is_all_selected)
+    for(const auto c : scene.tr.all_cell_handles())
+      scene.selection[c] = br3_test::random_int(rng, 4) > 0;
+  for(const auto c : scene.tr.finite_cell_handles())
+    for(int i = 0; i < 4; ++i)
+      if(scene.contains(c) && is_all_selected && scene.is_wall(c, i))
+        for(int j = 1; j < 4; ++j)
+          c->vertex((i + j) % 4)->set_dimension(2);
+  return scene;
+}
+
+template <typename Kernel>
+void test_random_meshes(const int number)
+{
+  std::mt19937 rng(5);
+  for(int k = 0; k < number; ++k)
+  {
+    Scene<Kernel> scene = random_scene<Kernel>(rng, 5 + k * 3, k % 3 > 0);
+    scene.check();
+  }
+  Scene<Kernel> empty;
+  empty.check();
+  empty.tr.insert(typename Scene<Kernel>::Point(0, 0, 0));
+  empty.check();
+}
+
+// The mesh between some points, all of whose hull is constrained.
+Scene<K> hull_scene(const std::vector<Vector>& points)
+{
+  Scene<K> scene;
+  for(const Vector& p : points)
+    scene.tr.insert(K::Point_3(p[0], p[1], p[2]));
+  std::vector<std::array<Scene<K>::Vertex_handle, 3> > hull;
+  for(const auto& f : scene.tr.finite_facets())
+    if(scene.tr.is_infinite(f.first) || scene.tr.is_infinite(scene.tr.mirror_facet(f).first))
+    {
+      const auto cell = scene.tr.is_infinite(f.first) ? f.first : scene.tr.mirror_facet(f).first;
+      const int i = scene.tr.is_infinite(f.first) ? f.second : scene.tr.mirror_facet(f).second;
+      hull.push_back(BR3::internal::facet_vertices(cell, i));
+    }
+  const int number_of_regions = CGAL::mark_domain(scene.tr, hull);
+  assert(number_of_regions == 1);
+  scene.check();
+  return scene;
+}
+
+// Two facets at 8 degrees, with one cell between them, or two.
+void test_wedge()
+{
+  const double degree = std::acos(-1.) / 180;
+  for(const bool is_divided : { false, true })
+  {
+    std::vector<Vector> points = { {{ 0, 0, 0 }}, {{ 1, 0, 0 }}, {{ 0.5, 1, 0 }},
+                                   {{ 0.5, std::cos(8 * degree), std::sin(8 * degree) }} };
+    if(is_divided)
+      points.push_back({{ 0.5, std::cos(5 * degree), std::sin(5 * degree) }});
+    const Scene<K> scene = hull_scene(points);
+    const std::size_t number_of_cells = is_divided ? 2 : 1;
+    assert(scene.tr.number_of_finite_cells() == number_of_cells);
+    const auto forced = BR3::quality_certificate(scene.tr, 9);
+    assert(forced.number_of_cells(Bad_cell_reason::forced) == number_of_cells);
+    for(const auto& bad : forced.cells)
+      assert(is_near(bad.surface_angle, 8));
+    assert(is_near(forced.cells[0].min_dihedral_angle, is_divided ? 3 : 8));
+    // it would be possible to have no cell below 7 degrees, and it is not done
+    const auto divided = BR3::quality_certificate(scene.tr, 7);
+    assert(divided.cells.size() == (is_divided ? 2 : 0));
+    assert(divided.number_of_cells(Bad_cell_reason::forced) == 0);
+  }
+}
+
+// A triangle of the surface with an angle of 2.9 degrees, and a point above it.
+void test_needle()
+{
+  const Scene<K> scene = hull_scene({ {{ 0, 0, 0 }}, {{ 10, 0, 0 }}, {{ 10, 0.5, 0 }}, {{ 6, 0.1, 2 }},
+                                      {{ -5, -20, 8 }}, {{ 25, -20, 8 }}, {{ 5, 25, 8 }}, {{ 5, 0, 20 }} });
+  int number = 0;
+  for(const auto& bad : BR3::quality_certificate(scene.tr, 12).cells)
+  {
+    if(bad.reason != Bad_cell_reason::needle)
+      continue;
+    const auto facet = Scene<K>::vertices(bad.facets[0]);
+    if(! std::all_of(facet.begin(), facet.end(), [](const auto v) { return v->point().z() == 0; }))
+      continue; // another needle, at the side
+    assert(is_near(bad.surface_angle, std::atan(0.05) * 180 / std::acos(-1.)));
+    ++number;
+  }
+  assert(number == 1);
+}
+
+// A flat cell of four points inside.
+void test_sliver()
+{
+  std::vector<Vector> points = { {{ 1, 0, 0.01 }}, {{ -1, 0, 0.01 }}, {{ 0, 1, -0.01 }}, {{ 0, -1, -0.01 }} };
+  for(int i = 0; i < 8; ++i)
+    points.push_back({{ i % 2 == 0 ? -5. : 5., i / 2 % 2 == 0 ? -5. : 5., i / 4 == 0 ? -5.1 : 5. }});
+  const Scene<K> scene = hull_scene(points);
+  const auto certificate = BR3::quality_certificate(scene.tr, 3);
+  assert(certificate.cells.size() == 1 && certificate.cells[0].reason == Bad_cell_reason::not_improved);
+  assert(certificate.number_of_cells(Bad_cell_reason::not_improved) == 1);
+  assert(certificate.number_of_cells(Bad_cell_reason::not_improved, certificate.cells[0].min_dihedral_angle) == 0);
+  std::ostringstream os;
+  os << certificate;
+  assert(os.str() == "1 cells below 3 degrees: 1 not_improved");
+}
+
+// A model of CellQuality_3 that has what the concept asks for, and nothing else: half of another quality.
+struct Half_quality
+{
+  explicit Half_quality(int) { }
+  Half_quality(const Half_quality&) = default;
+  Half_quality& operator=(const Half_quality&) = delete;
+
+  double operator()(const std::array<std::array<double, 3>, 4>& corners) const { return whole(corners) / 2; }
+  double of_angle(const double degrees) const { return whole.of_angle(degrees) / 2; }
+
+  BR3::Volume_length_quality_3 whole;
+};
+
+struct Phases
+  : public CGAL::Default_boundary_constrained_mesh_visitor_3
+{
+  using CGAL::Default_boundary_constrained_mesh_visitor_3::on_phase_begin;
+  using CGAL::Default_boundary_constrained_mesh_visitor_3::on_phase_end;
+
+  void on_phase_begin(const BR3::Meshing_phase phase)
+  {
+    assert(phase == BR3::Meshing_phase::quality_improvement);
+    ++number_of_begins;
+  }
+
+  void on_phase_end(const BR3::Meshing_phase_report& report)
+  {
+    assert(report.phase == BR3::Meshing_phase::quality_improvement && report.number_of_cells > 0);
+    ++number_of_ends;
+  }
+
+  int number_of_begins = 0, number_of_ends = 0;
+};
+
+// What comes back, whatever the improvement does.
+void test_results()
+{
+  Scene<K> scene = hull_scene({ {{ 0, 0, 0 }}, {{ 1, 0, 0 }}, {{ 0, 1, 0 }}, {{ 0, 0, 1 }} });
+  Scene<K>::Tr& tr = scene.tr;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  Phases phases;
+  for(const double impossible : { -1., 70.54, 180., std::numeric_limits<double>::infinity(), nan })
+  {
+    const auto result = CGAL::improve_mesh_quality(tr, parameters::min_dihedral_angle(impossible),
+                                                   parameters::visitor(std::ref(phases)));
+    assert(! result && result.status == BR3::Meshing_status::invalid_input && result.before.number_of_cells == 0);
+  }
+  assert(phases.number_of_begins == 0);
+  const auto result = CGAL::improve_mesh_quality(tr, parameters::visitor(std::ref(phases)));
+  assert(result && phases.number_of_begins == 1 && phases.number_of_ends == 1);
+  assert(result.before.number_of_cells == 1 && result.after.number_of_cells == 1 && result.seconds >= 0);
+  assert(is_near(result.after.min_dihedral_angle, std::acos(1 / std::sqrt(3.)) * 180 / std::acos(-1.)));
+  assert(result.certificate.min_dihedral_angle == 20 && result.certificate.cells.empty());
+  const auto high = CGAL::improve_mesh_quality(tr, parameters::min_dihedral_angle(60.),
+                                               parameters::cell_quality(Half_quality(0)),
+                                               parameters::maximum_running_time(1e6));
+  assert(high && high.certificate.cells.size() == 1);
+  assert(high.certificate.cells[0].reason == Bad_cell_reason::forced);
+  assert(CGAL::improve_mesh_quality(tr, parameters::min_dihedral_angle(0.)).certificate.cells.empty());
+  const auto late = CGAL::improve_mesh_quality(tr, parameters::maximum_running_time(0.));
+  assert(late.status == BR3::Meshing_status::stopped && late.after.number_of_cells == 1);
+  std::ostringstream os;
+  os << high;
+  assert(os.str().find("meshed\nbefore: 1 cells, dihedral angles from 54.7") == 0);
+  assert(os.str().find("1 cells below 60 degrees: 1 forced") != std::string::npos);
+
+  Scene<K>::Tr empty;
+  const auto nothing = CGAL::improve_mesh_quality(empty);
+  assert(nothing && nothing.before.number_of_cells == 0 && nothing.certificate.cells.empty());
+}
+
+int main()
+{
+  test_random_meshes<K>(40);
+#ifndef BR3_TEST_EPICK_ONLY
+  test_random_meshes<CGAL::Exact_predicates_exact_constructions_kernel>(6);
+#endif
+  test_wedge();
+  test_needle();
+  test_sliver();
+  test_results();
+  std::cout << "certificates are right" << std::endl;
+}
