@@ -59,7 +59,7 @@ namespace CGAL {
  *   \cgalParamNBegin{min_dihedral_angle}
  *     \cgalParamDescription{the target, in degrees: cells with a smaller dihedral angle are improved}
  *     \cgalParamType{`double`}
- *     \cgalParamDefault{20}
+ *     \cgalParamDefault{25}
  *     \cgalParamExtra{It has to be from 0 to 70.53, the angle of the regular tetrahedron. Above 20 or 25, many cells
  *                     will stay below it, and it takes long.}
  *   \cgalParamNEnd

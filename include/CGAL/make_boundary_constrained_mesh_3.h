@@ -149,7 +149,7 @@ make_mesh_of_surface(Tr& tr, const FaceListGraph& surface, const SizingField& si
  *   \cgalParamNBegin{min_dihedral_angle}
  *     \cgalParamDescription{the target of the improvement, in degrees, see `improve_mesh_quality()`}
  *     \cgalParamType{`double`}
- *     \cgalParamDefault{20}
+ *     \cgalParamDefault{25}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{cell_quality}
  *     \cgalParamDescription{what makes a cell better than another one}

@@ -193,7 +193,8 @@ private:
 };
 
 /*
- * Where a vertex may be, so that the lengths of its edges are allowed. Edges whose lengths are not may stay as they are.
+ * Where a vertex may be, so that the lengths of its edges are allowed. Edges whose lengths are not may stay as they
+ * are.
  */
 template <typename Tr>
 class Allowed_places_3

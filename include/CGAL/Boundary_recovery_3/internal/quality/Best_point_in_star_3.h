@@ -33,9 +33,9 @@ namespace internal {
  * Searches the point from which a polyhedron is starred best: the worst of the cells of its faces and the point is to
  * be as good as possible.
  *
- * That is a small non-smooth optimisation (Freitag and Ollivier-Gooch): from the point at hand, it goes in the direction
- * in which all of the worst cells get better at once, that is, the shortest convex combination of the gradients of their
- * qualities; by half of the step again and again where that is too far. Gradients are differences.
+ * That is a small non-smooth optimisation (Freitag and Ollivier-Gooch): from the point at hand, it goes in the
+ * direction in which all of the worst cells get better at once, that is, the shortest convex combination of the
+ * gradients of their qualities; by half of the step again and again where that is too far. Gradients are differences.
  */
 template <typename Quality>
 class Best_point_in_star_3
@@ -65,7 +65,8 @@ public:
     return worst;
   }
 
-  // Moves the point to better places, until all cells are good enough, or nothing helps. The worst cell never gets worse. `is_allowed` tells where the point may be. Returns whether the point was moved.
+  // Moves the point to better places, until all cells are good enough, or nothing helps. The worst cell never gets
+  // worse. `is_allowed` tells where the point may be. Returns whether the point was moved.
   template <typename IsAllowed>
   bool improve(Coordinates_3& p, const IsAllowed& is_allowed)
   {

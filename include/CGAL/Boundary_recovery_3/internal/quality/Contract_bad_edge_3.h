@@ -25,8 +25,8 @@ namespace Boundary_recovery_3 {
 namespace internal {
 
 /*
- * Removes a free vertex by the contraction of one of its edges: the cells that are left fill the star of the vertex from
- * the other end.
+ * Removes a free vertex by the contraction of one of its edges: the cells that are left fill the star of the vertex
+ * from the other end.
  */
 template <typename Mesh>
 class Contract_bad_edge_3

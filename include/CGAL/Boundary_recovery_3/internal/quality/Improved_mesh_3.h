@@ -97,8 +97,8 @@ public:
 
   static Point_3 point(const Vertex_handle v) { return internal::bare_point<Point_3>(v->point()); }
 
-  // Whether the length of an edge between two vertices would be allowed, or is not more extreme than that of an edge that
-  // goes for it.
+  // Whether the length of an edge between two vertices would be allowed, or is not more extreme than that of an edge
+  // that goes for it.
   bool is_edge_in_size(const Vertex_handle u, const Vertex_handle v, const double length_before) const
   {
     const auto range = m_lengths.at(u, v);
@@ -135,8 +135,8 @@ public:
     }
   }
 
-  // Exchanges cells of a region for positively oriented ones with the same outer facets. The vertex `dropped`, if given,
-  // goes with the old cells. If memory is lacking, or the visitor throws beforehand, nothing is changed.
+  // Exchanges cells of a region for positively oriented ones with the same outer facets. The vertex `dropped`, if
+  // given, goes with the old cells. If memory is lacking, or the visitor throws beforehand, nothing is changed.
   template <typename CellRange, typename TetrahedronRange>
   const Cells& replace(const CellRange& old_cells, const TetrahedronRange& tetrahedra,
                        const Vertex_handle dropped = Vertex_handle())

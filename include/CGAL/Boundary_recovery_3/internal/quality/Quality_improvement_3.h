@@ -27,7 +27,7 @@ namespace Boundary_recovery_3 {
 namespace internal {
 
 // See "Tuning constants" in the manual.
-constexpr double default_min_dihedral_angle = 20;
+constexpr double default_min_dihedral_angle = 25;
 
 // The largest angle that can be asked for: no cell has a larger smallest one than the regular tetrahedron.
 constexpr double largest_possible_target = 70.53;

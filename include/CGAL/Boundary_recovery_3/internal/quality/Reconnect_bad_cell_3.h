@@ -26,8 +26,8 @@ namespace Boundary_recovery_3 {
 namespace internal {
 
 /*
- * Small polyhedron reconnection that makes the worst cell the best: a bad cell and those around it are exchanged for the
- * tetrahedralization of their union, without further vertices, whose worst cell is the best.
+ * Small polyhedron reconnection that makes the worst cell the best: a bad cell and those around it are exchanged for
+ * the tetrahedralization of their union, without further vertices, whose worst cell is the best.
  *
  * It is a search with a bound: only cells better than the worst one now take part; if there is a tetrahedralization of
  * these, its worst cell is the next bound, until there is none.
@@ -148,8 +148,8 @@ private:
     return worst;
   }
 
-  // No wall, no constrained edge, and no vertex: Euler's formula tells how many vertices the boundary has, which is to be
-  // a sphere.
+  // No wall, no constrained edge, and no vertex: Euler's formula tells how many vertices the boundary has, which is to
+  // be a sphere.
   bool is_no_constraint_inside() const
   {
     std::size_t number_of_faces = 0;
