@@ -6,8 +6,8 @@ The concept `BoundaryConstrainedMeshVisitor_3` describes what is told about the 
 asked: what is told about the recovery of the boundary, and the same for the steps after it. All calls come from the
 thread that called the mesher.
 
-The phases after the recovery are `domain_marking`, `forecast`, and `field_point_insertion`, in this order, each of them
-once at most. The triangulation is valid at each call.
+The phases after the recovery are `domain_marking`, `forecast`, `field_point_insertion`, and `quality_improvement`, in
+this order, each of them once at most. The triangulation is valid at each call.
 
 A member may throw. The exception reaches the caller of the mesher, with a valid triangulation.
 
@@ -23,6 +23,7 @@ using-declaration.
 
 \sa `CGAL::make_boundary_constrained_mesh_3()`
 \sa `CGAL::insert_field_points()`
+\sa `CGAL::improve_mesh_quality()`
 */
 class BoundaryConstrainedMeshVisitor_3
 {

@@ -18,8 +18,8 @@ void print_bad_tetrahedron(std::ostream& os, const Bad_tetrahedron& bad, const D
 
   const auto& p = domain.points[bad.edge[0]];
   const auto& q = domain.points[bad.edge[1]];
-  os << "  " << bad.min_dihedral_angle << " degrees at (" << p.x() / 2 + q.x() / 2 << ' ' << p.y() / 2 + q.y() / 2 << ' '
-     << p.z() / 2 + q.z() / 2 << ')';
+  os << "  " << bad.min_dihedral_angle << " degrees at (" << p.x() / 2 + q.x() / 2 << ' ' << p.y() / 2 + q.y() / 2
+     << ' ' << p.z() / 2 + q.z() / 2 << ')';
   if(bad.reason == Bad_cell_reason::forced)
     os << ", forced: triangles of the surface meet at " << bad.surface_angle << " degrees";
   else if(bad.reason == Bad_cell_reason::needle)
