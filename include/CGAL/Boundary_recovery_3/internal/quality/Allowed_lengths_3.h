@@ -83,8 +83,8 @@ public:
   // Where an edge may have this length, edges this far away may be longer by that.
   static double faded(const double least, const double distance) { return least + 0.5 * distance; }
 
-  // Edges of a new vertex may have this length.
-  void set_least(const Vertex_handle v, const double length) { m_of_constraints[v].least = length; }
+  // Edges of a new vertex may have this length. What is known of a vertex that is gone, whose place it got, is not its.
+  void set_least(const Vertex_handle v, const double length) { m_of_constraints[v] = Range{ length, 0 }; }
 
   // Of an edge between two vertices.
   Range at(const Vertex_handle u, const Vertex_handle v) const { return at(u, size(v), of_constraints(v)); }

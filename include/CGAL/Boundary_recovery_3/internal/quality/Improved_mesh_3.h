@@ -130,7 +130,8 @@ public:
         m_star.push_back(Tetrahedron{{ f[0], f[1], f[2], v }});
       return replace(old_cells, m_star);
     } catch(...) {
-      m_tr.tds().delete_vertex(v);
+      if(v->cell() == Cell_handle()) // else the star is there, and the visitor threw afterwards
+        m_tr.tds().delete_vertex(v);
       throw;
     }
   }
