@@ -15,6 +15,7 @@
 #include <CGAL/Boundary_recovery_3/internal/filling/Size_query_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Vertex_sizes_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
+#include <CGAL/Boundary_recovery_3/internal/util/bare_point.h>
 
 #include <CGAL/Unique_hash_map.h>
 

@@ -20,7 +20,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <type_traits>
 
 namespace CGAL {
 namespace Boundary_recovery_3 {
@@ -33,16 +32,6 @@ template <typename Point>
 Coordinates_3 coordinates_of(const Point& p)
 {
   return {{ CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()) }};
-}
-
-// A point without its weight, if it has one, as those of Mesh_3 have.
-template <typename Point_3, typename Point>
-const Point_3& bare_point(const Point& p)
-{
-  if constexpr(std::is_same<Point, Point_3>::value)
-    return p;
-  else
-    return p.point();
 }
 
 inline Coordinates_3 difference(const Coordinates_3& p, const Coordinates_3& q)

@@ -15,6 +15,7 @@
 #include <CGAL/Boundary_recovery_3/internal/numbers/Homogeneous_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/numbers/exact_numbers.h>
 #include <CGAL/Boundary_recovery_3/internal/numbers/nearest_integer.h>
+#include <CGAL/Boundary_recovery_3/internal/util/bare_point.h>
 
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Cartesian_converter.h>
@@ -94,14 +95,14 @@ public:
   // fail; `position` is what find(v) returned. Not to be called with exact kernels, nor is to_homogeneous().
   static Interval_point_3 box(const Vertex_handle v, const Position* const position)
   {
-    return position == nullptr ? box(v->point()) : position->box;
+    return position == nullptr ? box(internal::bare_point<Point_3>(v->point())) : position->box;
   }
 
   static Homogeneous_point homogeneous(const Vertex_handle v, const Position* const position)
   {
     if(position != nullptr)
       return position->homogeneous;
-    const Point_3& p = v->point();
+    const Point_3& p = internal::bare_point<Point_3>(v->point());
     return Homogeneous_point::from_doubles(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
   }
 

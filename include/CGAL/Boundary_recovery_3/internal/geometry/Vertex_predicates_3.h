@@ -13,6 +13,7 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/geometry/Exact_positions_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/bare_point.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Simple_cartesian.h>
@@ -58,7 +59,7 @@ public:
 
   bool is_infinite(const Vertex_handle v) const { return m_tr->is_infinite(v); }
 
-  const Point_3& point(const Vertex_handle v) const { return v->point(); }
+  const Point_3& point(const Vertex_handle v) const { return internal::bare_point<Point_3>(v->point()); }
 
   Approximate_point approximate_point(const Vertex_handle v) const
   {
@@ -87,7 +88,7 @@ public:
       if(positions[0] || positions[1] || positions[2] || positions[3])
         return exact_orientation({{ p, q, r, s }}, positions);
     }
-    return m_orientation(p->point(), q->point(), r->point(), s->point());
+    return m_orientation(point(p), point(q), point(r), point(s));
   }
 
   bool are_collinear(const Vertex_handle p, const Vertex_handle q, const Vertex_handle r) const

@@ -15,6 +15,7 @@
 #include <CGAL/Boundary_recovery_3/internal/filling/Vertex_sizes_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/distances_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/mesh_indices.h>
 
 #include <CGAL/Unique_hash_map.h>
 #include <CGAL/number_utils.h>
@@ -44,6 +45,7 @@ class Allowed_lengths_3
 {
 public:
   typedef typename Tr::Vertex_handle Vertex_handle;
+  typedef typename Tr::Cell_handle   Cell_handle;
 
   struct Range
   {
@@ -51,21 +53,26 @@ public:
     double largest;
   };
 
+  explicit Allowed_lengths_3(const Tr& tr)
+    : m_tr(tr), m_of_constraints(Range{ std::numeric_limits<double>::infinity(), 0 })
+  { }
+
+  // The constrained facets of a cell of the domain are taken into account.
   template <typename Domain>
-  Allowed_lengths_3(const Tr& tr, const Domain& domain)
-    : m_of_constraints(Range{ std::numeric_limits<double>::infinity(), 0 })
+  void add(const Domain& domain, const Cell_handle c)
   {
     if constexpr(Has_meshing_info<typename Tr::Vertex>::value)
-    {
-      std::vector<Vertex_handle> vertices;
-      for(const auto c : tr.finite_cell_handles())
-        if(domain.contains(c))
-          for(int i = 0; i < 4; ++i)
-            if(domain.is_wall(c, i))
-              add_facet(c, i, vertices);
-      spread_least(tr, vertices);
-      spread_largest(tr, vertices);
-    }
+      for(int i = 0; i < 4; ++i)
+        if(may_be_constrained(c, i) && domain.is_wall(c, i))
+          add_facet(c, i);
+  }
+
+  // To be called when all cells were added.
+  void spread()
+  {
+    spread_least();
+    spread_largest();
+    m_constrained_vertices.clear();
   }
 
   // The size at a vertex; 0: not known.
@@ -118,8 +125,17 @@ private:
     return internal::distance(internal::coordinates_of(u->point()), internal::coordinates_of(v->point()));
   }
 
-  template <typename Cell_handle>
-  void add_facet(const Cell_handle c, const int i, std::vector<Vertex_handle>& vertices)
+  // Asks the vertices, if they know; that is cheaper than to ask the cell behind the facet.
+  static bool may_be_constrained(const Cell_handle c, const int i)
+  {
+    if constexpr(Has_vertex_indices<typename Tr::Vertex>::value)
+      for(int k = 0; k < 4; ++k)
+        if(k != i && c->vertex(k)->in_dimension() == 3)
+          return false;
+    return true;
+  }
+
+  void add_facet(const Cell_handle c, const int i)
   {
     for(int k = 0; k < 4; ++k)
       for(int l = 0; l < 4; ++l)
@@ -128,23 +144,23 @@ private:
           const double d = distance(c->vertex(k), c->vertex(l));
           Range& range = m_of_constraints[c->vertex(k)];
           if(range.largest == 0)
-            vertices.push_back(c->vertex(k));
+            m_constrained_vertices.push_back(c->vertex(k));
           range.least = (std::min)(range.least, d);
           range.largest = (std::max)(range.largest, d);
         }
   }
 
-  void spread_least(const Tr& tr, const std::vector<Vertex_handle>& from)
+  void spread_least()
   {
-    spread(tr, from,
+    spread(
            [this](const Vertex_handle v) { return - m_of_constraints[v].least; },
            [this](const Vertex_handle v) { return - least(v); },
            [this](const Vertex_handle v, const double x) { m_of_constraints[v].least = -x; }, 0.5);
   }
 
-  void spread_largest(const Tr& tr, const std::vector<Vertex_handle>& from)
+  void spread_largest()
   {
-    spread(tr, from,
+    spread(
            [this](const Vertex_handle v) { return m_of_constraints[v].largest; },
            [this](const Vertex_handle v) { return (std::max)(2 * size(v), m_of_constraints[v].largest); },
            [this](const Vertex_handle v, const double x) { m_of_constraints[v].largest = x; }, 1);
@@ -153,8 +169,7 @@ private:
   // From the vertices on constraints to those around (Dijkstra), as long as it makes a difference: what fades with
   // distance is larger than what is known there.
   template <typename Value, typename Known, typename Set>
-  void spread(const Tr& tr, const std::vector<Vertex_handle>& from, const Value& value, const Known& known,
-              const Set& set, const double fading)
+  void spread(const Value& value, const Known& known, const Set& set, const double fading)
   {
     typedef std::tuple<double, std::size_t, Vertex_handle> Entry; // the number makes the order independent of addresses
     const auto is_later = [](const Entry& x, const Entry& y)
@@ -163,7 +178,7 @@ private:
     };
     std::priority_queue<Entry, std::vector<Entry>, decltype(is_later)> queue(is_later);
     std::size_t number = 0;
-    for(const Vertex_handle v : from)
+    for(const Vertex_handle v : m_constrained_vertices)
       if(value(v) >= known(v))
         queue.emplace(value(v), number++, v);
     std::vector<Vertex_handle> neighbors;
@@ -174,10 +189,10 @@ private:
       if(at_u < value(u))
         continue;
       neighbors.clear();
-      tr.tds().adjacent_vertices(u, std::back_inserter(neighbors));
+      m_tr.tds().adjacent_vertices(u, std::back_inserter(neighbors));
       for(const Vertex_handle v : neighbors)
       {
-        if(tr.is_infinite(v))
+        if(m_tr.is_infinite(v))
           continue;
         const double at_v = at_u - fading * distance(u, v);
         if(at_v > known(v))
@@ -189,6 +204,8 @@ private:
     }
   }
 
+  const Tr& m_tr;
+  std::vector<Vertex_handle> m_constrained_vertices; // until all is known
   Unique_hash_map<Vertex_handle, Range> m_of_constraints; // for looking up only
 };
 

@@ -36,15 +36,8 @@ public:
 
   explicit Bad_cells_3(const Mesh& mesh) : m_mesh(mesh), m_last_change(0) { }
 
-  // Collects all bad cells of the domain.
-  void collect()
-  {
-    m_cells.clear();
-    m_last_change.clear(m_round = 0);
-    for(const Cell_handle c : m_mesh.triangulation().finite_cell_handles())
-      if(m_mesh.domain().contains(c))
-        push(c);
-  }
+  // Begins anew, with the same cells.
+  void forget_changes() { m_last_change.clear(m_round = 0); }
 
   // A cell of the domain may be bad.
   void push(const Cell_handle c)
@@ -54,13 +47,19 @@ public:
       m_cells.emplace_back(q, c);
   }
 
+  template <typename CellRange>
+  void push_all(const CellRange& cells)
+  {
+    for(const Cell_handle c : cells)
+      push(c);
+  }
+
   // These cells of the domain are new, or have a vertex that moved.
   template <typename CellRange>
   void push_changed(const CellRange& cells)
   {
     note_change(cells);
-    for(const Cell_handle c : cells)
-      push(c);
+    push_all(cells);
   }
 
   template <typename CellRange>

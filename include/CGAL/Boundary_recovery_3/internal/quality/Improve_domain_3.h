@@ -51,13 +51,42 @@ public:
       m_flip(m_mesh), m_contract(m_mesh), m_smooth(m_mesh, quality), m_insert(m_mesh, quality), m_reconnect(m_mesh)
   { }
 
-  // Until no cell has a dihedral angle below that, in degrees, or nothing helps, or the context says stop.
+  // The dihedral angle, in degrees, that no cell is to be below. To be set before cells are added.
+  void set_target(const double min_dihedral_angle)
+  {
+    m_target = min_dihedral_angle;
+    m_mesh.set_enough(m_quality.of_angle(m_target));
+  }
+
+  // To be called for each cell of the domain.
+  void add(const Cell_handle c)
+  {
+    m_mesh.add_lengths(c);
+    m_bad_cells.push(c);
+  }
+
+  // Improves the mesh until all cells are good, or nothing helps, or the context says stop.
+  void operator()()
+  {
+    m_mesh.spread_lengths();
+    improve(max_number_of_rounds, false);
+    if(m_target > really_bad_angle)
+    {
+      m_mesh.set_enough(m_quality.of_angle(really_bad_angle));
+      m_bad_cells.forget_changes();
+      improve(max_number_of_last_rounds, true);
+    }
+    tell_progress(m_number_of_visits);
+  }
+
+  // All of this in one.
   void operator()(const double min_dihedral_angle)
   {
-    improve_cells_below(min_dihedral_angle, max_number_of_rounds, false);
-    if(min_dihedral_angle > really_bad_angle)
-      improve_cells_below(really_bad_angle, max_number_of_last_rounds, true);
-    tell_progress(m_number_of_visits);
+    set_target(min_dihedral_angle);
+    for(const Cell_handle c : m_mesh.triangulation().finite_cell_handles())
+      if(m_mesh.domain().contains(c))
+        add(c);
+    (*this)();
   }
 
   const Quality_improvement_counts& counts() const { return m_counts; }
@@ -75,23 +104,26 @@ private:
   static constexpr std::size_t visits_per_report = 2048;
   static constexpr std::size_t expected_number_of_visits = 3; // of each cell that is bad at first
 
-  void improve_cells_below(const double angle, const int max_number, const bool reconnects)
+  void improve(const int max_number, const bool reconnects)
   {
-    m_mesh.set_enough(m_quality.of_angle(angle));
-    m_bad_cells.collect();
     double last_badness = 0;
     for(m_round = 1; m_round <= max_number && m_context.go_further(); ++m_round)
     {
       const std::vector<Cell_handle> cells = m_bad_cells.next_round();
       const bool is_slow = m_bad_cells.badness() > (1 - least_progress) * last_badness;
-      if(cells.empty() || (m_round > first_dear_round && is_slow))
+      if(cells.empty())
         break;
+      if(m_round > first_dear_round && is_slow)
+      {
+        m_bad_cells.push_all(cells);
+        break;
+      }
       last_badness = m_bad_cells.badness();
       m_expected_visits = (std::max)(m_expected_visits, expected_number_of_visits * cells.size());
       m_reconnects = reconnects && m_round >= first_dear_round;
       ++m_counts.number_of_rounds;
       for(const Cell_handle c : cells)
-        if(m_context.go_further_after_short_step() && m_bad_cells.contains(c))
+        if(m_bad_cells.contains(c) && m_context.go_further_after_short_step())
           visit(c);
     }
   }
@@ -203,6 +235,7 @@ private:
   Reconnect_bad_cell_3<Mesh> m_reconnect;
   Quality_improvement_counts m_counts;
   std::vector<Cell_handle> m_stack;
+  double m_target = 0;
   int m_round = 0;
   bool m_reconnects = false;
   std::size_t m_number_of_visits = 0;

@@ -18,6 +18,7 @@
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mark_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_indices.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Allowed_lengths_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/bare_point.h>
 
 
 #include <CGAL/enum.h>
@@ -58,7 +59,7 @@ public:
   Improved_mesh_3(Tr& tr, Domain& domain, const Quality& quality, Visitor& visitor)
     : m_tr(tr), m_domain(domain), m_quality(quality), m_visitor(visitor),
       m_orientation(tr.geom_traits().orientation_3_object()),
-      m_lengths(tr, domain)
+      m_lengths(tr)
   { }
 
   Tr& triangulation() { return m_tr; }
@@ -114,6 +115,11 @@ public:
   }
 
   const Allowed_lengths_3<Tr>& allowed_lengths() const { return m_lengths; }
+
+  // Makes known how long edges may be beside the constrained facets: to be called for each cell of the domain, and then
+  // the other one. Without that, there is nothing but the sizes.
+  void add_lengths(const Cell_handle c) { m_lengths.add(m_domain, c); }
+  void spread_lengths() { m_lengths.spread(); }
 
   static double size(const Vertex_handle v) { return Allowed_lengths_3<Tr>::size(v); }
 

@@ -68,13 +68,11 @@ private:
   void improve(const double min_dihedral_angle)
   {
     Measure_quality_3<Tr, Domain> measure_before(m_tr, m_domain), measure_after(m_tr, m_domain);
-    m_result.before = measure_before([](const Cell_handle, const Cell_angles_3&) { });
-    if(m_tr.dimension() == 3)
-    {
-      Improve_domain_3<Tr, Domain, Quality, Visitor> improve_domain(m_tr, m_domain, m_quality, m_context);
-      improve_domain(min_dihedral_angle);
-      m_result.counts = improve_domain.counts();
-    }
+    Improve_domain_3<Tr, Domain, Quality, Visitor> improve_domain(m_tr, m_domain, m_quality, m_context);
+    improve_domain.set_target(min_dihedral_angle);
+    m_result.before = measure_before([&](const Cell_handle c, const Cell_angles_3&) { improve_domain.add(c); });
+    improve_domain();
+    m_result.counts = improve_domain.counts();
     Explain_bad_cells_3<Tr, Domain> explain(m_domain, min_dihedral_angle);
     m_result.after = measure_after([&](const Cell_handle c, const Cell_angles_3& angles) { explain.add(c, angles); });
     m_result.certificate = explain.certificate();
