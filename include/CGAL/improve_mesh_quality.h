@@ -60,7 +60,7 @@ namespace CGAL {
  *     \cgalParamDescription{the target, in degrees: cells with a smaller dihedral angle are improved}
  *     \cgalParamType{`double`}
  *     \cgalParamDefault{25}
- *     \cgalParamExtra{It has to be from 0 to 70.53, the angle of the regular tetrahedron. Above 20 or 25, many cells
+ *     \cgalParamExtra{It has to be from 0 to 70.53, the angle of the regular tetrahedron. Above 25, many cells
  *                     will stay below it, and it takes long.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{cell_quality}

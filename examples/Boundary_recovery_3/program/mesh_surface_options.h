@@ -34,7 +34,7 @@ constexpr const char* meshing_usage =
   "  --max-vertices N       mesh nothing if the mesh would have more vertices than that\n"
   "  --time-limit SECONDS   stop after that time, and write what there is if the surface is recovered by then\n"
   "quality:\n"
-  "  --min-angle DEGREES    improve tetrahedra with a dihedral angle below that one, default: 20; more than 25 is\n"
+  "  --min-angle DEGREES    improve tetrahedra with a dihedral angle below that one, default: 25; more is\n"
   "                         seldom possible\n"
   "  --no-improvement       leave the tetrahedra as the field points make them\n"
   "surfaces that are not valid:\n"
@@ -69,7 +69,7 @@ struct Meshing_options
   double grading = 0.2;
   bool has_grading = false;
   bool insert_field_points = true;
-  double min_angle = 20;            // in degrees
+  double min_angle = 25;            // in degrees, that of the library
   bool has_min_angle = false;
   bool improve_quality = true;
   std::size_t maximum_number_of_vertices = (std::numeric_limits<std::size_t>::max)();

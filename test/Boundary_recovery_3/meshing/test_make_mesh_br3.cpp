@@ -25,6 +25,7 @@
 #include <iostream>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -165,10 +166,11 @@ struct Scene
   {
     const auto& improvement = result.improvement;
     assert(improvement && improvement.seconds >= 0 && improvement.seconds <= result.seconds);
-    assert(improvement.certificate.min_dihedral_angle == 20);
+    assert(improvement.certificate.min_dihedral_angle == 25);
     assert(improvement.before.number_of_cells > 0 && improvement.after.number_of_cells > 0);
     assert(improvement.after.min_dihedral_angle >= improvement.before.min_dihedral_angle);
-    assert(improvement.certificate.cells.size() == improvement.after.numbers_of_cells_below[3]);
+    const auto& histogram = improvement.after.histogram; // of five degrees each
+    assert(improvement.certificate.cells.size() == std::accumulate(histogram.begin(), histogram.begin() + 5, 0u));
     for(const auto& bad : improvement.certificate.cells)
       assert(tr.tds().is_cell(bad.cell) && bad.cell->subdomain_index() != 0);
   }

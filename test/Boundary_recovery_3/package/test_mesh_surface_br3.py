@@ -443,7 +443,7 @@ def test_certificate():
         report = report_of(write(name, off_text(*surface)), '-o', 'wedge.mesh', status=MESHED)
         bad = check_certificate('wedge.mesh', report, surface)
         forced = [entry for entry in bad if entry['reason'] == 'forced']
-        assert forced and report['improvement']['target_angle'] == 20
+        assert forced and report['improvement']['target_angle'] == 25
         assert all(math.isclose(entry['surface_angle'], 8, rel_tol=1e-9) for entry in forced)
         triangles = {tuple(sorted(facet['triangle'] for facet in entry['facets'])) for entry in forced}
         assert triangles == {(0, 4), (2, 6)}  # those at the edges on the axis
@@ -549,7 +549,7 @@ def test_printing():
     for words in (r'^search ', r'^field_point_insertion +\d+ +\d+ ', r'^quality_improvement +\d+ +\d+ ', r'^ *60 to +70 +[\d.]+ %', r'^edges inside: \d+, [\d.]+ %',
                   r'below 5: \d+, 10: \d+, 15: \d+, 20: \d+; above 150: \d+, 160: \d+, 170: \d+',
                   r'^improved from [\d.e-]+ and [\d.]+ degrees: \d+ edges? and \d+ facets? removed, ',
-                  r'^tetrahedra below 20 degrees: 0 forced by the surface, \d+ at needles of it, \d+ not improved',
+                  r'^tetrahedra below 25 degrees: 0 forced by the surface, \d+ at needles of it, \d+ not improved',
                   r'^meshed: \d+ points, \d+ field points? and 0 Steiner points among them, and \d+ tetrahedra in 1 region'):
         assert re.search(words, process.out, re.M), (words, process.out)
     assert 'no mesh is written' not in run(surface, '-o', 'printing.mesh', status=MESHED).out

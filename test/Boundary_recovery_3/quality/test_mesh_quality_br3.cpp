@@ -453,7 +453,7 @@ void test_results()
   assert(result && phases.number_of_begins == 1 && phases.number_of_ends == 1);
   assert(result.before.number_of_cells == 1 && result.after.number_of_cells == 1 && result.seconds >= 0);
   assert(is_near(result.after.min_dihedral_angle, std::acos(1 / std::sqrt(3.)) * 180 / std::acos(-1.)));
-  assert(result.certificate.min_dihedral_angle == 20 && result.certificate.cells.empty());
+  assert(result.certificate.min_dihedral_angle == 25 && result.certificate.cells.empty());
   const auto high = CGAL::improve_mesh_quality(tr, parameters::min_dihedral_angle(60.),
                                                parameters::cell_quality(Half_quality(0)),
                                                parameters::maximum_running_time(1e6));
