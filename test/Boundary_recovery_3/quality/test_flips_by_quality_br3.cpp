@@ -1,0 +1,466 @@
+// Removal of edges and of facets, and reconnection, led by quality, on random constrained meshes, judged after each
+// step; against brute force; and the removal of facets as the inverse of that of an edge.
+
+#undef NDEBUG // the checks are assertions, also in a Release build
+
+#include "improvement_judge_br3.h"
+
+#include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_visitor_3.h>
+#include <CGAL/Boundary_recovery_3/Cell_quality_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Flip_bad_cell_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Improved_mesh_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Reconnect_bad_cell_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Remove_bad_edge_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Remove_bad_facet_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <iostream>
+#include <limits>
+#include <set>
+#include <vector>
+
+namespace BR3 = CGAL::Boundary_recovery_3;
+namespace internal = BR3::internal;
+using br3_test::Improvement_options;
+using br3_test::Lengths_slack;
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+typedef br3_test::Improvement_scene<Kernel>                 Scene;
+typedef Scene::Tr                                           Tr;
+typedef Scene::Domain                                       Domain;
+typedef Scene::Vertex_handle                                Vertex_handle;
+typedef Scene::Cell_handle                                  Cell_handle;
+typedef CGAL::Default_boundary_constrained_mesh_visitor_3   Visitor;
+typedef std::array<std::array<double, 3>, 4>                Corners;
+
+// One of two models, or what a test wishes: cells with both of two points, which no other point is between, are good.
+struct Quality
+{
+  int kind = 0;
+  std::vector<std::array<double, 3> > ring = {}; // of the edge on the axis, whose ends are at x = y = 0
+  double of_ring_cells = 1;
+
+  double operator()(const Corners& corners) const
+  {
+    return kind == 0 ? BR3::Dihedral_angle_quality_3()(corners)
+         : kind == 1 ? BR3::Volume_length_quality_3()(corners) : wish(corners);
+  }
+
+  double wish(const Corners& corners) const
+  {
+    std::vector<std::size_t> places;
+    for(const auto& p : corners)
+    {
+      const auto it = std::find(ring.begin(), ring.end(), p);
+      if(it != ring.end())
+        places.push_back(static_cast<std::size_t>(it - ring.begin()));
+    }
+    if(places.size() != 2)
+      return 0.5;
+    const std::size_t d = places[0] > places[1] ? places[0] - places[1] : places[1] - places[0];
+    return d == 1 || d + 1 == ring.size() ? of_ring_cells : 0.1;
+  }
+};
+
+typedef internal::Improved_mesh_3<Tr, Domain, Quality, Visitor> Mesh;
+
+struct Improvement
+{
+  Improvement(const unsigned seed, const Improvement_options& options, const int kind, const double degrees)
+    : scene(seed, options), domain(scene.domain()), quality{ kind }, mesh(scene.tr, domain, quality, visitor)
+  {
+    mesh.set_enough(kind == 0 ? BR3::Dihedral_angle_quality_3().of_angle(degrees)
+                              : BR3::Volume_length_quality_3().of_angle(degrees));
+  }
+
+  Scene scene;
+  Domain domain;
+  Quality quality;
+  Visitor visitor;
+  Mesh mesh;
+};
+
+// All steps on random meshes. Returns how many there were of each kind.
+std::array<int, 4> test_all_steps(const unsigned seed)
+{
+  Improvement_options options;
+  options.is_grid = seed % 4 == 0;
+  options.has_sizes = seed % 3 == 0;
+  std::array<int, 4> number = {{ 0, 0, 0, 0 }};
+  const int kind = seed / 2 % 2;
+  const double degrees = 10 + seed % 5 * 10;
+  {
+    Improvement t(seed, options, kind, degrees);
+    internal::Remove_bad_edge_3<Mesh> remove(t.mesh);
+    for(int i = 0; i < 4; ++i)
+      for(int j = 0; j < i; ++j)
+        number[0] += try_on_all_cells(t.scene, t.mesh, Lengths_slack::edges_that_go, [&](const Cell_handle c)
+                                      { return remove.find(c, i, j, 0) && remove.apply(); });
+  }
+  {
+    Improvement t(seed, options, kind, degrees);
+    internal::Remove_bad_facet_3<Mesh> remove(t.mesh);
+    for(int i = 0; i < 4; ++i)
+      number[1] += try_on_all_cells(t.scene, t.mesh, Lengths_slack::none, [&](const Cell_handle c)
+                                    { return remove.find(c, i, 0) && remove.apply(); });
+  }
+  {
+    Improvement t(seed, options, kind, degrees);
+    internal::Flip_bad_cell_3<Mesh> flip(t.mesh);
+    number[2] = try_on_all_cells(t.scene, t.mesh, Lengths_slack::edges_that_go, std::ref(flip));
+  }
+  Improvement t(seed, options, kind, degrees);
+  internal::Reconnect_bad_cell_3<Mesh> reconnect(t.mesh);
+  number[3] = try_on_all_cells(t.scene, t.mesh, Lengths_slack::none, [&](const Cell_handle c)
+  {
+    if(! reconnect.find(c))
+      return false;
+    reconnect.apply();
+    return true;
+  });
+  return number;
+}
+
+// ------------------------------------------------ the removal of an edge, by brute force
+
+typedef std::vector<std::array<int, 3> > Triangles;
+
+// All triangulations of the polygon of the vertices i to j.
+std::vector<Triangles> triangulations(const int i, const int j)
+{
+  if(j == i + 1)
+    return { Triangles() };
+  std::vector<Triangles> result;
+  for(int k = i + 1; k < j; ++k)
+    for(const Triangles& left : triangulations(i, k))
+      for(const Triangles& right : triangulations(k, j))
+      {
+        Triangles all = left;
+        all.insert(all.end(), right.begin(), right.end());
+        all.push_back({{ i, k, j }});
+        result.push_back(all);
+      }
+  return result;
+}
+
+// The vertices around an edge, seen counterclockwise from b; none if a facet at it must stay.
+std::vector<Vertex_handle> ring_of(const Improvement& t, const Vertex_handle a, const Vertex_handle b)
+{
+  std::vector<std::array<Vertex_handle, 2> > sides;
+  for(const Cell_handle c : t.scene.cells())
+    if(c->has_vertex(a) && c->has_vertex(b))
+    {
+      std::vector<Vertex_handle> others;
+      for(int i = 0; i < 4; ++i)
+        if(c->vertex(i) != a && c->vertex(i) != b)
+        {
+          others.push_back(c->vertex(i));
+          if(t.domain.is_wall(c, i) || ! t.scene.contains(c))
+            return { };
+        }
+      if(CGAL::orientation(a->point(), b->point(), others[0]->point(), others[1]->point()) != CGAL::POSITIVE)
+        std::swap(others[0], others[1]);
+      sides.push_back({{ others[0], others[1] }});
+    }
+  std::vector<Vertex_handle> ring(1, sides[0][0]);
+  while(ring.size() < sides.size())
+    for(const auto& side : sides)
+      if(side[0] == ring.back() && ring.size() < sides.size())
+        ring.push_back(side[1]);
+  return ring;
+}
+
+double badness(const Mesh& mesh, const Vertex_handle p, const Vertex_handle q, const Vertex_handle r,
+               const Vertex_handle s, double& worst)
+{
+  const double x = mesh.quality({{ Mesh::coordinates(p), Mesh::coordinates(q), Mesh::coordinates(r),
+                                   Mesh::coordinates(s) }});
+  worst = (std::min)(worst, x);
+  return mesh.badness(x);
+}
+
+void check_edge(Improvement& t, internal::Remove_bad_edge_3<Mesh>& remove, const Cell_handle c, const int i,
+                const int j, std::array<int, 2>& number)
+{
+  const Vertex_handle a = c->vertex(i), b = c->vertex(j);
+  const auto ring = ring_of(t, a, b);
+  const bool is_found = remove.find(c, i, j, 0);
+  if(ring.empty() || t.domain.is_constrained_edge(a, b))
+    assert(! is_found);
+  if(ring.empty() || t.domain.is_constrained_edge(a, b) || ring.size() > 7)
+    return;
+  const int m = static_cast<int>(ring.size());
+  double before = 0, worst_before = 2;
+  for(int k = 0; k < m; ++k)
+    before += badness(t.mesh, a, b, ring[k], ring[(k + 1) % m], worst_before);
+  const double length = std::sqrt(CGAL::to_double(CGAL::squared_distance(a->point(), b->point())));
+  double least = std::numeric_limits<double>::infinity();
+  for(const Triangles& triangles : triangulations(0, m - 1))
+  {
+    double sum = 0, worst = 2;
+    bool is_possible = true;
+    for(const auto& f : triangles)
+    {
+      sum += badness(t.mesh, ring[f[0]], ring[f[1]], ring[f[2]], b, worst) +
+             badness(t.mesh, ring[f[0]], ring[f[2]], ring[f[1]], a, worst);
+      for(int k = 0; k < 3; ++k)
+      {
+        const int u = f[k], v = f[(k + 1) % 3], d = u < v ? v - u : u - v;
+        is_possible = is_possible && (d == 1 || d == m - 1 || t.mesh.is_edge_in_size(ring[u], ring[v], length));
+      }
+    }
+    if(is_possible && worst >= worst_before)
+      least = (std::min)(least, sum);
+  }
+  ++number[is_found];
+  if(is_found)
+    assert(std::abs(remove.gain() - (before - least)) < 1e-12);
+  else
+    assert(! (least < before - 1e-12));
+  if(is_found && ! remove.find(c, i, j, remove.gain() * 0.999))
+    assert(false);
+  assert(! remove.find(c, i, j, (before - (std::min)(least, before)) * 1.001 + 1e-12));
+}
+
+void test_best_removal_of_edge()
+{
+  std::array<int, 2> number = {{ 0, 0 }};
+  for(unsigned seed = 0; seed < 6; ++seed)
+  {
+    Improvement_options options;
+    options.is_grid = seed % 4 == 3;
+    options.has_sizes = seed % 2 == 1;
+    Improvement t(seed + 70, options, seed % 3 == 0, 35);
+    internal::Remove_bad_edge_3<Mesh> remove(t.mesh);
+    for(const Cell_handle c : t.scene.cells())
+      if(t.scene.contains(c))
+        for(int i = 0; i < 4; ++i)
+          check_edge(t, remove, c, i, (i + 1) % 4, number);
+  }
+  assert(number[0] > 100 && number[1] > 100);
+}
+
+// ------------------------------------------------ the removal of facets is the inverse
+
+void insert_ring(Improvement& t, const int n)
+{
+  static const int circle[12][2] = { {25, 0}, {20, 15}, {15, 20}, {0, 25}, {-15, 20}, {-20, 15},
+                                     {-25, 0}, {-20, -15}, {-15, -20}, {0, -25}, {15, -20}, {20, -15} };
+  Tr& tr = t.scene.tr;
+  tr.clear();
+  tr.insert(Tr::Point(0, 0, 4));
+  tr.insert(Tr::Point(0, 0, -4));
+  t.quality.ring.clear();
+  for(int k = 0; k < n; ++k)
+  {
+    const auto* const p = circle[12 * k / n];
+    t.quality.ring.push_back({{ double(p[0]), double(p[1]), 0.25 * (k % 3) }});
+    tr.insert(Tr::Point(p[0], p[1], 0.25 * (k % 3)));
+  }
+  t.scene.selection.clear();
+  t.scene.edges.clear();
+  for(const Cell_handle c : tr.finite_cell_handles())
+  {
+    c->set_subdomain_index(1);
+    t.scene.selection[c] = true;
+  }
+  assert(tr.number_of_finite_cells() == static_cast<std::size_t>(n));
+}
+
+std::set<std::set<Vertex_handle> > vertex_sets(const Tr& tr)
+{
+  std::set<std::set<Vertex_handle> > result;
+  for(const Cell_handle c : tr.finite_cell_handles())
+    result.insert({ c->vertex(0), c->vertex(1), c->vertex(2), c->vertex(3) });
+  return result;
+}
+
+void test_inverse(const int n)
+{
+  Improvement t(1, Improvement_options(), 2, 30);
+  insert_ring(t, n);
+  Tr& tr = t.scene.tr;
+  t.mesh.set_enough(1);
+  const auto before = vertex_sets(tr);
+  internal::Remove_bad_edge_3<Mesh> remove_edge(t.mesh);
+  internal::Remove_bad_facet_3<Mesh> remove_facet(t.mesh);
+  t.quality.of_ring_cells = 0.2; // cells with the edge are bad
+  const Cell_handle c = tr.finite_cells_begin();
+  int ends[2] = { -1, -1 };
+  for(int i = 0; i < 4; ++i)
+    if(c->vertex(i)->point().x() == 0 && c->vertex(i)->point().y() == 0)
+      ends[c->vertex(i)->point().z() > 0] = i;
+  const bool is_removed = remove_edge.find(c, ends[0], ends[1], 0) && remove_edge.apply();
+  assert(is_removed && tr.number_of_finite_cells() == static_cast<std::size_t>(2 * (n - 2)));
+  assert(vertex_sets(tr) != before && tr.tds().is_valid());
+  t.quality.of_ring_cells = 0.9; // they are good, but others with both ends are not
+  const Cell_handle d = tr.finite_cells_begin();
+  int apex = -1;
+  for(int i = 0; i < 4; ++i)
+    if(d->vertex(i)->point().x() == 0 && d->vertex(i)->point().y() == 0)
+      apex = i;
+  const bool are_too_many = n - 2 > remove_facet.max_number_of_facets;
+  const bool is_put_back = remove_facet.find(d, apex, 0) && remove_facet.apply();
+  assert(is_put_back != are_too_many);
+  if(are_too_many)
+    return;
+  assert(vertex_sets(tr) == before && tr.tds().is_valid());
+  assert(remove_facet.new_cells().size() == static_cast<std::size_t>(n));
+}
+
+// ------------------------------------------------ reconnection, by brute force
+
+// All tetrahedralizations of a polyhedron, by its faces seen from inside: the worst cell of the best one.
+class Best_tetrahedralization
+{
+public:
+  typedef std::array<std::size_t, 3> Face; // turned so that the least number is first
+
+  Best_tetrahedralization(const Improvement& t, const double known) : m_t(t), m_best(known)
+  {
+    for(const Vertex_handle v : t.scene.tr.finite_vertex_handles())
+      m_vertices.push_back(v);
+    for(const Cell_handle c : t.scene.cells())
+      for(int i = 0; i < 4; ++i)
+        if(t.scene.tr.is_infinite(c->neighbor(i)))
+        {
+          const auto f = internal::facet_vertices(c, i);
+          m_open.insert(turned({{ number(f[0]), number(f[1]), number(f[2]) }}));
+        }
+    search(2);
+  }
+
+  double worst() const { return m_best; }
+
+private:
+  std::size_t number(const Vertex_handle v) const
+  {
+    return static_cast<std::size_t>(std::find(m_vertices.begin(), m_vertices.end(), v) - m_vertices.begin());
+  }
+
+  static Face turned(Face f)
+  {
+    std::rotate(f.begin(), std::min_element(f.begin(), f.end()), f.end());
+    return f;
+  }
+
+  // Positive cells whose outer facets are those of the polyhedron cover each point once.
+  void search(const double worst)
+  {
+    if(m_open.empty())
+    {
+      m_best = worst;
+      return;
+    }
+    const Face f = *m_open.begin();
+    for(std::size_t k = 0; k < m_vertices.size(); ++k)
+    {
+      const auto& v = m_vertices;
+      double w = worst;
+      badness(m_t.mesh, v[f[0]], v[f[1]], v[f[2]], v[k], w);
+      if(! (w > m_best) || ! m_t.mesh.is_positive(v[f[0]], v[f[1]], v[f[2]], v[k]))
+        continue;
+      const std::set<Face> open = m_open, closed = m_closed;
+      if(close(f, k))
+        search(w);
+      m_open = open;
+      m_closed = closed;
+    }
+  }
+
+  bool close(const Face& f, const std::size_t k)
+  {
+    m_open.erase(f);
+    m_closed.insert(f);
+    for(int i = 0; i < 3; ++i)
+    {
+      const Face mine = turned({{ f[i], k, f[(i + 1) % 3] }}), other = turned({{ f[i], f[(i + 1) % 3], k }});
+      if(m_closed.count(mine) > 0 || m_closed.count(other) > 0)
+        return false;
+      if(m_open.erase(mine) > 0)
+        m_closed.insert(mine);
+      else
+        m_open.insert(other);
+    }
+    return true;
+  }
+
+  const Improvement& m_t;
+  double m_best;
+  std::vector<Vertex_handle> m_vertices;
+  std::set<Face> m_open, m_closed;
+};
+
+double worst_cell(const Improvement& t)
+{
+  double worst = 2;
+  for(const Cell_handle c : t.scene.cells())
+    worst = (std::min)(worst, t.mesh.quality(c));
+  return worst;
+}
+
+void insert_on_sphere(Improvement& t, const int n)
+{
+  Tr& tr = t.scene.tr;
+  tr.clear();
+  t.scene.selection.clear();
+  while(tr.number_of_vertices() < static_cast<std::size_t>(n))
+  {
+    const double x = t.scene.random_int(2000) - 1000, y = t.scene.random_int(2000) - 1000;
+    const double z = t.scene.random_int(2000) - 1000, r = std::sqrt(x * x + y * y + z * z);
+    tr.insert(Tr::Point(std::floor(4096 * x / r), std::floor(4096 * y / r), std::floor(4096 * z / r)));
+  }
+  for(const Cell_handle c : tr.finite_cell_handles())
+  {
+    c->set_subdomain_index(1);
+    t.scene.selection[c] = true;
+  }
+}
+
+void test_best_reconnection()
+{
+  const double rounding = 1e-12; // the quality depends on the order of the corners, that little
+  std::array<int, 3> number = {{ 0, 0, 0 }};
+  for(unsigned seed = 0; seed < 60; ++seed)
+  {
+    Improvement_options options;
+    options.has_walls = false;
+    options.number_of_points = 20;
+    Improvement t(seed, options, static_cast<int>(seed % 2), 60);
+    insert_on_sphere(t, 6 + static_cast<int>(seed % 3));
+    const double before = worst_cell(t);
+    internal::Reconnect_bad_cell_3<Mesh> reconnect(t.mesh);
+    const double best = Best_tetrahedralization(t, before).worst();
+    const bool is_found = reconnect.find(t.scene.tr.finite_cells_begin());
+    if(is_found)
+      reconnect.apply();
+    const double after = worst_cell(t);
+    assert(t.scene.tr.tds().is_valid() && after <= best + rounding && after >= before - rounding);
+    ++number[is_found ? after > best - rounding ? 2 : 1 : best < before + rounding ? 2 : 0];
+  }
+  // the other ones would make the worst cell better, but the sum worse
+  assert(number[1] == 0 && number[2] >= 50);
+}
+
+int main()
+{
+  std::array<int, 4> number = {{ 0, 0, 0, 0 }};
+  for(unsigned seed = 0; seed < 16; ++seed)
+  {
+    const auto more = test_all_steps(seed);
+    for(int i = 0; i < 4; ++i)
+      number[i] += more[i];
+  }
+  std::cout << number[0] << " edges, " << number[1] << " facets, " << number[2] << " of either, " << number[3]
+            << " reconnections" << std::endl;
+  assert(number[0] > 100 && number[1] > 100 && number[2] > 100 && number[3] > 20);
+  test_best_removal_of_edge();
+  for(int n = 3; n <= 12; ++n)
+    test_inverse(n);
+  test_best_reconnection();
+}

@@ -1,0 +1,329 @@
+// The improvement as a whole on random constrained meshes, each exchange of cells judged as it happens: never worse, the
+// same again, stopped or interrupted at any time, on triangulations of CGAL's own, too.
+
+#undef NDEBUG // the checks are assertions, also in a Release build
+
+#include "improvement_judge_br3.h"
+
+#include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_visitor_3.h>
+#include <CGAL/Boundary_recovery_3/Cell_quality_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Improve_domain_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/improve_mesh_quality.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cstddef>
+#include <functional>
+#include <iostream>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace BR3 = CGAL::Boundary_recovery_3;
+namespace internal = BR3::internal;
+namespace parameters = CGAL::parameters;
+using br3_test::Improvement_options;
+typedef CGAL::Exact_predicates_inexact_constructions_kernel K;
+typedef BR3::Dihedral_angle_quality_3                       Quality;
+
+struct Interruption { };
+
+// Judges each exchange of cells; stops, or throws, at a certain call.
+template <typename Scene>
+class Judging_visitor
+  : public CGAL::Default_boundary_constrained_mesh_visitor_3
+{
+public:
+  typedef typename Scene::Vertex_handle Vertex_handle;
+  typedef typename Scene::Cell_handle   Cell_handle;
+  typedef std::set<Vertex_handle>       Vertices;
+  typedef std::map<Vertices, int>       Outside; // the patches of the outer facets
+
+  explicit Judging_visitor(const Scene& scene) : m_scene(scene) { }
+
+  bool go_further() { return ++number_of_questions != last_question; }
+
+  template <typename CellRange>
+  void before_cells_removal(const CellRange& cells)
+  {
+    throw_at_last_call();
+    m_outside = outside(cells);
+    m_volume = 0;
+    m_worst = 2;
+    m_region = static_cast<int>((*cells.begin())->subdomain_index());
+    for(const Cell_handle c : cells)
+    {
+      assert(m_scene.contains(c) && static_cast<int>(c->subdomain_index()) == m_region);
+      m_volume += volume(c);
+      m_worst = (std::min)(m_worst, Quality()(internal::corners(c)));
+    }
+  }
+
+  template <typename CellRange>
+  void after_cells_creation(const CellRange& cells)
+  {
+    assert(outside(cells) == m_outside);
+    for(const Cell_handle c : cells)
+    {
+      assert(m_scene.contains(c) && static_cast<int>(c->subdomain_index()) == m_region);
+      assert(volume(c) > 0 && Quality()(internal::corners(c)) >= m_worst - 1e-9);
+      m_volume -= volume(c);
+    }
+    assert(m_volume == 0);
+    ++number_of_exchanges;
+    throw_at_last_call();
+  }
+
+  std::size_t number_of_questions = 0, last_question = 0; // 0: it is never the last one
+  std::size_t number_of_calls = 0, last_call = 0;
+  std::size_t number_of_exchanges = 0;
+
+private:
+  void throw_at_last_call()
+  {
+    if(++number_of_calls == last_call)
+      throw Interruption();
+  }
+
+  static br3_test::Rational volume(const Cell_handle c)
+  {
+    return br3_test::volume(br3_test::to_rational(c->vertex(0)->point()), br3_test::to_rational(c->vertex(1)->point()),
+                            br3_test::to_rational(c->vertex(2)->point()), br3_test::to_rational(c->vertex(3)->point()));
+  }
+
+  template <typename CellRange>
+  static Outside outside(const CellRange& cells)
+  {
+    const std::set<Cell_handle> all(cells.begin(), cells.end());
+    Outside result;
+    for(const Cell_handle c : cells)
+      for(int i = 0; i < 4; ++i)
+        if(all.count(c->neighbor(i)) == 0)
+          result[{ c->vertex((i + 1) % 4), c->vertex((i + 2) % 4), c->vertex((i + 3) % 4) }]
+            = static_cast<int>(c->surface_patch_index(i));
+        else
+          assert(c->surface_patch_index(i) == 0);
+    return result;
+  }
+
+  const Scene& m_scene;
+  Outside m_outside;
+  br3_test::Rational m_volume;
+  double m_worst = 0;
+  int m_region = 0;
+};
+
+// A scene with all that an improvement of it needs.
+template <typename Kernel>
+struct Improvement
+{
+  typedef br3_test::Improvement_scene<Kernel>                       Scene;
+  typedef typename Scene::Tr                                        Tr;
+  typedef typename Scene::Domain                                    Domain;
+  typedef typename Scene::Vertex_handle                             Vertex_handle;
+  typedef typename Scene::Cell_handle                               Cell_handle;
+  typedef Judging_visitor<Scene>                                    Visitor;
+  typedef internal::Recovery_context<Visitor>                       Context;
+  typedef internal::Improved_mesh_3<Tr, Domain, Quality, Visitor>   Mesh;
+  typedef internal::Improve_domain_3<Tr, Domain, Quality, Visitor>  Improve_domain;
+  typedef br3_test::Improvement_judge<Scene, Mesh>                  Judge;
+
+  Improvement(const unsigned seed, const Improvement_options& options)
+    : scene(seed, options), domain(scene.domain()), visitor(scene), context(visitor),
+      mesh(scene.tr, domain, quality, visitor), judge(scene, mesh)
+  {
+    mesh.set_enough(quality.of_angle(30));
+    judge.remember_all();
+    worst_before = worst();
+  }
+
+  BR3::Quality_improvement_counts operator()(const double degrees = 30)
+  {
+    Improve_domain improve(scene.tr, domain, quality, context);
+    improve(degrees);
+    return improve.counts();
+  }
+
+  double worst() const
+  {
+    double result = 2;
+    for(const Cell_handle c : scene.cells())
+      if(scene.contains(c))
+        result = (std::min)(result, quality(internal::corners(c)));
+    return result;
+  }
+
+  // Whatever happened, the mesh is valid, and not worse.
+  void check() const
+  {
+    judge.check_all();
+    assert(worst() >= worst_before - 1e-9);
+  }
+
+  Scene scene;
+  Domain domain;
+  Quality quality;
+  Visitor visitor;
+  Context context;
+  Mesh mesh;
+  Judge judge;
+  double worst_before;
+};
+
+// What can be compared with another mesh: all but addresses.
+template <typename Tr>
+std::vector<std::array<double, 12> > bytes_of(const Tr& tr)
+{
+  std::vector<std::array<double, 12> > result;
+  for(const auto c : tr.finite_cell_handles())
+  {
+    std::array<double, 12> row;
+    for(int i = 0; i < 4; ++i)
+      for(int j = 0; j < 3; ++j)
+        row[3 * i + j] = CGAL::to_double(c->vertex(i)->point()[j]);
+    result.push_back(row);
+  }
+  return result;
+}
+
+Improvement_options options_of(const unsigned seed)
+{
+  Improvement_options options;
+  options.is_grid = seed % 4 == 0;
+  options.has_sizes = seed % 3 == 0;
+  options.number_of_points = 60 + static_cast<int>(seed % 5) * 20;
+  return options;
+}
+
+template <typename Kernel>
+void test_random_meshes(const unsigned first, const unsigned last)
+{
+  BR3::Quality_improvement_counts sum;
+  int number_better = 0;
+  for(unsigned seed = first; seed < last; ++seed)
+  {
+    Improvement<Kernel> t(seed, options_of(seed)), again(seed, options_of(seed));
+    const auto counts = t(20 + seed % 3 * 5);
+    t.check();
+    assert(! t.context.is_stopped());
+    number_better += t.worst() > t.worst_before + 1e-6;
+    assert(counts.number_of_removed_edges + counts.number_of_removed_facets + counts.number_of_removed_vertices +
+           counts.number_of_inserted_points + counts.number_of_reconnected_polyhedra == t.visitor.number_of_exchanges);
+    sum.number_of_removed_edges += counts.number_of_removed_edges;
+    sum.number_of_removed_facets += counts.number_of_removed_facets;
+    sum.number_of_removed_vertices += counts.number_of_removed_vertices;
+    sum.number_of_inserted_points += counts.number_of_inserted_points;
+    sum.number_of_reconnected_polyhedra += counts.number_of_reconnected_polyhedra;
+    sum.number_of_moved_vertices += counts.number_of_moved_vertices;
+    again(20 + seed % 3 * 5);
+    assert(bytes_of(t.scene.tr) == bytes_of(again.scene.tr));
+  }
+  std::cout << sum.number_of_removed_edges << " edges, " << sum.number_of_removed_facets << " facets, "
+            << sum.number_of_removed_vertices << " vertices removed, " << sum.number_of_inserted_points
+            << " inserted, " << sum.number_of_moved_vertices << " moved, " << sum.number_of_reconnected_polyhedra
+            << " reconnections, " << number_better << " of " << last - first << " better" << std::endl;
+  assert(sum.number_of_removed_edges > 0 && sum.number_of_removed_facets > 0 && sum.number_of_moved_vertices > 0);
+  if(last - first > 8)
+    assert(sum.number_of_removed_vertices > 0 && sum.number_of_inserted_points > 0 &&
+           sum.number_of_reconnected_polyhedra > 0);
+  assert(number_better > 0);
+}
+
+// If all cells are good enough, nothing is done.
+void test_nothing_to_do()
+{
+  for(unsigned seed = 0; seed < 3; ++seed)
+  {
+    Improvement<K> t(seed, options_of(seed));
+    t.judge.remember();
+    t(0);
+    assert(t.judge.is_unchanged() && t.visitor.number_of_exchanges == 0);
+    for(auto& entry : t.scene.selection)
+      entry.second = false;
+    t.judge.remember();
+    const auto counts = t(30);
+    assert(t.judge.is_unchanged() && counts.number_of_rounds == 0);
+  }
+}
+
+// Whenever it is stopped, and whenever the visitor throws.
+void test_interruptions(const unsigned seed)
+{
+  std::size_t number_of_questions = 0, number_of_calls = 0;
+  double worst = 0;
+  {
+    Improvement<K> t(seed, options_of(seed));
+    t();
+    number_of_questions = t.visitor.number_of_questions;
+    number_of_calls = t.visitor.number_of_calls;
+    worst = t.worst();
+  }
+  assert(number_of_questions > 5 && number_of_calls > 20);
+  for(std::size_t k = 1; k <= number_of_questions; ++k)
+  {
+    Improvement<K> t(seed, options_of(seed));
+    t.judge.remember_all();
+    t.visitor.last_question = k;
+    const auto counts = t();
+    t.check();
+    assert(t.context.is_stopped() && t.visitor.number_of_questions == k && t.worst() <= worst + 1e-9);
+    assert((k == 1) == t.judge.is_unchanged() && (k == 1) == (counts.number_of_rounds == 0));
+  }
+  for(std::size_t k = 1; k <= number_of_calls; k += 1 + number_of_calls / 60)
+  {
+    Improvement<K> t(seed, options_of(seed));
+    t.visitor.last_call = k;
+    bool is_thrown = false;
+    try {
+      t();
+    } catch(const Interruption&) {
+      is_thrown = true;
+    }
+    assert(is_thrown && t.visitor.number_of_calls == k && t.visitor.number_of_exchanges == k / 2);
+    t.check();
+    t.visitor.last_call = 0;
+    t(); // it can be gone on with
+    t.check();
+  }
+}
+
+// What the function says is what happened; and a mesh and its copies become the same.
+void test_function()
+{
+  for(const unsigned seed : { 1u, 4u, 7u })
+  {
+    Improvement_options options = options_of(seed);
+    Improvement<K> t(seed, options);
+    for(const auto c : t.scene.tr.finite_cell_handles())
+      t.scene.selection[c] = true;
+    t.scene.edges.clear();
+    auto copy = t.scene.tr, second = t.scene.tr;
+    Judging_visitor<Improvement<K>::Scene> visitor(t.scene);
+    const auto result = CGAL::improve_mesh_quality(t.scene.tr, parameters::min_dihedral_angle(28.),
+      parameters::visitor(std::ref(visitor)).cell_is_selected_map(Improvement<K>::Scene::Selection_map(t.scene.selection)));
+    assert(result && result.after.min_dihedral_angle >= result.before.min_dihedral_angle - 1e-6);
+    assert(visitor.number_of_exchanges > 0);
+    const auto of_copy = CGAL::improve_mesh_quality(copy, parameters::min_dihedral_angle(28.));
+    CGAL::improve_mesh_quality(second, parameters::min_dihedral_angle(28.));
+    assert(bytes_of(copy) == bytes_of(second));
+    std::cout << (of_copy.after.min_dihedral_angle == result.after.min_dihedral_angle) << std::endl;
+  }
+}
+
+int main()
+{
+  test_random_meshes<K>(0, 12);
+#ifndef BR3_TEST_EPICK_ONLY
+  test_random_meshes<CGAL::Exact_predicates_exact_constructions_kernel>(2, 4);
+#endif
+  test_nothing_to_do();
+  test_interruptions(2);
+  test_interruptions(3);
+  test_function();
+}

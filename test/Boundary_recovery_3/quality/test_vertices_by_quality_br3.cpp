@@ -1,0 +1,448 @@
+// Smoothing, contraction and insertion, led by quality, on random constrained meshes, judged after each step; where
+// the best point is, which vertices are free, which edge is contracted, and which lengths are allowed, against slow
+// references.
+
+#undef NDEBUG // the checks are assertions, also in a Release build
+
+#include "improvement_judge_br3.h"
+
+#include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_visitor_3.h>
+#include <CGAL/Boundary_recovery_3/Cell_quality_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Allowed_lengths_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Bad_cells_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Best_point_in_star_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Contract_bad_edge_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Free_star_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Improved_mesh_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Insert_into_bad_cell_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Smooth_vertex_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <iostream>
+#include <limits>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace BR3 = CGAL::Boundary_recovery_3;
+namespace internal = BR3::internal;
+using br3_test::Improvement_options;
+using br3_test::Lengths_slack;
+typedef CGAL::Exact_predicates_inexact_constructions_kernel     Kernel;
+typedef br3_test::Improvement_scene<Kernel>                     Scene;
+typedef Scene::Tr                                               Tr;
+typedef Scene::Domain                                           Domain;
+typedef Scene::Vertex_handle                                    Vertex_handle;
+typedef Scene::Cell_handle                                      Cell_handle;
+typedef BR3::Dihedral_angle_quality_3                           Quality;
+typedef CGAL::Default_boundary_constrained_mesh_visitor_3       Visitor;
+typedef internal::Improved_mesh_3<Tr, Domain, Quality, Visitor> Mesh;
+typedef internal::Best_point_in_star_3<Quality>                 Best_point;
+typedef internal::Coordinates_3                                 Place;
+
+struct Improvement
+{
+  Improvement(const unsigned seed, const Improvement_options& options, const double degrees)
+    : scene(seed, options), domain(scene.domain()), mesh(scene.tr, domain, quality, visitor)
+  {
+    mesh.set_enough(quality.of_angle(degrees));
+  }
+
+  Scene scene;
+  Domain domain;
+  Quality quality;
+  Visitor visitor;
+  Mesh mesh;
+};
+
+// All steps on random meshes. Returns how many there were of each kind.
+std::array<int, 3> test_all_steps(const unsigned seed)
+{
+  Improvement_options options;
+  options.is_grid = seed % 4 == 0;
+  options.has_sizes = seed % 3 == 0;
+  options.number_of_points = seed % 5 == 0 ? 60 : 120;
+  std::array<int, 3> number = {{ 0, 0, 0 }};
+  const double degrees = 10 + seed % 4 * 10;
+  {
+    Improvement t(seed, options, degrees);
+    internal::Smooth_vertex_3<Mesh> smooth(t.mesh, t.quality);
+    for(int i = 0; i < 4; ++i)
+      number[0] += try_on_all_cells(t.scene, t.mesh, Lengths_slack::none,
+                                    [&](const Cell_handle c) { return smooth(c->vertex(i)); });
+  }
+  {
+    Improvement t(seed, options, degrees);
+    internal::Contract_bad_edge_3<Mesh> contract(t.mesh);
+    for(int i = 0; i < 4; ++i)
+      number[1] += try_on_all_cells(t.scene, t.mesh, Lengths_slack::none, [&](const Cell_handle c)
+                                    { return contract.find(c->vertex(i), 0) && contract.apply(); });
+  }
+  Improvement t(seed, options, degrees);
+  internal::Insert_into_bad_cell_3<Mesh> insert(t.mesh, t.quality);
+  number[2] = try_on_all_cells(t.scene, t.mesh, Lengths_slack::longest_edge,
+                               [&](const Cell_handle c) { return insert.find(c) && insert.apply(); });
+  for(const Vertex_handle v : t.scene.tr.finite_vertex_handles())
+    if(options.has_sizes)
+      assert(v->meshing_info() >= 0.2 && v->meshing_info() < 0.4);
+  return number;
+}
+
+// ------------------------------------------------ which vertices are free, and where they go
+
+void test_free_vertices()
+{
+  std::array<int, 2> number = {{ 0, 0 }};
+  for(unsigned seed = 0; seed < 8; ++seed)
+  {
+    Improvement_options options;
+    options.is_grid = seed == 7;
+    options.number_of_points = 80;
+    Improvement t(seed, options, 30);
+    const br3_test::Improvement_judge<Scene, Mesh> judge(t.scene, t.mesh);
+    internal::Free_star_3<Mesh> star(t.mesh);
+    for(const Vertex_handle v : t.scene.tr.finite_vertex_handles())
+    {
+      const bool is_free = judge.is_free(v);
+      ++number[is_free];
+      assert(star.collect(v) == is_free);
+      if(! is_free)
+        continue;
+      std::set<Cell_handle> cells(star.cells().begin(), star.cells().end());
+      std::set<Vertex_handle> neighbors(star.neighbors().begin(), star.neighbors().end()), expected;
+      assert(cells.size() == star.cells().size() && neighbors.size() == star.neighbors().size());
+      for(const Cell_handle c : t.scene.cells())
+      {
+        assert((cells.count(c) > 0) == c->has_vertex(v));
+        for(int i = 0; i < 4; ++i)
+          if(c->has_vertex(v) && c->vertex(i) != v)
+            expected.insert(c->vertex(i));
+      }
+      assert(neighbors == expected);
+    }
+  }
+  assert(number[0] > 50 && number[1] > 50);
+}
+
+struct Star_of_point
+{
+  const std::vector<Best_point::Face>& faces;
+  double enough;
+
+  // How bad the cells are, and the worst one.
+  std::pair<double, double> operator()(const Place& p) const
+  {
+    double sum = 0, worst = 2;
+    for(const auto& f : faces)
+    {
+      const double q = Quality()({{ f[0], f[1], f[2], p }});
+      worst = (std::min)(worst, q);
+      sum += q < enough ? (1 - q / enough) * (1 - q / enough) : 0;
+    }
+    return { sum, worst };
+  }
+};
+
+// The least badness of a grid of points; of those that make no cell worse than the worst one at `p`.
+double best_of_grid(const Star_of_point& star, const Place& p)
+{
+  const int n = 12;
+  Place low = p, high = p;
+  for(const auto& f : star.faces)
+    for(const auto& q : f)
+      for(int j = 0; j < 3; ++j)
+      {
+        low[j] = (std::min)(low[j], q[j]);
+        high[j] = (std::max)(high[j], q[j]);
+      }
+  auto best = star(p);
+  const double worst = best.second;
+  for(int k = 0; k < n * n * n; ++k)
+  {
+    const std::array<int, 3> at = {{ k % n, k / n % n, k / n / n }};
+    Place q;
+    for(int j = 0; j < 3; ++j)
+      q[j] = low[j] + (high[j] - low[j]) * (at[j] + 0.5) / n;
+    const auto there = star(q);
+    if(there.second >= worst && there.first < best.first)
+      best.first = there.first;
+  }
+  return best.first;
+}
+
+void test_best_points()
+{
+  double possible = 0, reached = 0;
+  int number = 0, moved = 0;
+  for(unsigned seed = 0; seed < 6; ++seed)
+  {
+    Improvement_options options;
+    options.number_of_points = 80;
+    options.has_walls = false;
+    Improvement t(seed, options, 40);
+    internal::Free_star_3<Mesh> star(t.mesh);
+    Best_point best_point(t.quality);
+    for(const Vertex_handle v : t.scene.tr.finite_vertex_handles())
+    {
+      if(! star.collect(v))
+        continue;
+      std::vector<Best_point::Face> faces;
+      best_point.clear(t.mesh.enough());
+      for(const auto& f : star.faces())
+      {
+        faces.push_back({{ Mesh::coordinates(f[0]), Mesh::coordinates(f[1]), Mesh::coordinates(f[2]) }});
+        best_point.add(faces.back());
+      }
+      assert(best_point.number_of_faces() == faces.size());
+      const Star_of_point of_point = { faces, t.mesh.enough() };
+      const Place before = Mesh::coordinates(v);
+      Place p = before;
+      assert(best_point.worst_quality(p) == of_point(p).second);
+      const bool is_moved = best_point.improve(p, [](const Place&) { return true; });
+      assert(is_moved == (p != before));
+      assert(of_point(p).second >= of_point(before).second);
+      assert(is_moved ? of_point(p).first < of_point(before).first : p == before);
+      possible += of_point(before).first - best_of_grid(of_point, before);
+      reached += of_point(before).first - of_point(p).first;
+      ++number;
+      moved += is_moved;
+
+      // only where it is allowed to go; not at all; not if all is well
+      Place q = before;
+      best_point.improve(q, [&](const Place& x) { return x[0] <= before[0]; });
+      assert(q[0] <= before[0]);
+      q = before;
+      assert(! best_point.improve(q, [](const Place&) { return false; }) && q == before);
+      best_point.clear(of_point(before).second * 0.999);
+      for(const auto& f : faces)
+        best_point.add(f);
+      if(of_point(before).second > 0)
+        assert(! best_point.improve(q, [](const Place&) { return true; }) && q == before);
+    }
+  }
+  std::cout << "smoothing: " << number << " vertices, " << moved << " moved; reached " << reached / possible
+            << " of what a grid does" << std::endl;
+  assert(number > 50 && moved > number / 2);
+  assert(reached > 0.75 * possible);
+}
+
+// ------------------------------------------------ which edge is contracted
+
+void test_contraction()
+{
+  std::array<int, 2> number = {{ 0, 0 }};
+  for(unsigned seed = 0; seed < 6; ++seed)
+  {
+    Improvement_options options;
+    options.number_of_points = 100;
+    options.is_grid = seed == 3;
+    options.has_sizes = seed % 2 == 1;
+    Improvement t(seed, options, 30);
+    internal::Contract_bad_edge_3<Mesh> contract(t.mesh);
+    internal::Free_star_3<Mesh> star(t.mesh);
+    for(const Vertex_handle v : t.scene.tr.finite_vertex_handles())
+    {
+      if(! star.collect(v))
+      {
+        assert(! contract.find(v, 0));
+        continue;
+      }
+      double before = 0, worst_before = 2, best = std::numeric_limits<double>::infinity();
+      for(const Cell_handle c : star.cells())
+      {
+        before += t.mesh.badness(t.mesh.quality(c));
+        worst_before = (std::min)(worst_before, t.mesh.quality(c));
+      }
+      const std::vector<Vertex_handle> neighbors = star.neighbors();
+      for(const Vertex_handle u : neighbors)
+      {
+        double sum = 0, worst = 2;
+        bool is_possible = true;
+        for(const auto& f : star.faces())
+          if(std::find(f.begin(), f.end(), u) == f.end())
+          {
+            const double q = t.mesh.quality({{ Mesh::coordinates(f[0]), Mesh::coordinates(f[1]),
+                                               Mesh::coordinates(f[2]), Mesh::coordinates(u) }});
+            sum += t.mesh.badness(q);
+            worst = (std::min)(worst, q);
+          }
+        for(const Vertex_handle w : neighbors)
+          is_possible = is_possible && (w == u || t.scene.tr.tds().is_edge(u, w) || t.mesh.is_edge_in_size(u, w));
+        if(is_possible && worst >= worst_before)
+          best = (std::min)(best, sum);
+      }
+      const bool is_found = contract.find(v, 0);
+      ++number[is_found];
+      if(is_found)
+        assert(std::abs(contract.gain() - (before - best)) < 1e-12);
+      else
+        assert(! (best < before - 1e-12));
+    }
+  }
+  assert(number[0] > 20 && number[1] > 20);
+}
+
+// ------------------------------------------------ which lengths are allowed
+
+// What a constraint allows, spread by going over all edges again and again.
+void test_allowed_lengths()
+{
+  int number_of_spread = 0;
+  for(unsigned seed = 0; seed < 4; ++seed)
+  {
+    Improvement_options options;
+    options.has_sizes = true;
+    options.number_of_points = 150;
+    Improvement t(seed + 30, options, 30);
+    const internal::Allowed_lengths_3<Tr> lengths(t.scene.tr, t.domain);
+    std::map<Vertex_handle, std::array<double, 2> > known;
+    const double infinity = std::numeric_limits<double>::infinity();
+    for(const Vertex_handle v : t.scene.tr.finite_vertex_handles())
+      known[v] = {{ infinity, 0 }};
+    const auto distance = [](const Vertex_handle u, const Vertex_handle v)
+    {
+      return std::sqrt(CGAL::to_double(CGAL::squared_distance(u->point(), v->point())));
+    };
+    for(const Cell_handle c : t.scene.cells())
+      for(int i = 0; i < 4; ++i)
+        if(t.scene.contains(c) && t.domain.is_wall(c, i))
+          for(int j = 0; j < 4; ++j)
+            for(int k = 0; k < 4; ++k)
+              if(j != k && j != i && k != i)
+              {
+                auto& range = known[c->vertex(j)];
+                range[0] = (std::min)(range[0], distance(c->vertex(j), c->vertex(k)));
+                range[1] = (std::max)(range[1], distance(c->vertex(j), c->vertex(k)));
+              }
+    const auto before = known;
+    for(bool is_changed = true; is_changed; )
+    {
+      is_changed = false;
+      for(const auto& e : t.scene.tr.finite_edges())
+        for(int k = 0; k < 2; ++k)
+        {
+          const Vertex_handle u = e.first->vertex(k == 0 ? e.second : e.third);
+          const Vertex_handle v = e.first->vertex(k == 0 ? e.third : e.second);
+          const double size_u = u->meshing_info(), size_v = v->meshing_info(), d = distance(u, v);
+          auto& at_v = known[v];
+          const auto at_u = known[u];
+          if(at_u[0] <= 0.5 * size_u && at_u[0] + 0.5 * d < (std::min)(at_v[0], 0.5 * size_v))
+          {
+            at_v[0] = at_u[0] + 0.5 * d;
+            is_changed = true;
+          }
+          if(at_u[1] >= 2 * size_u && at_u[1] - d > (std::max)(at_v[1], 2 * size_v))
+          {
+            at_v[1] = at_u[1] - d;
+            is_changed = true;
+          }
+        }
+    }
+    for(const auto& entry : known)
+    {
+      number_of_spread += entry.second != before.at(entry.first);
+      const double expected = (std::min)(0.5 * entry.first->meshing_info(), entry.second[0]);
+      assert(std::abs(lengths.least(entry.first) - expected) < 1e-12);
+    }
+    for(const auto& e : t.scene.tr.finite_edges())
+    {
+      const Vertex_handle u = e.first->vertex(e.second), v = e.first->vertex(e.third);
+      const double mean = (u->meshing_info() + v->meshing_info()) / 2;
+      const auto range = lengths.at(u, v);
+      assert(std::abs(range.least - (std::min)({ mean / 2, known[u][0], known[v][0] })) < 1e-12);
+      assert(std::abs(range.largest - (std::max)({ mean * 2, known[u][1], known[v][1] })) < 1e-12);
+    }
+  }
+  assert(number_of_spread > 20);
+}
+
+// A vertex that comes has nothing of one that went, even if it gets its place in memory.
+void test_new_vertex_at_old_place()
+{
+  Improvement_options options;
+  options.has_sizes = true;
+  Improvement t(0, options, 30);
+  internal::Allowed_lengths_3<Tr> lengths(t.scene.tr, t.domain);
+  Vertex_handle corner = t.scene.tr.finite_vertices_begin();
+  for(const Vertex_handle v : t.scene.tr.finite_vertex_handles())
+    if(lengths.at(v, v).largest > 2 * v->meshing_info())
+      corner = v;
+  assert(lengths.at(corner, corner).largest > 2 * corner->meshing_info());
+  lengths.set_least(corner, 0.01);
+  assert(lengths.at(corner, corner).largest == 2 * corner->meshing_info());
+  assert(lengths.at(corner, corner).least == 0.01 && lengths.least(corner) == 0.01);
+}
+
+// ------------------------------------------------ the list of bad cells
+
+void test_list_of_bad_cells()
+{
+  Improvement t(5, Improvement_options(), 30);
+  internal::Bad_cells_3<Mesh> bad_cells(t.mesh);
+  bad_cells.collect();
+  std::set<Cell_handle> expected;
+  double badness = 0;
+  for(const Cell_handle c : t.scene.cells())
+    if(t.scene.contains(c) && t.mesh.quality(c) < t.mesh.enough())
+    {
+      expected.insert(c);
+      badness += t.mesh.badness(t.mesh.quality(c));
+      bad_cells.push(c); // a second time
+    }
+    else
+      assert(! bad_cells.contains(c));
+  const std::vector<Cell_handle> list = bad_cells.next_round();
+  assert(expected.size() > 20 && list.size() == expected.size());
+  assert(std::set<Cell_handle>(list.begin(), list.end()) == expected);
+  assert(std::abs(bad_cells.badness() - badness) < 1e-9);
+  for(std::size_t k = 1; k < list.size(); ++k)
+    assert(t.mesh.quality(list[k - 1]) <= t.mesh.quality(list[k]) && bad_cells.contains(list[k]));
+  assert(bad_cells.next_round().empty() && bad_cells.badness() == 0);
+
+  // cells that are gone are not bad, and where the mesh changed is known for two rounds
+  for(const Cell_handle c : list)
+    assert(! bad_cells.has_changed(c));
+  for(const Cell_handle c : list)
+    bad_cells.push(c);
+  internal::Smooth_vertex_3<Mesh> smooth(t.mesh, t.quality);
+  internal::Contract_bad_edge_3<Mesh> contract(t.mesh);
+  const std::size_t number_of_cells = t.scene.tr.number_of_cells();
+  for(const Vertex_handle v : t.scene.tr.finite_vertex_handles())
+    if(contract.find(v, 0) && contract.apply())
+      break;
+  assert(t.scene.tr.number_of_cells() < number_of_cells);
+  bad_cells.note_change(contract.new_cells());
+  for(const Cell_handle c : contract.new_cells())
+    assert(bad_cells.has_changed(c));
+  for(const Cell_handle c : bad_cells.next_round())
+    assert(t.scene.tr.tds().cells().is_used(c) && t.mesh.quality(c) < t.mesh.enough());
+  const Cell_handle changed = contract.new_cells()[0];
+  assert(bad_cells.has_changed(changed));
+  bad_cells.next_round();
+  assert(! bad_cells.has_changed(changed));
+}
+
+int main()
+{
+  std::array<int, 3> number = {{ 0, 0, 0 }};
+  for(unsigned seed = 0; seed < 16; ++seed)
+  {
+    const auto more = test_all_steps(seed);
+    for(int i = 0; i < 3; ++i)
+      number[i] += more[i];
+  }
+  std::cout << number[0] << " moved, " << number[1] << " removed, " << number[2] << " inserted" << std::endl;
+  assert(number[0] > 50 && number[1] > 50 && number[2] > 50);
+  test_free_vertices();
+  test_best_points();
+  test_contraction();
+  test_allowed_lengths();
+  test_new_vertex_at_old_place();
+  test_list_of_bad_cells();
+}
