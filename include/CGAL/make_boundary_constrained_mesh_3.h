@@ -132,7 +132,8 @@ make_mesh_of_surface(Tr& tr, const FaceListGraph& surface, const SizingField& si
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{grading}
- *     \cgalParamDescription{by how much the size grows per length, away from the surface, if there is no `size`}
+ *     \cgalParamDescription{by how much the size grows per length, away from the surface, if there is no `size`.
+ *                           What is negative or not finite is `invalid_input`}
  *     \cgalParamType{`double`}
  *     \cgalParamDefault{0.2}
  *   \cgalParamNEnd

@@ -19,6 +19,7 @@
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Boundary_recovery_3 {
@@ -59,7 +60,22 @@ public:
    * \pre `grading` is not negative, and finite.
    */
   explicit Surface_sizing_field_3(const Tr& tr, const double grading = 0.2)
-    : m_sizes(internal::sites_of_surface(internal::surface_edges(tr)), grading)
+    : Surface_sizing_field_3(tr, grading, std::vector<std::array<typename Tr::Vertex_handle, 2> >())
+  { }
+
+  /*!
+   * \brief takes the surface from the indices in the cells of a triangulation, and counts other edges as well, such as
+   * constrained ones that no facet has.
+   *
+   * \tparam VertexPairRange a range of pairs `e` of vertices `e[0]` and `e[1]`
+   * \param tr the triangulation; see above
+   * \param grading by how much sizes grow per length, without unit
+   * \param edges the edges, some of which may be edges of the surface
+   * \pre `grading` is not negative, and finite.
+   */
+  template <typename VertexPairRange>
+  Surface_sizing_field_3(const Tr& tr, const double grading, const VertexPairRange& edges)
+    : m_sizes(internal::sites_of_surface(internal::surface_edges_and(tr, edges)), grading)
   {
     CGAL_precondition(grading >= 0 && grading < internal::Axis_box_3::infinity());
   }

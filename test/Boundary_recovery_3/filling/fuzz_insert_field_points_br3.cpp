@@ -334,7 +334,8 @@ public:
     assert(number_of_others == m_others.size());
   }
 
-  // A new vertex had no neighbor that is nearer than 0.7 times its size when it came. Of two, the later one counts.
+  // A new vertex had no neighbor that is nearer than 0.7 times its size when it came, or 0.4 times where it divides a
+  // long edge. Of two, the later one counts.
   template <typename Size>
   void check_distances(const Size& size) const
   {
@@ -345,7 +346,7 @@ public:
         if(m_vertices.count(v) == 0)
         {
           assert(v->meshing_info() == size(v->point()) && v->in_dimension() == 3);
-          limit = (std::min)(limit, 0.7 * size(v->point()));
+          limit = (std::min)(limit, 0.4 * size(v->point()));
         }
       if(limit < std::numeric_limits<double>::infinity())
         assert(std::sqrt(CGAL::to_double(m_mesh.tr.segment(e).squared_length())) >= (1 - 1e-12) * limit);

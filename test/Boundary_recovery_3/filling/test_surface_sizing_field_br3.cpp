@@ -237,6 +237,25 @@ void test_nothing()
   assert(Field(tr)(Point_3(0, 0, 0)) == infinity); // no region
   tr.finite_cells_begin()->set_subdomain_index(1);
   assert(are_equal(CGAL::to_double(Field(tr)(Point_3(0, 0, 0))), 1) && Field(tr).grading() == .2);
+  // an edge beside the surface counts, one of the surface counts once
+  const auto far = tr.insert(Point_3(50, 0, 0)), farther = tr.insert(Point_3(50, 0, 3));
+  for(const auto c : tr.finite_cell_handles())
+    c->set_subdomain_index(0);
+  typename Tr::Cell_handle c;
+  int i, j, k, l;
+  typename Tr::Vertex_handle v[4];
+  for(const auto u : tr.finite_vertex_handles())
+    if(u->point() == Point_3(0, 0, 0)) v[0] = u;
+    else if(u->point() == Point_3(1, 0, 0)) v[1] = u;
+    else if(u->point() == Point_3(0, 1, 0)) v[2] = u;
+    else if(u->point() == Point_3(0, 0, 1)) v[3] = u;
+  assert(tr.is_cell(v[0], v[1], v[2], v[3], c, i, j, k, l));
+  c->set_subdomain_index(1);
+  const std::vector<std::array<typename Tr::Vertex_handle, 2> > edges = { {{ farther, far }}, {{ v[1], v[0] }} };
+  assert(CGAL::to_double(Field(tr)(Point_3(50, 0, 0))) > 10);
+  assert(Field(tr, .2, edges)(Point_3(50, 0, 0)) == 3 && Field(tr, .2, edges)(Point_3(50, 0, 1)) == 3.2);
+  assert(Field(tr, .2, edges)(Point_3(0, 0, 0)) == Field(tr)(Point_3(0, 0, 0)));
+
   const std::vector<Point_3> points(3, Point_3(1, 1, 1));
   const std::vector<std::array<int, 3> > triangles = { {{ 0, 1, 2 }} };
   assert(Field(points, triangles)(Point_3(0, 0, 0)) == infinity); // without length

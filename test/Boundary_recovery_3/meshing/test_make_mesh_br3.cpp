@@ -345,6 +345,40 @@ void test_bad_sizes()
   assert(os.str().find("no idea") != std::string::npos);
 }
 
+// A grading that is none is refused; the domain is marked by then. An edge inside has a say in the sizes.
+void test_sizes_from_surface()
+{
+  typedef Scene<K>::Tr Tr;
+  const auto make = [](Tr& tr, const Box_soup& soup, const double grading)
+  {
+    std::vector<K::Point_3> points;
+    for(const auto& p : soup.points)
+      points.emplace_back(p[0], p[1], p[2]);
+    return CGAL::make_boundary_constrained_mesh_3(tr, points, soup.triangles,
+                                                  parameters::constrained_edges(soup.edges),
+                                                  parameters::grading(grading));
+  };
+  Box_soup soup;
+  soup.add_box(big);
+  const double infinity = std::numeric_limits<double>::infinity();
+  for(const double bad : { -0.1, -infinity, infinity, std::numeric_limits<double>::quiet_NaN() })
+  {
+    Tr tr;
+    const auto result = make(tr, soup, bad);
+    assert(! result && result.status == BR3::Meshing_status::invalid_input);
+    assert(result.recovery && result.number_of_regions == 1 && result.filling.number_of_field_points == 0);
+    assert(result.filling.invalid_sizes.size() == 1 && ! result.filling.invalid_sizes[0].message.empty());
+    std::ostringstream os;
+    os << result;
+    assert(os.str().find("grading") != std::string::npos);
+  }
+  Tr without, with;
+  const std::size_t number = make(without, soup, 0.2).filling.number_of_field_points;
+  soup.add_edge({{ 6, 6, 6 }}, {{ 6, 6, 7 }});
+  const auto result = make(with, soup, 0.2);
+  assert(result && result.filling.number_of_field_points > number + 50);
+}
+
 // Edges with Steiner points on them, named in any order and more than once.
 void test_parts_of_edges()
 {
@@ -432,6 +466,7 @@ int main()
   test_improvement();
   test_other_ends();
   test_bad_sizes();
+  test_sizes_from_surface();
   test_parts_of_edges();
   test_held_vertices();
   test_conforming();

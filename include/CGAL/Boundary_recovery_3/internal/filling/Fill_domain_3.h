@@ -16,7 +16,9 @@
 #include <CGAL/Boundary_recovery_3/internal/filling/Field_point_cavity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Insert_field_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Region_sizes_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Remove_long_edge_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/tetrahedron_edges.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mark_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_indices.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
@@ -40,6 +42,9 @@ namespace internal {
  * A cell is too large if its circumradius is longer than `largest_radius` times the size. Each cell is looked at once:
  * those that are there at first, and after each of them those around the new vertices. No vertex of the cavity of a
  * point is nearer to it than `smallest_distance` times the size there, so the work ends.
+ *
+ * Cells that got no point are few, mostly where the mesh is far from Delaunay, as recoveries leave it. Some have edges
+ * that miss the size by far. In the end, these edges are removed or divided.
  */
 template <typename Tr, typename Domain, typename Sizes, typename Visitor>
 class Fill_domain_3
@@ -53,7 +58,7 @@ public:
 
   Fill_domain_3(Tr& tr, Domain& domain, Sizes& sizes, Recovery_context<Visitor>& context)
     : m_tr(tr), m_domain(domain), m_sizes(sizes), m_context(context), m_cavity(tr, domain),
-      m_insert(tr, domain, context.visitor())
+      m_insert(tr, domain, context.visitor()), m_remove_edge(tr, domain, context.visitor())
   { }
 
   // No vertex is left as pending, also if somebody throws.
@@ -76,6 +81,7 @@ public:
         look_at(cells[k]);
         look_around_new_vertices();
       }
+    shorten_long_edges();
     if(can_go_on())
       tell_progress(m_vertices.size());
   }
@@ -86,9 +92,17 @@ public:
   bool is_full() const { return m_tr.number_of_vertices() >= m_max_number_of_vertices; }
 
 private:
+  typedef Remove_long_edge_3<Tr, Domain, Visitor> Remove_edge;
+
   // As parts of the size, see "Tuning constants" in the manual.
   static constexpr double largest_radius = 0.75;
   static constexpr double smallest_distance = 0.7;
+  static constexpr double longest_edge = 1.6;            // that is left alone
+  static constexpr double longest_undivided_edge = 1.95;
+  static constexpr double smallest_distance_on_edge = 0.4;
+  static constexpr double largest_wall = 0.5;            // beside a long edge, as a part of its length
+  static constexpr int max_number_of_rounds = 4;
+  static constexpr std::size_t edges_per_vertex = 4; // that are tried, where nearly all cells have to be long
   static constexpr int max_number_of_steps = 100;
   static constexpr std::size_t number_of_reports = 200;
 
@@ -139,8 +153,75 @@ private:
     if(radius <= largest_radius * size)
       return;
     const Cell_handle at_center = walk(c, sphere.center);
-    if(at_center == Cell_handle() || ! try_point(sphere.center, at_center, m_sizes(sphere.center, at_center)))
-      try_point(center, c, size);
+    if((at_center == Cell_handle() || ! try_point(sphere.center, at_center, m_sizes(sphere.center, at_center)))
+       && ! try_point(center, c, size)
+       && internal::longest_edge(p).length > longest_edge * size)
+      m_long_cells.push_back(c);
+  }
+
+  // What comes by the removal of an edge is looked at in the next round, and so are new cells without a point.
+  void shorten_long_edges()
+  {
+    m_number_of_edges_left = edges_per_vertex * m_tr.number_of_vertices();
+    for(int round = 0; round < max_number_of_rounds; ++round)
+    {
+      std::vector<Cell_handle> cells;
+      cells.swap(m_long_cells);
+      for(std::size_t k = 0; k < cells.size() && m_number_of_edges_left > 0 && can_go_on(); ++k)
+        if(is_there(cells[k]))
+        {
+          shorten_long_edge(cells[k]);
+          look_around_new_vertices();
+        }
+    }
+  }
+
+  // The longest one that can be removed, or else divided in the middle. Then the cell is gone.
+  void shorten_long_edge(const Cell_handle c)
+  {
+    const Corners p = internal::corners(c);
+    for(const Tetrahedron_edge_3& e : internal::edges_from_long_to_short(p))
+    {
+      const Coordinates_3 middle = internal::midpoint(p[e.i], p[e.j]);
+      const double size = m_sizes(middle, c);
+      if(! (e.length > longest_edge * size) || m_number_of_edges_left == 0)
+        return;
+      --m_number_of_edges_left;
+      if(m_domain.is_constrained_edge(c->vertex(e.i), c->vertex(e.j)) || is_at_large_wall(c, e))
+        continue;
+      if(m_remove_edge(typename Tr::Edge(c, e.i, e.j)))
+      {
+        m_long_cells.insert(m_long_cells.end(), m_remove_edge.new_cells().begin(), m_remove_edge.new_cells().end());
+        return;
+      }
+      if(e.length > longest_undivided_edge * size && try_point_on_edge(middle, c, size))
+        return;
+    }
+  }
+
+  // Whether an edge is on a wall, or its cells are at walls that are not much smaller: such cells have to be long. So
+  // are those at edges with very many cells.
+  bool is_at_large_wall(const Cell_handle c, const Tetrahedron_edge_3& e) const
+  {
+    auto around = m_tr.tds().incident_cells(c, e.i, e.j);
+    const auto first = around;
+    int degree = 0;
+    do
+      if(++degree > Remove_edge::max_degree || has_large_wall(around, c->vertex(e.i), c->vertex(e.j), e.length))
+        return true;
+    while(++around != first);
+    return false;
+  }
+
+  // The same for one of the cells at an edge.
+  bool has_large_wall(const Cell_handle c, const Vertex_handle u, const Vertex_handle v, const double length) const
+  {
+    for(int i = 0; i < 4; ++i)
+      if(m_domain.is_wall(c, i)
+         && ((c->vertex(i) != u && c->vertex(i) != v)
+             || internal::longest_edge_of_facet(internal::corners(c), i) > largest_wall * length))
+        return true;
+    return false;
   }
 
   // The cell that contains a point, found by a walk from c in floating point numbers; none if a wall is in the way, or
@@ -182,15 +263,49 @@ private:
   // The cell contains the point. Returns whether a vertex is there now.
   bool try_point(const Coordinates_3& coordinates, const Cell_handle c, const double size)
   {
+    return try_point(coordinates, c, smallest_distance, size, [] { return true; });
+  }
+
+  // The same where vertices may be nearer, but no cell may be worse than all those that were there.
+  bool try_point_on_edge(const Coordinates_3& coordinates, const Cell_handle c, const double size)
+  {
+    return try_point(coordinates, c, smallest_distance_on_edge, size, [&]
+    {
+      return worst_quality_of_star(coordinates) >= worst_quality_of_cavity();
+    });
+  }
+
+  template <typename Is_star_good>
+  bool try_point(const Coordinates_3& coordinates, const Cell_handle c, const double min_distance, const double size,
+                 const Is_star_good& is_star_good)
+  {
     if(! (size > 0)) // there is none
       return false;
     const Point_3 p(coordinates[0], coordinates[1], coordinates[2]);
-    const bool is_good = m_cavity.find(p, c, smallest_distance * size);
+    const bool is_good = m_cavity.find(p, c, min_distance * size) && is_star_good();
     if(is_good)
       insert(p, size);
     else
       m_cavity.clear(true);
     return is_good;
+  }
+
+  double worst_quality_of_cavity() const
+  {
+    double worst = 1;
+    for(const Cell_handle c : m_cavity.cells())
+      worst = (std::min)(worst, internal::tetrahedron_quality(internal::corners(c)));
+    return worst;
+  }
+
+  double worst_quality_of_star(const Coordinates_3& p) const
+  {
+    double worst = 1;
+    for(const auto& f : m_cavity.faces())
+      worst = (std::min)(worst, internal::tetrahedron_quality({{
+        coordinates_of(f.vertices[0]->point()), coordinates_of(f.vertices[1]->point()),
+        coordinates_of(f.vertices[2]->point()), p }}));
+    return worst;
   }
 
   void insert(const Point_3& p, const double size)
@@ -230,9 +345,12 @@ private:
   Recovery_context<Visitor>& m_context;
   Field_point_cavity_3<Tr, Domain> m_cavity;
   Insert_field_point_3<Tr, Domain, Visitor> m_insert;
+  Remove_edge m_remove_edge;
   Vertices m_vertices;
   Vertices m_pending; // those around which nobody has looked yet
   std::vector<Cell_handle> m_star;
+  std::vector<Cell_handle> m_long_cells; // those that may have an edge that is too long
+  std::size_t m_number_of_edges_left = 0;
   std::size_t m_max_number_of_vertices = 0;
   std::size_t m_expected_number = 0;
   std::size_t m_next_report = 0;

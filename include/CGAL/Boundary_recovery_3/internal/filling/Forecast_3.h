@@ -13,13 +13,13 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/tetrahedron_edges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <queue>
-#include <utility>
 
 namespace CGAL {
 namespace Boundary_recovery_3 {
@@ -87,7 +87,7 @@ private:
   void push(const Tetrahedron& t, const int region, const double h)
   {
     const double volume = std::abs(volume_times_6(t)) / 6;
-    const double reach = m_gradation * longest_edge(t).second / 2;
+    const double reach = m_gradation * internal::longest_edge(t).length / 2;
     const double lowest = (std::max)(h - reach, most_refined * h);
     const double error = volume * (density(lowest) - density(h + reach));
     const Piece piece = { error, volume * density(h), m_number_of_pieces++, t, region };
@@ -98,29 +98,16 @@ private:
 
   void bisect(const Piece& piece)
   {
-    const std::array<int, 2> edge = longest_edge(piece.corners).first;
-    Coordinates_3 middle;
-    for(int k = 0; k < 3; ++k)
-      middle[k] = (piece.corners[edge[0]][k] + piece.corners[edge[1]][k]) / 2;
-    for(int i = 0; i < 2; ++i)
+    const Tetrahedron_edge_3 edge = internal::longest_edge(piece.corners);
+    const Coordinates_3 middle = internal::midpoint(piece.corners[edge.i], piece.corners[edge.j]);
+    for(const int end : { edge.i, edge.j })
     {
       Tetrahedron half = piece.corners;
-      half[edge[i]] = middle;
+      half[end] = middle;
       const double h = m_size(centroid(half), piece.region);
       if(h > 0) // else the field has no size there, which is known by now
         push(half, piece.region, h);
     }
-  }
-
-  // Its ends, and its length.
-  static std::pair<std::array<int, 2>, double> longest_edge(const Tetrahedron& t)
-  {
-    std::pair<std::array<int, 2>, double> longest({{ 0, 1 }}, -1);
-    for(int i = 0; i < 4; ++i)
-      for(int j = 0; j < i; ++j)
-        if(distance(t[i], t[j]) > longest.second)
-          longest = { {{ i, j }}, distance(t[i], t[j]) };
-    return longest;
   }
 
   Size& m_size;

@@ -54,9 +54,9 @@ typename Tr::Cell::Subdomain_index region_of(const Tr& tr, const typename Tr::Ce
   return tr.is_infinite(c) ? typename Tr::Cell::Subdomain_index() : c->subdomain_index();
 }
 
-// The facets that are marked, or are between two regions.
-template <typename Tr>
-Surface_edges_3 surface_edges(const Tr& tr)
+// Those of facets that are marked, or are between two regions, and of other edges, given by pairs of vertices.
+template <typename Tr, typename VertexPairRange>
+Surface_edges_3 surface_edges_and(const Tr& tr, const VertexPairRange& edges)
 {
   Surface_edges_3 surface;
   Unique_hash_map<typename Tr::Vertex_handle, std::size_t> numbers(tr.number_of_vertices());
@@ -80,6 +80,11 @@ Surface_edges_3 surface_edges(const Tr& tr)
         triangle[i] = number(c->vertex(Tr::vertex_triple_index(f.second, i)));
       surface.add_triangle(triangle);
     }
+  for(const auto& edge : edges)
+  {
+    const std::size_t first = number(edge[0]), second = number(edge[1]);
+    surface.edges.push_back(std::minmax(first, second));
+  }
   surface.remove_duplicates();
   return surface;
 }

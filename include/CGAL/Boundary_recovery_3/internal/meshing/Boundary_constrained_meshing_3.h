@@ -201,7 +201,18 @@ private:
   void fill(const Sizes_from_surface&, Recorder& recorder, Result& result)
   {
     const double grading = parameters::choose_parameter(parameters::get_parameter(m_np, internal::grading), 0.2);
-    fill(Surface_sizing_field_3<Tr>(m_tr, grading), recorder, result);
+    if(grading >= 0 && grading < std::numeric_limits<double>::infinity())
+      fill(Surface_sizing_field_3<Tr>(m_tr, grading, result.constrained_edges), recorder, result);
+    else
+      refuse_grading(grading, result);
+  }
+
+  // It is no size, but what would make all of them.
+  void refuse_grading(const double grading, Result& result) const
+  {
+    result.status = result.filling.status = Meshing_status::invalid_input;
+    result.filling.invalid_sizes.push_back({ m_tr.finite_vertices_begin()->point(), grading,
+                                             "it is the grading, which has to be finite and not negative" });
   }
 
   Tr& m_tr;
