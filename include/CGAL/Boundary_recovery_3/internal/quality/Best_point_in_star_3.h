@@ -15,10 +15,6 @@
 #include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/distances_3.h>
 
-#include <boost/container/static_vector.hpp>
-
-#include <CGAL/number_utils.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -30,12 +26,11 @@ namespace Boundary_recovery_3 {
 namespace internal {
 
 /*
- * Searches the point from which a polyhedron is starred best: the worst of the cells of its faces and the point is to
- * be as good as possible.
+ * Searches the point from which a polyhedron is starred best: the cells of its faces and the point are to be as little
+ * bad as possible, see `Improved_mesh_3::badness()`.
  *
- * That is a small non-smooth optimisation (Freitag and Ollivier-Gooch): from the point at hand, it goes in the
- * direction in which all of the worst cells get better at once, that is, the shortest convex combination of the
- * gradients of their qualities; by half of the step again and again where that is too far. Gradients are differences.
+ * From the point at hand, it goes in the direction in which their badness falls most; by half of the step, and again,
+ * where that is too far. Gradients are differences, so any quality will do.
  */
 template <typename Quality>
 class Best_point_in_star_3
@@ -96,8 +91,6 @@ private:
   // See "Tuning constants" in the manual.
   static constexpr int max_number_of_rounds = 8;
   static constexpr int max_number_of_halvings = 5;
-  static constexpr std::size_t max_number_of_active_cells = 6;
-  static constexpr double active_difference = 0.05;
   static constexpr double least_progress = 0.005;
 
   double quality(const std::size_t k, const Coordinates_3& p) const
@@ -144,8 +137,8 @@ private:
     return sum / static_cast<double>(m_faces.size());
   }
 
-  // Goes as far as the step, or a half or a quarter of it ..., if that makes the worst cell better. The next step is
-  // about as long.
+  // Goes as far as the step, or a half or a quarter of it ..., if that makes the cells less bad. The next step is about
+  // as long.
   template <typename IsAllowed>
   bool walk(Coordinates_3& p, const Coordinates_3& direction, double& step, const double badness,
             const IsAllowed& is_allowed) const
