@@ -249,8 +249,37 @@ void test(const unsigned seed, Counts& counts)
   try_points(scene, 40, rng, counts);
 }
 
+// A tetrahedron with a vertex inside, and a point between that and a corner. The cell behind the vertex is not in
+// conflict. If the cavity begins with it nevertheless, as a walk in floating point numbers may want it, all four cells
+// are in the cavity: the point sees its faces, but the vertex would be lost.
+void test_vertex_inside()
+{
+  typedef Scene<K> S;
+  S scene(0);
+  const auto q = scene.tr.finite_vertices_begin(); // the origin
+  const auto a = scene.tr.insert(S::Point(4, 0, -1)), b = scene.tr.insert(S::Point(-2, 3, -1));
+  const auto c = scene.tr.insert(S::Point(-2, -3, -1)), d = scene.tr.insert(S::Point(0, 0, 8));
+  assert(scene.tr.number_of_finite_cells() == 4);
+  for(const S::Cell_handle cell : scene.tr.all_cell_handles())
+    cell->set_subdomain_index(scene.tr.is_infinite(cell) ? 0 : 1);
+  S::Domain domain(scene.tr, CGAL::Static_boolean_property_map<S::Cell_handle, true>(), S::Edge_map(scene.edges));
+  S::Cavity cavity(scene.tr, domain);
+  const S::Point p(0, 0, 3);
+  S::Cell_handle behind, before;
+  int i, j, k, l;
+  assert(scene.tr.is_cell(q, a, b, c, behind, i, j, k, l) && scene.tr.is_cell(q, a, b, d, before, i, j, k, l));
+  bool is_wall_inside = false;
+  const auto all = scene.reachable_conflicts(p, behind, is_wall_inside);
+  assert(all.size() == 4 && scene.is_star_shaped(all, p) && scene.has_something_inside(all));
+  assert(! cavity.find(p, behind));
+  cavity.clear(true);
+  assert(cavity.find(p, before) && cavity.cells().size() == 3);
+  cavity.clear(true);
+}
+
 int main()
 {
+  test_vertex_inside();
   Counts counts;
   for(unsigned seed = 0; seed < 42; ++seed)
     test<K>(seed, counts);

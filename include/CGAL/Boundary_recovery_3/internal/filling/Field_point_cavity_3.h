@@ -225,7 +225,8 @@ private:
   }
 
   // The surface of a polyhedron that a point sees from inside is a sphere: Euler's formula tells how many vertices are
-  // on it.
+  // on it. None is inside as long as all cells are in conflict, for the sphere of the one behind a vertex ends there;
+  // but the first cell is not asked, and the others are in floating point numbers.
   bool is_no_vertex_inside() const { return 2 * m_vertices.size() == m_faces.size() + 4; }
 
   // Edges of faces are not inside.
