@@ -19,8 +19,11 @@
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Smallest_elements.h>
+#include <CGAL/Boundary_recovery_3/internal/util/bare_point.h>
 #include <CGAL/Boundary_recovery_3/internal/util/bits.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
+
+#include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
 #include <array>
@@ -319,8 +322,19 @@ void test_examination()
   }
 }
 
+// A point without a weight is taken as it is, and not copied.
+void test_bare_point()
+{
+  typedef CGAL::Simple_cartesian<double> Kernel;
+  const Kernel::Point_3 p(1, 2, 3);
+  const Kernel::Weighted_point_3 weighted(p, 4);
+  assert(&internal::bare_point<Kernel::Point_3>(p) == &p);
+  assert(internal::bare_point<Kernel::Point_3>(weighted) == p);
+}
+
 int main()
 {
+  test_bare_point();
   test_smallest_elements();
   test_examination();
   test_contains();

@@ -119,7 +119,8 @@ private:
         break;
       }
       last_badness = m_bad_cells.badness();
-      m_expected_visits = (std::max)(m_expected_visits, expected_number_of_visits * cells.size());
+      if(m_number_of_visits == 0)
+        m_expected_visits = expected_number_of_visits * cells.size();
       m_reconnects = reconnects && m_round >= first_dear_round;
       ++m_counts.number_of_rounds;
       for(const Cell_handle c : cells)
