@@ -157,8 +157,9 @@ void check(const Triangulation& tr, const CGAL::Boundary_constrained_mesh_result
 void test_questions(const Surface& surface)
 {
   std::size_t number_of_stops = 0;
-  bool was_stopped_in_filling = false;
-  for(bool is_done = false; ! is_done; ++number_of_stops)
+  bool was_stopped_in_filling = false, was_stopped_in_improvement = false;
+  // many questions come from the improvement
+  for(bool is_done = false; ! is_done; number_of_stops += was_stopped_in_improvement ? number_of_stops / 8 + 1 : 1)
   {
     Triangulation tr;
     Visitor visitor;
@@ -173,10 +174,11 @@ void test_questions(const Surface& surface)
     assert(result.phases.size() == visitor.phases.size());
     for(std::size_t i = 0; i < result.phases.size(); ++i)
       assert(result.phases[i].phase == visitor.phases[i]);
-    was_stopped_in_filling = was_stopped_in_filling || (! result && result.filling.number_of_field_points > 0);
+    if(! result && result.filling.number_of_field_points > 0)
+      (result.filling ? was_stopped_in_improvement : was_stopped_in_filling) = true;
     check(tr, result);
   }
-  assert(number_of_stops > 3 && was_stopped_in_filling);
+  assert(number_of_stops > 8 && was_stopped_in_filling && was_stopped_in_improvement);
 }
 
 void test_exceptions(const Surface& surface)
@@ -196,7 +198,7 @@ void test_exceptions(const Surface& surface)
     catch(const Interruption&) { }
     assert(is_done == (visitor.number_of_calls <= n));
     assert(tr.number_of_vertices() == 0 || br3_test::is_valid_mesh(tr));
-    step = n < 60 ? 1 : 7;
+    step = n < 60 ? 1 : n / 8;
   }
   assert(n > 20);
 }

@@ -220,8 +220,13 @@ private:
     return true;
   }
 
+  // More visits may come to be expected; what was told does not fall for that.
   void tell_progress(const std::size_t expected_visits)
   {
+    const double share = static_cast<double>(m_number_of_visits) / static_cast<double>(expected_visits);
+    if(! (share >= m_told_share)) // nor is there anything to be told if nothing is bad
+      return;
+    m_told_share = share;
     m_context.visitor().on_progress(Meshing_phase::quality_improvement, m_number_of_visits, expected_visits);
   }
 
@@ -241,6 +246,7 @@ private:
   bool m_reconnects = false;
   std::size_t m_number_of_visits = 0;
   std::size_t m_expected_visits = 0;
+  double m_told_share = 0;
 };
 
 } // namespace internal
