@@ -187,7 +187,7 @@ private:
   void set_dimensions()
   {
     for(const Vertex_handle v : tr.finite_vertex_handles())
-      v->set_dimension(random_int(20) == 0 ? 0 : 3);
+      v->set_dimension(random_int(5) == 0 ? 0 : 3);
     for(const Cell_handle c : tr.finite_cell_handles())
       for(int i = 0; i < 4; ++i)
         for(int j = 0; j < 4; ++j)

@@ -335,9 +335,11 @@ void test_best_removal_of_edge()
   number = {{ 0, 0 }};
   for(unsigned seed = 0; seed < 200; ++seed) // larger rings
   {
-    Improvement t(seed, Improvement_options(), static_cast<int>(seed % 2), 60);
+    Improvement t(seed, Improvement_options(), static_cast<int>(seed % 3), 60);
     internal::Remove_bad_edge_3<Mesh> remove(t.mesh);
     insert_ring(t, 5 + static_cast<int>(seed % 5), true);
+    for(const Vertex_handle v : t.scene.tr.finite_vertex_handles())
+      v->set_meshing_info(seed % 4 == 0 ? 10 : 0);
     for(const Cell_handle c : t.scene.cells())
     {
       const auto ends = ends_on_axis(c);
@@ -345,7 +347,6 @@ void test_best_removal_of_edge()
         check_edge(t, remove, c, ends[0], ends[1], number);
     }
   }
-  std::cout << number[1] << " of " << number[0] + number[1] << " large rings" << std::endl;
   assert(number[1] > 20);
 }
 
@@ -519,23 +520,50 @@ void test_reconnection_around_vertex()
 void test_reconnection_after_move()
 {
   int number = 0;
-  for(unsigned seed = 0; seed < 20; ++seed)
+  for(unsigned seed = 0; seed < 40; ++seed)
   {
     Improvement t(seed, Improvement_options(), 1, 60);
     insert_on_sphere(t, 8);
-    internal::Reconnect_bad_cell_3<Mesh> reconnect(t.mesh), other(t.mesh);
+    internal::Reconnect_bad_cell_3<Mesh> reconnect(t.mesh);
     reconnect.find(t.scene.tr.finite_cells_begin());
-    const Vertex_handle v = t.scene.tr.finite_cells_begin()->vertex(0);
-    v->set_point(CGAL::ORIGIN + 1.01 * (v->point() - CGAL::ORIGIN));
-    for(const Vertex_handle u : t.scene.tr.finite_vertex_handles())
-      if(t.scene.random_int(2) == 0)
-        u->set_point(Tr::Point(u->point().x() / 3, u->point().y() * 2, u->point().z()));
-    if(! br3_test::is_valid_mesh(t.scene.tr))
+    for(const Vertex_handle v : t.scene.tr.finite_vertex_handles()) // affinely: the mesh stays valid
+      v->set_point(Tr::Point(0.25 * v->point().x() + v->point().z(), 2 * v->point().y(), v->point().z()));
+    assert(br3_test::is_valid_mesh(t.scene.tr));
+    const double badness = badness_of_all(t), worst = worst_cell(t);
+    if(! reconnect.find(t.scene.tr.finite_cells_begin()))
       continue;
-    assert(other.find(t.scene.tr.finite_cells_begin()) == reconnect.find(t.scene.tr.finite_cells_begin()));
+    reconnect.apply();
+    assert(br3_test::is_valid_mesh(t.scene.tr) && badness_of_all(t) < badness && worst_cell(t) >= worst);
     ++number;
   }
-  std::cout << number << " after a move" << std::endl;
+  assert(number > 10);
+}
+
+// New edges are not too long, and not too short.
+void test_lengths_of_reconnection()
+{
+  int number = 0;
+  for(unsigned seed = 0; seed < 80; ++seed)
+  {
+    Improvement t(seed, Improvement_options(), 1, 60);
+    insert_on_sphere(t, 8);
+    std::set<std::set<Vertex_handle> > before;
+    for(const auto& e : t.scene.tr.finite_edges())
+      before.insert({ e.first->vertex(e.second), e.first->vertex(e.third) });
+    for(const Vertex_handle v : t.scene.tr.finite_vertex_handles())
+      v->set_meshing_info(seed % 2 == 0 ? 3000 : 10000);
+    internal::Reconnect_bad_cell_3<Mesh> reconnect(t.mesh);
+    if(! reconnect.find(t.scene.tr.finite_cells_begin()))
+      continue;
+    reconnect.apply();
+    ++number;
+    for(const auto& e : t.scene.tr.finite_edges())
+    {
+      const Vertex_handle u = e.first->vertex(e.second), v = e.first->vertex(e.third);
+      assert(before.count({ u, v }) > 0 || t.mesh.is_edge_in_size(u, v));
+    }
+  }
+  assert(number > 5);
 }
 
 void test_best_reconnection()
@@ -582,4 +610,5 @@ int main()
   test_best_reconnection();
   test_reconnection_around_vertex();
   test_reconnection_after_move();
+  test_lengths_of_reconnection();
 }

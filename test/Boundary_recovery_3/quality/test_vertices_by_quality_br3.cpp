@@ -58,7 +58,8 @@ typedef internal::Coordinates_3                                 Place;
 
 struct Improvement
 {
-  Improvement(const unsigned seed, const Improvement_options& options, const double degrees, const bool is_random = false)
+  Improvement(const unsigned seed, const Improvement_options& options, const double degrees,
+              const bool is_random = false)
     : scene(seed, options), domain(scene.domain()), quality{ is_random }, mesh(scene.tr, domain, quality, visitor)
   {
     mesh.set_enough(is_random ? 0.9 : BR3::Dihedral_angle_quality_3().of_angle(degrees));
@@ -97,10 +98,15 @@ std::array<int, 3> test_all_steps(const unsigned seed)
   }
   Improvement t(seed, options, degrees, is_random);
   internal::Insert_into_bad_cell_3<Mesh> insert(t.mesh, t.quality);
+  const std::set<Vertex_handle> before(t.scene.tr.finite_vertex_handles().begin(),
+                                       t.scene.tr.finite_vertex_handles().end());
   number[2] = try_on_all_cells(t.scene, t.mesh, Lengths_slack::longest_edge,
                                [&](const Cell_handle c) { return insert.find(c) && insert.apply(); });
   for(const Vertex_handle v : t.scene.tr.finite_vertex_handles())
+  {
+    assert(before.count(v) > 0 || v->in_dimension() == 3);
     assert(v->meshing_info() >= options.size && v->meshing_info() <= 2 * options.size);
+  }
   return number;
 }
 
