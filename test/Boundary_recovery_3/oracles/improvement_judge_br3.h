@@ -41,10 +41,21 @@ struct Edge_set_map
   friend bool get(const Edge_set_map& map, const key_type& e) { return map.edges->count(e) > 0; }
 };
 
+// The quality of a cell is a random number: also cells that are inverted may be good.
+inline double random_quality(std::array<std::array<double, 3>, 4> corners)
+{
+  std::sort(corners.begin(), corners.end());
+  double sum = 0;
+  for(const auto& p : corners)
+    for(const double x : p)
+      sum = 17.25 * sum + x;
+  return sum * 97 - std::floor(sum * 97);
+}
+
 struct Improvement_options
 {
   bool is_grid = false;     // cospherical points instead of random ones
-  bool has_sizes = false;
+  double size = 0;          // 0: there are none; else they are up to twice as large
   bool has_walls = true;    // beside the hull: two regions, a part that is outside, sheets, edges, a selection
   int number_of_points = 60;
 };
@@ -79,9 +90,9 @@ struct Improvement_scene
     }
     if(options.has_walls)
       mark_facets_and_edges();
-    if(options.has_sizes)
+    if(options.size > 0)
       for(const Vertex_handle v : tr.finite_vertex_handles())
-        v->set_meshing_info(0.2 + random_int(100) * 0.002);
+        v->set_meshing_info(options.size * (1 + random_int(100) * 0.01));
     if(seed % 2 == 0)
       set_dimensions();
   }
@@ -129,7 +140,7 @@ private:
   void insert_grid()
   {
     for(int i = 0; i < 64; ++i)
-      tr.insert(Point(i % 4 * 0.375, i / 4 % 4 * 0.375, i / 16 * 0.375));
+      tr.insert(Point(i % 4 * 0.375, i / 4 % 4 * 0.375, i / 16 * 0.125));
   }
 
   void flip_randomly(const int n)
@@ -176,7 +187,7 @@ private:
   void set_dimensions()
   {
     for(const Vertex_handle v : tr.finite_vertex_handles())
-      v->set_dimension(random_int(20) == 0 ? 0 : 3);
+      v->set_dimension(random_int(5) == 0 ? 0 : 3);
     for(const Cell_handle c : tr.finite_cell_handles())
       for(int i = 0; i < 4; ++i)
         for(int j = 0; j < 4; ++j)

@@ -4,6 +4,7 @@
 #undef NDEBUG // the checks are assertions, also in a Release build
 
 #include "improvement_judge_br3.h"
+#include "mesh_validity_br3.h"
 
 #include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/Cell_quality_3.h>
@@ -21,6 +22,7 @@
 #include <cstddef>
 #include <functional>
 #include <iostream>
+#include <iterator>
 #include <limits>
 #include <set>
 #include <vector>
@@ -38,7 +40,8 @@ typedef Scene::Cell_handle                                  Cell_handle;
 typedef CGAL::Default_boundary_constrained_mesh_visitor_3   Visitor;
 typedef std::array<std::array<double, 3>, 4>                Corners;
 
-// One of two models, or what a test wishes: cells with both of two points, which no other point is between, are good.
+// One of two models, or random, or what a test wishes: cells with the edge on the axis and two points that are side by
+// side around it are good.
 struct Quality
 {
   int kind = 0;
@@ -48,7 +51,8 @@ struct Quality
   double operator()(const Corners& corners) const
   {
     return kind == 0 ? BR3::Dihedral_angle_quality_3()(corners)
-         : kind == 1 ? BR3::Volume_length_quality_3()(corners) : wish(corners);
+         : kind == 1 ? BR3::Volume_length_quality_3()(corners)
+         : kind == 2 ? br3_test::random_quality(corners) : wish(corners);
   }
 
   double wish(const Corners& corners) const
@@ -75,7 +79,7 @@ struct Improvement
     : scene(seed, options), domain(scene.domain()), quality{ kind }, mesh(scene.tr, domain, quality, visitor)
   {
     mesh.set_enough(kind == 0 ? BR3::Dihedral_angle_quality_3().of_angle(degrees)
-                              : BR3::Volume_length_quality_3().of_angle(degrees));
+                  : kind == 1 ? BR3::Volume_length_quality_3().of_angle(degrees) : 0.9);
   }
 
   Scene scene;
@@ -90,9 +94,9 @@ std::array<int, 4> test_all_steps(const unsigned seed)
 {
   Improvement_options options;
   options.is_grid = seed % 4 == 0;
-  options.has_sizes = seed % 3 == 0;
+  options.size = seed % 3 == 0 ? 0.06 : seed % 3 == 1 ? 0.4 : 0;
   std::array<int, 4> number = {{ 0, 0, 0, 0 }};
-  const int kind = seed / 2 % 2;
+  const int kind = seed / 2 % 3;
   const double degrees = 10 + seed % 5 * 10;
   {
     Improvement t(seed, options, kind, degrees);
@@ -127,6 +131,50 @@ std::array<int, 4> test_all_steps(const unsigned seed)
 }
 
 // ------------------------------------------------ the removal of an edge, by brute force
+
+void select_all(Improvement& t)
+{
+  t.scene.selection.clear();
+  for(const Cell_handle c : t.scene.tr.finite_cell_handles())
+  {
+    c->set_subdomain_index(1);
+    t.scene.selection[c] = true;
+  }
+}
+
+// An edge on the axis, and n points around it, at different distances and heights, if wished so.
+void insert_ring(Improvement& t, const int n, const bool is_random = false)
+{
+  static const int circle[12][2] = { {25, 0}, {20, 15}, {15, 20}, {0, 25}, {-15, 20}, {-20, 15},
+                                     {-25, 0}, {-20, -15}, {-15, -20}, {0, -25}, {15, -20}, {20, -15} };
+  Tr& tr = t.scene.tr;
+  tr.clear();
+  const double height = is_random ? 12 : 4; // the sphere around the edge is empty
+  tr.insert(Tr::Point(0, 0, height));
+  tr.insert(Tr::Point(0, 0, -height));
+  t.quality.ring.clear();
+  for(int k = 0; k < n; ++k)
+  {
+    const double scale = is_random ? 0.25 * (2 + t.scene.random_int(4)) : 1;
+    const double z = is_random ? 0.25 * (t.scene.random_int(16) - 8) : 0.25 * (k % 3);
+    const double x = circle[12 * k / n][0] * scale, y = circle[12 * k / n][1] * scale;
+    t.quality.ring.push_back({{ x, y, z }});
+    tr.insert(Tr::Point(x, y, z));
+  }
+  t.scene.edges.clear();
+  select_all(t);
+  assert(is_random || tr.number_of_finite_cells() == static_cast<std::size_t>(n));
+}
+
+std::array<int, 2> ends_on_axis(const Cell_handle c)
+{
+  std::array<int, 2> ends = {{ -1, -1 }};
+  for(int i = 0; i < 4; ++i)
+    if(c->vertex(i)->point().x() == 0 && c->vertex(i)->point().y() == 0)
+      ends[c->vertex(i)->point().z() > 0] = i;
+  return ends;
+}
+
 
 typedef std::vector<std::array<int, 3> > Triangles;
 
@@ -192,7 +240,7 @@ void check_edge(Improvement& t, internal::Remove_bad_edge_3<Mesh>& remove, const
   const bool is_found = remove.find(c, i, j, 0);
   if(ring.empty() || t.domain.is_constrained_edge(a, b))
     assert(! is_found);
-  if(ring.empty() || t.domain.is_constrained_edge(a, b) || ring.size() > 7)
+  if(ring.empty() || t.domain.is_constrained_edge(a, b) || ring.size() > 9)
     return;
   const int m = static_cast<int>(ring.size());
   double before = 0, worst_before = 2;
@@ -227,6 +275,47 @@ void check_edge(Improvement& t, internal::Remove_bad_edge_3<Mesh>& remove, const
   assert(! remove.find(c, i, j, (before - (std::min)(least, before)) * 1.001 + 1e-12));
 }
 
+double badness_of_all(const Improvement& t)
+{
+  double sum = 0;
+  for(const Cell_handle c : t.scene.cells())
+    sum += t.mesh.badness(t.mesh.quality(c));
+  return sum;
+}
+
+// Of all edges and facets of a cell, that one goes that helps most.
+void test_best_flip()
+{
+  int number = 0;
+  for(unsigned seed = 0; seed < 3; ++seed)
+  {
+    Improvement t(seed + 20, Improvement_options(), static_cast<int>(seed % 2), 30);
+    internal::Remove_bad_edge_3<Mesh> remove_edge(t.mesh);
+    internal::Remove_bad_facet_3<Mesh> remove_facet(t.mesh);
+    internal::Flip_bad_cell_3<Mesh> flip(t.mesh);
+    for(const Cell_handle c : t.scene.cells())
+    {
+      if(! t.scene.tr.tds().cells().is_used(c) || ! t.scene.contains(c))
+        continue;
+      double gain = 0;
+      for(int i = 0; i < 4; ++i)
+      {
+        for(int j = 0; j < i; ++j)
+          if(remove_edge.find(c, i, j, 0))
+            gain = (std::max)(gain, remove_edge.gain());
+        if(remove_facet.find(c, i, 0))
+          gain = (std::max)(gain, remove_facet.gain());
+      }
+      const double before = badness_of_all(t);
+      const bool is_done = flip(c);
+      assert(is_done == (gain > 0));
+      assert(std::abs(before - badness_of_all(t) - gain) < 1e-9);
+      number += is_done;
+    }
+  }
+  assert(number > 50);
+}
+
 void test_best_removal_of_edge()
 {
   std::array<int, 2> number = {{ 0, 0 }};
@@ -234,7 +323,7 @@ void test_best_removal_of_edge()
   {
     Improvement_options options;
     options.is_grid = seed % 4 == 3;
-    options.has_sizes = seed % 2 == 1;
+    options.size = seed % 3 == 0 ? 0.06 : seed % 3 == 1 ? 0.4 : 0;
     Improvement t(seed + 70, options, seed % 3 == 0, 35);
     internal::Remove_bad_edge_3<Mesh> remove(t.mesh);
     for(const Cell_handle c : t.scene.cells())
@@ -243,34 +332,25 @@ void test_best_removal_of_edge()
           check_edge(t, remove, c, i, (i + 1) % 4, number);
   }
   assert(number[0] > 100 && number[1] > 100);
+  number = {{ 0, 0 }};
+  for(unsigned seed = 0; seed < 200; ++seed) // larger rings
+  {
+    Improvement t(seed, Improvement_options(), static_cast<int>(seed % 3), 60);
+    internal::Remove_bad_edge_3<Mesh> remove(t.mesh);
+    insert_ring(t, 5 + static_cast<int>(seed % 5), true);
+    for(const Vertex_handle v : t.scene.tr.finite_vertex_handles())
+      v->set_meshing_info(seed % 4 == 0 ? 10 : 0);
+    for(const Cell_handle c : t.scene.cells())
+    {
+      const auto ends = ends_on_axis(c);
+      if(ends[0] >= 0 && ends[1] >= 0)
+        check_edge(t, remove, c, ends[0], ends[1], number);
+    }
+  }
+  assert(number[1] > 20);
 }
 
 // ------------------------------------------------ the removal of facets is the inverse
-
-void insert_ring(Improvement& t, const int n)
-{
-  static const int circle[12][2] = { {25, 0}, {20, 15}, {15, 20}, {0, 25}, {-15, 20}, {-20, 15},
-                                     {-25, 0}, {-20, -15}, {-15, -20}, {0, -25}, {15, -20}, {20, -15} };
-  Tr& tr = t.scene.tr;
-  tr.clear();
-  tr.insert(Tr::Point(0, 0, 4));
-  tr.insert(Tr::Point(0, 0, -4));
-  t.quality.ring.clear();
-  for(int k = 0; k < n; ++k)
-  {
-    const auto* const p = circle[12 * k / n];
-    t.quality.ring.push_back({{ double(p[0]), double(p[1]), 0.25 * (k % 3) }});
-    tr.insert(Tr::Point(p[0], p[1], 0.25 * (k % 3)));
-  }
-  t.scene.selection.clear();
-  t.scene.edges.clear();
-  for(const Cell_handle c : tr.finite_cell_handles())
-  {
-    c->set_subdomain_index(1);
-    t.scene.selection[c] = true;
-  }
-  assert(tr.number_of_finite_cells() == static_cast<std::size_t>(n));
-}
 
 std::set<std::set<Vertex_handle> > vertex_sets(const Tr& tr)
 {
@@ -282,7 +362,7 @@ std::set<std::set<Vertex_handle> > vertex_sets(const Tr& tr)
 
 void test_inverse(const int n)
 {
-  Improvement t(1, Improvement_options(), 2, 30);
+  Improvement t(1, Improvement_options(), 3, 30);
   insert_ring(t, n);
   Tr& tr = t.scene.tr;
   t.mesh.set_enough(1);
@@ -291,19 +371,14 @@ void test_inverse(const int n)
   internal::Remove_bad_facet_3<Mesh> remove_facet(t.mesh);
   t.quality.of_ring_cells = 0.2; // cells with the edge are bad
   const Cell_handle c = tr.finite_cells_begin();
-  int ends[2] = { -1, -1 };
-  for(int i = 0; i < 4; ++i)
-    if(c->vertex(i)->point().x() == 0 && c->vertex(i)->point().y() == 0)
-      ends[c->vertex(i)->point().z() > 0] = i;
+  const auto ends = ends_on_axis(c);
   const bool is_removed = remove_edge.find(c, ends[0], ends[1], 0) && remove_edge.apply();
   assert(is_removed && tr.number_of_finite_cells() == static_cast<std::size_t>(2 * (n - 2)));
   assert(vertex_sets(tr) != before && tr.tds().is_valid());
   t.quality.of_ring_cells = 0.9; // they are good, but others with both ends are not
   const Cell_handle d = tr.finite_cells_begin();
-  int apex = -1;
-  for(int i = 0; i < 4; ++i)
-    if(d->vertex(i)->point().x() == 0 && d->vertex(i)->point().y() == 0)
-      apex = i;
+  const auto apices = ends_on_axis(d);
+  const int apex = (std::max)(apices[0], apices[1]);
   const bool are_too_many = n - 2 > remove_facet.max_number_of_facets;
   const bool is_put_back = remove_facet.find(d, apex, 0) && remove_facet.apply();
   assert(is_put_back != are_too_many);
@@ -404,22 +479,91 @@ double worst_cell(const Improvement& t)
   return worst;
 }
 
-void insert_on_sphere(Improvement& t, const int n)
+void insert_on_sphere(Improvement& t, const int n, const bool has_inner_vertex = false)
 {
   Tr& tr = t.scene.tr;
   tr.clear();
-  t.scene.selection.clear();
+  if(has_inner_vertex)
+    tr.insert(Tr::Point(100, 200, 300));
   while(tr.number_of_vertices() < static_cast<std::size_t>(n))
   {
     const double x = t.scene.random_int(2000) - 1000, y = t.scene.random_int(2000) - 1000;
     const double z = t.scene.random_int(2000) - 1000, r = std::sqrt(x * x + y * y + z * z);
     tr.insert(Tr::Point(std::floor(4096 * x / r), std::floor(4096 * y / r), std::floor(4096 * z / r)));
   }
-  for(const Cell_handle c : tr.finite_cell_handles())
+  select_all(t);
+}
+
+// A vertex inside of the polyhedron would be lost.
+void test_reconnection_around_vertex()
+{
+  int number = 0;
+  for(unsigned seed = 0; seed < 20; ++seed)
   {
-    c->set_subdomain_index(1);
-    t.scene.selection[c] = true;
+    Improvement t(seed, Improvement_options(), 1, 60);
+    insert_on_sphere(t, 9, true);
+    std::vector<Cell_handle> around;
+    for(const Vertex_handle v : t.scene.tr.finite_vertex_handles())
+      if(v->point() == Tr::Point(100, 200, 300))
+        t.scene.tr.incident_cells(v, std::back_inserter(around));
+    if(std::any_of(around.begin(), around.end(), [&](const Cell_handle c) { return t.scene.tr.is_infinite(c); }))
+      continue; // it is not inside
+    ++number;
+    internal::Reconnect_bad_cell_3<Mesh> reconnect(t.mesh);
+    for(const Cell_handle c : around)
+      assert(! reconnect.find(c));
   }
+  assert(number > 5);
+}
+
+// Where vertices moved, nothing is known from before.
+void test_reconnection_after_move()
+{
+  int number = 0;
+  for(unsigned seed = 0; seed < 40; ++seed)
+  {
+    Improvement t(seed, Improvement_options(), 1, 60);
+    insert_on_sphere(t, 8);
+    internal::Reconnect_bad_cell_3<Mesh> reconnect(t.mesh);
+    reconnect.find(t.scene.tr.finite_cells_begin());
+    for(const Vertex_handle v : t.scene.tr.finite_vertex_handles()) // affinely: the mesh stays valid
+      v->set_point(Tr::Point(0.25 * v->point().x() + v->point().z(), 2 * v->point().y(), v->point().z()));
+    assert(br3_test::is_valid_mesh(t.scene.tr));
+    const double badness = badness_of_all(t), worst = worst_cell(t);
+    if(! reconnect.find(t.scene.tr.finite_cells_begin()))
+      continue;
+    reconnect.apply();
+    assert(br3_test::is_valid_mesh(t.scene.tr) && badness_of_all(t) < badness && worst_cell(t) >= worst);
+    ++number;
+  }
+  assert(number > 10);
+}
+
+// New edges are not too long, and not too short.
+void test_lengths_of_reconnection()
+{
+  int number = 0;
+  for(unsigned seed = 0; seed < 80; ++seed)
+  {
+    Improvement t(seed, Improvement_options(), 1, 60);
+    insert_on_sphere(t, 8);
+    std::set<std::set<Vertex_handle> > before;
+    for(const auto& e : t.scene.tr.finite_edges())
+      before.insert({ e.first->vertex(e.second), e.first->vertex(e.third) });
+    for(const Vertex_handle v : t.scene.tr.finite_vertex_handles())
+      v->set_meshing_info(seed % 2 == 0 ? 3000 : 10000);
+    internal::Reconnect_bad_cell_3<Mesh> reconnect(t.mesh);
+    if(! reconnect.find(t.scene.tr.finite_cells_begin()))
+      continue;
+    reconnect.apply();
+    ++number;
+    for(const auto& e : t.scene.tr.finite_edges())
+    {
+      const Vertex_handle u = e.first->vertex(e.second), v = e.first->vertex(e.third);
+      assert(before.count({ u, v }) > 0 || t.mesh.is_edge_in_size(u, v));
+    }
+  }
+  assert(number > 5);
 }
 
 void test_best_reconnection()
@@ -460,7 +604,11 @@ int main()
             << " reconnections" << std::endl;
   assert(number[0] > 100 && number[1] > 100 && number[2] > 100 && number[3] > 20);
   test_best_removal_of_edge();
+  test_best_flip();
   for(int n = 3; n <= 12; ++n)
     test_inverse(n);
   test_best_reconnection();
+  test_reconnection_around_vertex();
+  test_reconnection_after_move();
+  test_lengths_of_reconnection();
 }

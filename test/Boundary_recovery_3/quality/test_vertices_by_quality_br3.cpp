@@ -40,18 +40,29 @@ typedef Scene::Tr                                               Tr;
 typedef Scene::Domain                                           Domain;
 typedef Scene::Vertex_handle                                    Vertex_handle;
 typedef Scene::Cell_handle                                      Cell_handle;
-typedef BR3::Dihedral_angle_quality_3                           Quality;
 typedef CGAL::Default_boundary_constrained_mesh_visitor_3       Visitor;
+
+struct Quality
+{
+  bool is_random = false;
+
+  double operator()(const std::array<std::array<double, 3>, 4>& corners) const
+  {
+    return is_random ? br3_test::random_quality(corners) : BR3::Dihedral_angle_quality_3()(corners);
+  }
+};
+
 typedef internal::Improved_mesh_3<Tr, Domain, Quality, Visitor> Mesh;
 typedef internal::Best_point_in_star_3<Quality>                 Best_point;
 typedef internal::Coordinates_3                                 Place;
 
 struct Improvement
 {
-  Improvement(const unsigned seed, const Improvement_options& options, const double degrees)
-    : scene(seed, options), domain(scene.domain()), mesh(scene.tr, domain, quality, visitor)
+  Improvement(const unsigned seed, const Improvement_options& options, const double degrees,
+              const bool is_random = false)
+    : scene(seed, options), domain(scene.domain()), quality{ is_random }, mesh(scene.tr, domain, quality, visitor)
   {
-    mesh.set_enough(quality.of_angle(degrees));
+    mesh.set_enough(is_random ? 0.9 : BR3::Dihedral_angle_quality_3().of_angle(degrees));
   }
 
   Scene scene;
@@ -66,31 +77,36 @@ std::array<int, 3> test_all_steps(const unsigned seed)
 {
   Improvement_options options;
   options.is_grid = seed % 4 == 0;
-  options.has_sizes = seed % 3 == 0;
+  options.size = seed % 3 == 0 ? 0.06 : seed % 3 == 1 ? 0.4 : 0;
   options.number_of_points = seed % 5 == 0 ? 60 : 120;
   std::array<int, 3> number = {{ 0, 0, 0 }};
   const double degrees = 10 + seed % 4 * 10;
+  const bool is_random = seed % 5 == 4;
   {
-    Improvement t(seed, options, degrees);
+    Improvement t(seed, options, degrees, is_random);
     internal::Smooth_vertex_3<Mesh> smooth(t.mesh, t.quality);
     for(int i = 0; i < 4; ++i)
       number[0] += try_on_all_cells(t.scene, t.mesh, Lengths_slack::none,
                                     [&](const Cell_handle c) { return smooth(c->vertex(i)); });
   }
   {
-    Improvement t(seed, options, degrees);
+    Improvement t(seed, options, degrees, is_random);
     internal::Contract_bad_edge_3<Mesh> contract(t.mesh);
     for(int i = 0; i < 4; ++i)
       number[1] += try_on_all_cells(t.scene, t.mesh, Lengths_slack::none, [&](const Cell_handle c)
                                     { return contract.find(c->vertex(i), 0) && contract.apply(); });
   }
-  Improvement t(seed, options, degrees);
+  Improvement t(seed, options, degrees, is_random);
   internal::Insert_into_bad_cell_3<Mesh> insert(t.mesh, t.quality);
+  const std::set<Vertex_handle> before(t.scene.tr.finite_vertex_handles().begin(),
+                                       t.scene.tr.finite_vertex_handles().end());
   number[2] = try_on_all_cells(t.scene, t.mesh, Lengths_slack::longest_edge,
                                [&](const Cell_handle c) { return insert.find(c) && insert.apply(); });
   for(const Vertex_handle v : t.scene.tr.finite_vertex_handles())
-    if(options.has_sizes)
-      assert(v->meshing_info() >= 0.2 && v->meshing_info() < 0.4);
+  {
+    assert(before.count(v) > 0 || v->in_dimension() == 3);
+    assert(v->meshing_info() >= options.size && v->meshing_info() <= 2 * options.size);
+  }
   return number;
 }
 
@@ -242,7 +258,7 @@ void test_contraction()
     Improvement_options options;
     options.number_of_points = 100;
     options.is_grid = seed == 3;
-    options.has_sizes = seed % 2 == 1;
+    options.size = seed % 2 == 1 ? 0.1 : 0;
     Improvement t(seed, options, 30);
     internal::Contract_bad_edge_3<Mesh> contract(t.mesh);
     internal::Free_star_3<Mesh> star(t.mesh);
@@ -297,7 +313,7 @@ void test_allowed_lengths()
   for(unsigned seed = 0; seed < 4; ++seed)
   {
     Improvement_options options;
-    options.has_sizes = true;
+    options.size = 0.2;
     options.number_of_points = 150;
     Improvement t(seed + 30, options, 30);
     const internal::Allowed_lengths_3<Tr> lengths(t.scene.tr, t.domain);
@@ -366,7 +382,7 @@ void test_allowed_lengths()
 void test_new_vertex_at_old_place()
 {
   Improvement_options options;
-  options.has_sizes = true;
+  options.size = 0.2;
   Improvement t(0, options, 30);
   internal::Allowed_lengths_3<Tr> lengths(t.scene.tr, t.domain);
   Vertex_handle corner = t.scene.tr.finite_vertices_begin();
