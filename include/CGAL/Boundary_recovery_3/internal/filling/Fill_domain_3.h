@@ -102,7 +102,8 @@ private:
   static constexpr double smallest_distance_on_edge = 0.4;
   static constexpr double largest_wall = 0.5;            // beside a long edge, as a part of its length
   static constexpr int max_number_of_rounds = 4;
-  static constexpr std::size_t edges_per_vertex = 4; // that are tried, where nearly all cells have to be long
+  static constexpr std::size_t vertices_per_edge = 8;    // that is tried, where many cells have to be long
+  static constexpr std::size_t least_number_of_edges = 8000;
   static constexpr int max_number_of_steps = 100;
   static constexpr std::size_t number_of_reports = 200;
 
@@ -162,7 +163,7 @@ private:
   // What comes by the removal of an edge is looked at in the next round, and so are new cells without a point.
   void shorten_long_edges()
   {
-    m_number_of_edges_left = edges_per_vertex * m_tr.number_of_vertices();
+    m_number_of_edges_left = (std::max)(m_tr.number_of_vertices() / vertices_per_edge, least_number_of_edges);
     for(int round = 0; round < max_number_of_rounds; ++round)
     {
       std::vector<Cell_handle> cells;
