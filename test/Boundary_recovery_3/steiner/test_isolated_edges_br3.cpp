@@ -21,6 +21,7 @@
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_editor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/star_cavity.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Isolated_edge_recovery_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Recovery_by_points_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Suppress_free_point_3.h>
@@ -247,6 +248,25 @@ void test_edge_that_fails(br3_test::Plc plc)
   assert(scene.cells() == cells && scene.ledger.points().empty());
 }
 
+// After each edge, with or without rounds.
+void test_edge_after_edge(const br3_test::Plc& plc)
+{
+  Scene scene(plc);
+  internal::Mesh_editor_3<Tr, Visitor> editor(scene.tr, scene.visitor);
+  internal::Steiner_mesh_3<Tr, Visitor> mesh(editor, scene.predicates, scene.constraints, scene.ledger, scene.context);
+  internal::Isolated_edge_recovery_3<Tr, Visitor> recover(mesh);
+  internal::Constraint_search_3<Tr> search(scene.tr, scene.constraints);
+  for(std::vector<std::size_t> lost = search().edges; ! lost.empty(); lost = search().edges)
+  {
+    assert(recover(lost.front(), 0, 4, lost.size() % 2 == 0 ? 0 : 20));
+    const std::vector<std::size_t> after = search().edges;
+    assert(after.size() < lost.size() && std::includes(lost.begin(), lost.end(), after.begin(), after.end()));
+    assert(after.empty() || after.front() != lost.front());
+    assert(scene.is_valid() && scene.ledger.points_on_constraints().empty() && scene.ledger.positions().empty());
+  }
+  assert(! scene.ledger.free_points().empty() && recover.number_of_transformations() > 0);
+}
+
 void test_one_by_one()
 {
   const br3_test::Plc plc = random_segments(20, 2);
@@ -256,6 +276,7 @@ void test_one_by_one()
     for(std::size_t call = 1; call < number_of_calls; call += 1 + number_of_calls / 7)
       test_disturbance(plc, call, is_throwing);
   test_edge_that_fails(plc);
+  test_edge_after_edge(random_segments(12, 4));
 }
 
 void test_recovery(const br3_test::Plc& plc)

@@ -82,8 +82,8 @@ public:
   void recount() { m_state.run(Phase::recount, [this] { look_up(); }); }
 
   // Recovers what is lost, as far as the mode wants it. Returns whether that worked for all constraints; if not, or if
-  // the visitor or the kernel throws, the mesh is as it was before. More lost edges of no facet than `max_number_at_once`
-  // are recovered one by one, if the mode is `constrained`.
+  // the visitor or the kernel throws, the mesh is as it was before. If the mode is `constrained`, and more than
+  // `max_number_at_once` edges of no facet are lost, these are recovered one by one.
   bool operator()(const Mode mode, const int max_recursion_level,
                   const std::size_t max_number_at_once = max_number_of_edges_at_once)
   {
