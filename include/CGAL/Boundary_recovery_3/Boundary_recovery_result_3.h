@@ -56,7 +56,7 @@ enum class Recovery_phase
   facet_recovery_brc2,   ///< first calling for facets, under BRC2
   facet_recovery_brc4,   ///< second calling for facets, under BRC4
   facet_reconnection,    ///< small polyhedron reconnection of the cells around each lost facet
-  conforming_edge_recovery,  ///< Steiner points on lost edges
+  conforming_edge_recovery,  ///< Steiner points on lost edges, or beside them, where many edges of no facet are lost
   conforming_facet_recovery, ///< Steiner points on lost facets
   steiner_splitting,     ///< Steiner points come off the constraints [CZZ+17, Alg. A.1 to A.5]
   steiner_suppression,   ///< Steiner points are removed [CZZ+17, Section 4.3]

@@ -17,9 +17,11 @@
 #include "recover_and_judge_br3.h"
 #include "steiner_scene_br3.h"
 
+#include <CGAL/Boundary_recovery_3/internal/lost/Constraint_search_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_editor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/star_cavity.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Isolated_edge_recovery_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Recovery_by_points_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Suppress_free_point_3.h>
@@ -30,15 +32,45 @@
 #include <array>
 #include <cassert>
 #include <cstddef>
+#include <functional>
 #include <iostream>
 #include <vector>
 
 namespace internal = CGAL::Boundary_recovery_3::internal;
 
-typedef br3_test::Silent_scene_visitor     Visitor;
+typedef br3_test::Scene_triangulation              Tr;
+typedef Tr::Vertex_handle                          Vertex_handle;
+typedef CGAL::Boundary_recovery_3::Recovery_mode   Mode;
+typedef CGAL::Boundary_recovery_3::Recovery_phase  Phase;
+
+// Looks when a phase ends, and at one of its calls, stops the recovery or throws.
+struct Visitor
+  : public CGAL::Default_boundary_recovery_visitor_3
+{
+  struct Disturbance { };
+
+  explicit Visitor(const Tr&) { }
+
+  bool go_further()
+  {
+    if(++number_of_calls == call && is_throwing)
+      throw Disturbance();
+    return number_of_calls < call;
+  }
+
+  void on_phase_end(const CGAL::Boundary_recovery_3::Phase_report& report)
+  {
+    if(report.phase == Phase::conforming_edge_recovery && look)
+      look(report.lost_edges);
+  }
+
+  std::size_t number_of_calls = 0;
+  std::size_t call = std::size_t(-1);
+  bool is_throwing = false;
+  std::function<void(std::size_t)> look;
+};
+
 typedef br3_test::Steiner_scene<Visitor>   Scene;
-typedef Scene::Tr                          Tr;
-typedef Scene::Vertex_handle               Vertex_handle;
 
 void add_edge(br3_test::Plc& plc, const br3_test::Coordinates& p, const br3_test::Coordinates& q)
 {
@@ -145,6 +177,108 @@ void test_suppression_of_one_point()
   assert(scene.ledger.points_on_constraints().size() == number);
 }
 
+// --- one by one -----------------------------------------------------------------------------------------------------
+
+bool recover_one_by_one(Scene& scene, const std::size_t max_number_at_once = 0)
+{
+  internal::Recovery_by_points_3<Tr, Visitor> recover(scene.state, scene.ledger);
+  recover.look_up();
+  return recover(Mode::constrained, 30, max_number_at_once);
+}
+
+// When the last edge is whole, no point is on any, and all points are where floating point numbers are. If all edges
+// became chains first, this would be known only in the end. Returns the number of calls that can be disturbed.
+std::size_t test_one_by_one(const br3_test::Plc& plc, const bool are_at_once)
+{
+  Scene scene(plc);
+  std::size_t number_of_attempts = 0;
+  scene.visitor.look = [&](const std::size_t number_of_lost_edges)
+  {
+    ++number_of_attempts;
+    assert(number_of_lost_edges == 0 && scene.is_valid() && scene.is_conforming());
+    assert(scene.ledger.points_on_constraints().empty() != are_at_once);
+    assert(scene.ledger.free_points().empty() == are_at_once);
+    assert(are_at_once || scene.ledger.positions().empty());
+  };
+  assert(recover_one_by_one(scene, are_at_once ? plc.edges.size() : 0) && number_of_attempts == 1);
+  assert(scene.is_valid() && scene.is_conforming() && scene.ledger.positions().empty());
+  assert(scene.ledger.points_on_constraints().empty() && ! scene.ledger.free_points().empty());
+  assert(scene.ledger.points().size() == scene.tr.number_of_vertices() - plc.points.size());
+  return scene.visitor.number_of_calls;
+}
+
+// Then all is as before, also what was recovered already. A stop in the end may do no harm.
+void test_disturbance(const br3_test::Plc& plc, const std::size_t call, const bool is_throwing)
+{
+  Scene scene(plc);
+  const Scene::Cells cells = scene.cells();
+  scene.visitor.call = call;
+  scene.visitor.is_throwing = is_throwing;
+  try {
+    if(recover_one_by_one(scene))
+    {
+      assert(! is_throwing && scene.is_valid() && scene.is_conforming() && scene.ledger.positions().empty());
+      return;
+    }
+    assert(! is_throwing);
+  } catch(const Visitor::Disturbance&) {
+    assert(is_throwing);
+  }
+  assert(scene.cells() == cells && scene.ledger.points().empty() && scene.ledger.positions().empty());
+  assert(scene.ledger.number_of_constraint_points() == 0 && scene.ledger.number_of_free_points() == 0);
+}
+
+// An edge with a vertex on it is put back, time after time; the others are whole and stay so, until all is put back.
+void test_edge_that_fails(br3_test::Plc plc)
+{
+  add_edge(plc, {{ .25, .25, .25 }}, {{ .75, .75, .75 }});
+  add_edge(plc, {{ .5, .5, .5 }}, {{ .25, .75, .5 }});
+  Scene scene(plc);
+  const Scene::Cells cells = scene.cells();
+  std::size_t number_of_attempts = 0;
+  scene.visitor.look = [&](const std::size_t number_of_lost_edges)
+  {
+    ++number_of_attempts;
+    assert(number_of_lost_edges == 1 && scene.is_valid() && ! scene.ledger.free_points().empty());
+    internal::Constraint_search_3<Tr> search(scene.tr, scene.constraints);
+    assert(search().edges == std::vector<std::size_t>(1, plc.edges.size() - 2));
+    assert(scene.ledger.positions().empty());
+  };
+  assert(! recover_one_by_one(scene) && number_of_attempts == 1);
+  assert(scene.cells() == cells && scene.ledger.points().empty());
+}
+
+// After each edge, with or without rounds.
+void test_edge_after_edge(const br3_test::Plc& plc)
+{
+  Scene scene(plc);
+  internal::Mesh_editor_3<Tr, Visitor> editor(scene.tr, scene.visitor);
+  internal::Steiner_mesh_3<Tr, Visitor> mesh(editor, scene.predicates, scene.constraints, scene.ledger, scene.context);
+  internal::Isolated_edge_recovery_3<Tr, Visitor> recover(mesh);
+  internal::Constraint_search_3<Tr> search(scene.tr, scene.constraints);
+  for(std::vector<std::size_t> lost = search().edges; ! lost.empty(); lost = search().edges)
+  {
+    assert(recover(lost.front(), 0, 4, lost.size() % 2 == 0 ? 0 : 20));
+    const std::vector<std::size_t> after = search().edges;
+    assert(after.size() < lost.size() && std::includes(lost.begin(), lost.end(), after.begin(), after.end()));
+    assert(after.empty() || after.front() != lost.front());
+    assert(scene.is_valid() && scene.ledger.points_on_constraints().empty() && scene.ledger.positions().empty());
+  }
+  assert(! scene.ledger.free_points().empty() && recover.number_of_transformations() > 0);
+}
+
+void test_one_by_one()
+{
+  const br3_test::Plc plc = random_segments(20, 2);
+  const std::size_t number_of_calls = test_one_by_one(plc, false);
+  test_one_by_one(plc, true);
+  for(const bool is_throwing : { false, true })
+    for(std::size_t call = 1; call < number_of_calls; call += 1 + number_of_calls / 7)
+      test_disturbance(plc, call, is_throwing);
+  test_edge_that_fails(plc);
+  test_edge_after_edge(random_segments(12, 4));
+}
+
 void test_recovery(const br3_test::Plc& plc)
 {
   br3_test::Fuzz_case c;
@@ -157,6 +291,7 @@ int main()
   test_points_that_come_off_edges(random_segments(50, 1));
   test_points_that_come_off_edges(random_segments(60, 7));
   test_suppression_of_one_point();
+  test_one_by_one();
   test_recovery(skew_lines(4));
   test_recovery(random_segments(12, 5));
   std::cout << "done" << std::endl;

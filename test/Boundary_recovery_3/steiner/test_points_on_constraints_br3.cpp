@@ -111,28 +111,32 @@ public:
     while(! m_on_constraints.empty())
       erase(m_on_constraints.back());
     m_ledger.settle();
-    m_settled.swap(m_free);
-    m_settled_numbers = m_numbers;
-    m_new_vertices.clear();
+    m_settled.push_back({ m_free, Vertices(), m_numbers });
+    m_free.clear();
   }
 
   void unsettle()
   {
     m_ledger.unsettle();
-    m_free.insert(m_free.begin(), m_settled.begin(), m_settled.end());
-    m_settled.clear();
+    const Settled last = m_settled.back();
+    m_settled.pop_back();
+    m_free.insert(m_free.begin(), last.points.begin(), last.points.end());
+    if(! m_settled.empty())
+      m_settled.back().new_vertices.insert(m_settled.back().new_vertices.end(), last.new_vertices.begin(),
+                                           last.new_vertices.end());
   }
 
   void take_back()
   {
     new_vertex(); // one that did not get into the mesh
-    m_ledger.take_back(m_new_vertices);
-    for(const Vertex_handle v : m_new_vertices)
+    m_ledger.take_back(m_settled.back().new_vertices);
+    for(const Vertex_handle v : m_settled.back().new_vertices)
     {
       assert(! m_ledger.positions().contains(v) && ! m_ledger.is_free(v));
       forget(v);
     }
-    m_numbers = m_settled_numbers;
+    m_numbers = m_settled.back().numbers;
+    m_settled.back().new_vertices.clear();
   }
 
   void check() const
@@ -161,6 +165,13 @@ public:
   }
 
 private:
+  // The free points at a settle(), the vertices since then, and the numbers of points then.
+  struct Settled
+  {
+    Vertices points, new_vertices;
+    std::array<std::size_t, 2> numbers;
+  };
+
   static std::size_t index(const int i) { return static_cast<std::size_t>(i); }
 
   template <typename Number>
@@ -170,7 +181,8 @@ private:
   {
     const Vertex_handle v = m_tr.tds().create_vertex();
     m_ledger.positions().set(v, Ledger::Positions::Exact_point_3(1, 2, 3));
-    m_new_vertices.push_back(v);
+    if(! m_settled.empty())
+      m_settled.back().new_vertices.push_back(v);
     return v;
   }
 
@@ -195,13 +207,15 @@ private:
     assert(m_ledger.points_on_constraints() == m_on_constraints && m_ledger.free_points() == m_free);
     assert(m_ledger.number_of_constraint_points() == m_numbers[0] && m_ledger.number_of_free_points() == m_numbers[1]);
     Vertices all = m_on_constraints;
-    all.insert(all.end(), m_settled.begin(), m_settled.end());
+    for(const Settled& settled : m_settled)
+      all.insert(all.end(), settled.points.begin(), settled.points.end());
     all.insert(all.end(), m_free.begin(), m_free.end());
     assert(m_ledger.points() == all);
     for(const Vertex_handle v : all)
     {
       const bool is_on_constraint = internal::contains(m_on_constraints, v);
-      assert(m_ledger.is_on_constraint(v) == is_on_constraint && m_ledger.is_free(v) != is_on_constraint);
+      assert(m_ledger.is_on_constraint(v) == is_on_constraint);
+      assert(m_ledger.is_free(v) == internal::contains(m_free, v)); // the settled ones are left alone
       assert(m_ledger.positions().contains(v));
     }
     for(const Vertex_handle v : m_free)
@@ -287,12 +301,11 @@ private:
   Tr m_tr;
   Constraints m_constraints;
   Ledger m_ledger;
-  Vertices m_input, m_on_constraints, m_settled, m_free; // the Steiner points in the order in which they were inserted
-  Vertices m_new_vertices;                               // since settle()
+  Vertices m_input, m_on_constraints, m_free; // the Steiner points in the order in which they were inserted
+  std::vector<Settled> m_settled;
   std::vector<Vertices> m_chains, m_interiors;
-  std::map<Vertex_handle, Carrier> m_origins;            // of free points
-  std::array<std::size_t, 2> m_numbers = {{ 0, 0 }};     // of points that were put on constraints, and that came off
-  std::array<std::size_t, 2> m_settled_numbers = {{ 0, 0 }};
+  std::map<Vertex_handle, Carrier> m_origins; // of free points
+  std::array<std::size_t, 2> m_numbers = {{ 0, 0 }}; // of points that were put on constraints, and that came off
 };
 
 void change(Account& account, std::mt19937& rng)
@@ -312,26 +325,32 @@ void change(Account& account, std::mt19937& rng)
   }
 }
 
+// Something that is taken back or not, with others inside of it.
+void transact(Account& account, std::mt19937& rng, const int depth, const bool is_taken_back)
+{
+  account.settle();
+  account.check();
+  change(account, rng);
+  for(int i = 0; i < depth; ++i)
+    transact(account, rng, depth - 1, random_int(rng, 2) == 0);
+  if(is_taken_back)
+    account.take_back();
+  account.check();
+  account.unsettle();
+  account.check();
+  change(account, rng);
+}
+
 int main()
 {
   std::mt19937 rng(1);
-  for(int round = 0; round < 8; ++round)
+  for(int round = 0; round < 5; ++round)
   {
     Account account(rng);
     account.check();
     change(account, rng);
     for(const bool is_taken_back : { true, false, true })
-    {
-      account.settle();
-      account.check();
-      change(account, rng);
-      if(is_taken_back)
-        account.take_back();
-      account.check();
-      account.unsettle();
-      account.check();
-      change(account, rng);
-    }
+      transact(account, rng, round % 3, is_taken_back);
   }
   std::cout << "done" << std::endl;
 }

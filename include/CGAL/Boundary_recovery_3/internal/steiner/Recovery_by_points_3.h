@@ -19,6 +19,7 @@
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_editor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Conforming_recovery_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Constraint_parts_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Isolated_edge_recovery_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_ledger_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_rounding_3.h>
@@ -29,6 +30,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <vector>
 
 namespace CGAL {
@@ -39,7 +41,8 @@ namespace internal {
  * The recovery by Steiner points: the main procedure and the postprocessing of [CZZ+17, Section 4].
  *
  * The phases can be run one by one. operator() runs them all as a transaction: if they do not lead to what the mode
- * wants, the mesh is put back, and other points are tried.
+ * wants, the mesh is put back, and other points are tried. Where
+ * many edges are of no facet, these are recovered one by one before, each as a transaction of its own.
  */
 template <typename Tr, typename Visitor>
 class Recovery_by_points_3
@@ -53,6 +56,9 @@ public:
 
   // Of the flips that are tried for each part of an edge.
   static constexpr int default_recursion_level = 3;
+
+  // Up to so many edges of no facet, it is quicker to put points on all of them first, and leads to fewer points.
+  static constexpr std::size_t max_number_of_edges_at_once = 100;
 
   // `state` has predicates that know the exact positions of the ledger. Both have to outlive this object.
   Recovery_by_points_3(State& state, Ledger& ledger)
@@ -76,8 +82,10 @@ public:
   void recount() { m_state.run(Phase::recount, [this] { look_up(); }); }
 
   // Recovers what is lost, as far as the mode wants it. Returns whether that worked for all constraints; if not, or if
-  // the visitor or the kernel throws, the mesh is as it was before.
-  bool operator()(const Mode mode, const int max_recursion_level)
+  // the visitor or the kernel throws, the mesh is as it was before. If the mode is `constrained`, and more than
+  // `max_number_at_once` edges of no facet are lost, these are recovered one by one.
+  bool operator()(const Mode mode, const int max_recursion_level,
+                  const std::size_t max_number_at_once = max_number_of_edges_at_once)
   {
     CGAL_precondition(m_ledger.points_on_constraints().empty());
     if(m_state.is_nothing_lost())
@@ -85,18 +93,12 @@ public:
     if((mode == Mode::flips_only && m_state.lost.edges.size() > max_number_of_edges_for_temporary_points)
        || ! m_state.context.go_further())
       return false;
-    m_ledger.settle();
     try {
-      try_points(mode, max_recursion_level);
+      try_points(mode, max_recursion_level, max_number_at_once);
     } catch(...) {
-      // Cells may be inverted now. Whoever threw, maybe the visitor, is not called again.
-      Default_boundary_recovery_visitor_3 no_visitor;
-      take_back(no_visitor);
       look_up();
-      m_ledger.unsettle();
       throw;
     }
-    m_ledger.unsettle();
     if(mode == Mode::flips_only || m_state.context.is_stopped())
       m_unrepresentable = Lost_constraints(); // points are not wanted, or the last attempt was not finished
     return m_state.is_nothing_lost();
@@ -106,23 +108,7 @@ public:
   // facets.
   void recover_conforming(const int l_max)
   {
-    Conforming_recovery_3<Tr, Visitor> conform(m_mesh);
-    m_state.run(Phase::conforming_edge_recovery, [&]
-    {
-      take_out_recovered(Phase::conforming_edge_recovery, m_state.lost.edges, [&](const std::size_t e)
-      {
-        return conform.recover_edge(e, l_max);
-      });
-    });
-    if(m_state.lost.edges.empty())
-      m_state.run(Phase::conforming_facet_recovery, [&]
-      {
-        take_out_recovered(Phase::conforming_facet_recovery, m_state.lost.facets, [&](const std::size_t f)
-        {
-          return conform.recover_facet(f, l_max);
-        });
-      });
-    m_state.number_of_transformations += conform.number_of_transformations();
+    recover_conforming(l_max, [] { });
   }
 
   // In the mode `conforming`, the points stay on the constraints. Returns whether all have positions that the
@@ -189,25 +175,106 @@ private:
   static constexpr int recursion_levels[] = { default_recursion_level, 6, 1, 0, 2, 12 };
 
   // Steiner points for all that is lost, with several recursion levels of the flips in between.
-  void try_points(const Mode mode, const int max_recursion_level)
+  void try_points(const Mode mode, const int max_recursion_level, std::size_t max_number_at_once)
   {
     for(const int l_max : recursion_levels)
     {
       if(l_max > max_recursion_level)
         continue;
       m_unrepresentable = Lost_constraints();
-      m_editor.begin();
-      recover_conforming(l_max);
-      const bool is_conforming = m_state.is_nothing_lost();
-      const bool is_done = is_conforming && finish_points(mode, max_recursion_level);
-      if(! is_done)
-        take_back(m_state.context.visitor());
-      recount(); // the visitor may still throw
+      bool is_conforming = false;
+      const bool is_done = transact([&]
+      {
+        recover_conforming(l_max, [&]
+        {
+          if(mode == Mode::constrained)
+            recover_isolated_edges(max_recursion_level, max_number_at_once);
+        });
+        is_conforming = m_state.is_nothing_lost();
+        if(! is_conforming || ! finish_points(mode, max_recursion_level))
+          return false;
+        recount(); // the visitor may still throw
+        return true;
+      });
       if(is_done)
-        m_editor.commit();
-      if(is_done || ! is_conforming || ! m_state.context.go_further())
         return;
+      recount();
+      if(! is_conforming || ! m_state.context.go_further())
+        return;
+      max_number_at_once = 0; // it did not do to put points on all of them first
     }
+  }
+
+  // As above; `begin` may recover edges in another way.
+  template <typename Begin>
+  void recover_conforming(const int l_max, const Begin& begin)
+  {
+    Conforming_recovery_3<Tr, Visitor> conform(m_mesh);
+    m_state.run(Phase::conforming_edge_recovery, [&]
+    {
+      begin();
+      take_out_recovered(Phase::conforming_edge_recovery, m_state.lost.edges, [&](const std::size_t e)
+      {
+        return conform.recover_edge(e, l_max);
+      });
+    });
+    if(m_state.lost.edges.empty())
+      m_state.run(Phase::conforming_facet_recovery, [&]
+      {
+        take_out_recovered(Phase::conforming_facet_recovery, m_state.lost.facets, [&](const std::size_t f)
+        {
+          return conform.recover_facet(f, l_max);
+        });
+      });
+    m_state.number_of_transformations += conform.number_of_transformations();
+  }
+
+  // Recovers lost edges of no facet one by one, if they are more than that. Where this fails, the mesh may be another
+  // one when all others are done, and points may make room for each other.
+  void recover_isolated_edges(const int max_recursion_level, const std::size_t max_number_at_once)
+  {
+    std::vector<std::size_t> others, isolated;
+    const std::vector<bool> is_of_facet = edges_of_facets();
+    for(const std::size_t e : m_state.lost.edges)
+      (is_of_facet[e] ? others : isolated).push_back(e);
+    if(isolated.size() <= max_number_at_once)
+      return;
+    for(const int number_of_rounds : { 0, Steiner_suppression_3<Tr, Visitor>::max_number_of_rounds })
+      for(std::size_t before = 0; before != isolated.size(); )
+      {
+        before = isolated.size();
+        take_out_recovered(Phase::conforming_edge_recovery, isolated, [&](const std::size_t e)
+        {
+          return recover_isolated_edge(e, max_recursion_level, number_of_rounds);
+        });
+      }
+    m_state.lost.edges.clear();
+    std::merge(others.begin(), others.end(), isolated.begin(), isolated.end(), std::back_inserter(m_state.lost.edges));
+  }
+
+  // By number, which edges are edges of constrained facets.
+  std::vector<bool> edges_of_facets() const
+  {
+    std::vector<bool> result(m_state.constraints.edges().size());
+    for(std::size_t f = 0; f < m_state.constraints.facets().size(); ++f)
+      for(const std::size_t e : m_state.constraints.edges_of_facet(f))
+        result[e] = true;
+    return result;
+  }
+
+  // If that fails, the mesh is as it was before.
+  bool recover_isolated_edge(const std::size_t e, const int max_recursion_level, const int number_of_rounds)
+  {
+    return std::any_of(std::begin(recursion_levels), std::end(recursion_levels), [&](const int l_max)
+    {
+      return l_max <= max_recursion_level && m_state.context.go_further() && transact([&]
+      {
+        Isolated_edge_recovery_3<Tr, Visitor> recover(m_mesh);
+        const bool is_done = recover(e, l_max, max_recursion_level, number_of_rounds);
+        m_state.number_of_transformations += recover.number_of_transformations();
+        return is_done;
+      });
+    });
   }
 
   // Makes of the points on constraints what the mode wants. Returns whether this was possible.
@@ -219,11 +286,37 @@ private:
         && (mode == Mode::constrained || m_ledger.free_points().empty());
   }
 
-  // Makes the mesh what it was before this attempt, if that is not done yet.
-  template <typename Any_visitor>
-  void take_back(Any_visitor& visitor)
+  // Does some work, which returns whether it led to what it should. If not, or if something throws, the mesh and the
+  // ledger are as they were before. Returns whether it did. Transactions may be nested.
+  template <typename Work>
+  bool transact(const Work& work)
   {
-    if(! m_editor.journal().is_active())
+    m_ledger.settle();
+    const std::size_t depth = m_editor.journal().depth();
+    bool is_done = false;
+    try {
+      m_editor.begin();
+      is_done = work();
+      if(is_done)
+        m_editor.commit();
+      else
+        take_back(depth, m_state.context.visitor());
+    } catch(...) {
+      // Cells may be inverted now. Whoever threw, maybe the visitor, is not called again.
+      Default_boundary_recovery_visitor_3 no_visitor;
+      take_back(depth, no_visitor);
+      m_ledger.unsettle();
+      throw;
+    }
+    m_ledger.unsettle();
+    return is_done;
+  }
+
+  // Ends the transaction that began at that depth, if this is not done yet.
+  template <typename Any_visitor>
+  void take_back(const std::size_t depth, Any_visitor& visitor)
+  {
+    if(m_editor.journal().depth() == depth)
       return;
     m_ledger.take_back(m_editor.journal().change().new_vertices());
     m_editor.undo(visitor);

@@ -115,14 +115,15 @@ public:
   // In the order in which they were inserted.
   const Vertices& points_on_constraints() const { return m_points_on_constraints; }
 
-  // In the order in which they came off constraints, those excepted that are settled.
+  // In the order in which they came off constraints. Those that are settled are none of them.
   const Vertices& free_points() const { return m_free_points; }
 
   // All of them: those on constraints, then the free ones.
   Vertices points() const
   {
     Vertices result = m_points_on_constraints;
-    result.insert(result.end(), m_settled_points.begin(), m_settled_points.end());
+    for(const Settled& settled : m_settled)
+      result.insert(result.end(), settled.points.begin(), settled.points.end());
     result.insert(result.end(), m_free_points.begin(), m_free_points.end());
     return result;
   }
@@ -153,22 +154,27 @@ public:
   // --- transactions -------------------------------------------------------------------------------------------------
 
   // The free points are left alone from now on, until unsettle(); all points that come after that can be taken back.
-  // No point is on a constraint.
+  // No point is on a constraint. Such transactions may be nested.
   void settle()
   {
     CGAL_precondition(m_points_on_constraints.empty());
-    m_settled_points.swap(m_free_points);
-    m_settled_numbers = {{ m_number_of_constraint_points, m_number_of_free_points }};
+    m_settled.emplace_back();
+    m_settled.back().points.swap(m_free_points);
+    m_settled.back().origins.swap(m_origins);
+    m_settled.back().numbers = {{ m_number_of_constraint_points, m_number_of_free_points }};
   }
 
   void unsettle()
   {
-    m_settled_points.insert(m_settled_points.end(), m_free_points.begin(), m_free_points.end());
-    m_free_points.swap(m_settled_points);
-    m_settled_points.clear();
+    CGAL_precondition(! m_settled.empty());
+    m_settled.back().points.swap(m_free_points);
+    m_settled.back().origins.swap(m_origins);
+    m_free_points.insert(m_free_points.end(), m_settled.back().points.begin(), m_settled.back().points.end());
+    m_origins.insert(m_settled.back().origins.begin(), m_settled.back().origins.end());
+    m_settled.pop_back();
   }
 
-  // Forgets all the points since settle(), of which the `new_vertices` are all that may have exact positions.
+  // Forgets all the points since the last settle(), of which the `new_vertices` are all that may have exact positions.
   void take_back(const Vertices& new_vertices)
   {
     for(const Vertices& points : { Vertices(m_points_on_constraints), Vertices(m_free_points) })
@@ -176,8 +182,8 @@ public:
         erase(v);
     for(const Vertex_handle v : new_vertices)
       m_positions.erase(v);
-    m_number_of_constraint_points = m_settled_numbers[0];
-    m_number_of_free_points = m_settled_numbers[1];
+    m_number_of_constraint_points = m_settled.back().numbers[0];
+    m_number_of_free_points = m_settled.back().numbers[1];
   }
 
   // --- constraints and their parts ----------------------------------------------------------------------------------
@@ -281,6 +287,15 @@ public:
 
 private:
   typedef std::unordered_map<std::size_t, Vertices> Vertices_of_constraint; // look-up only
+  typedef std::unordered_map<const void*, Carrier>  Carriers;               // look-up only
+
+  // The free points at a settle(), and how many points of both kinds there had been.
+  struct Settled
+  {
+    Vertices points;
+    Carriers origins;
+    std::array<std::size_t, 2> numbers = {{ 0, 0 }};
+  };
 
   void add(const Vertex_handle v, const Carrier& carrier)
   {
@@ -332,13 +347,12 @@ private:
   const Constraints& m_constraints;
   Positions m_positions;
   Vertices m_points_on_constraints;
-  Vertices m_settled_points;
   Vertices m_free_points;
-  std::unordered_map<const void*, Carrier> m_origins; // of free points; look-up only
+  Carriers m_origins; // of free points
   std::size_t m_number_of_constraint_points = 0;
   std::size_t m_number_of_free_points = 0;
-  std::array<std::size_t, 2> m_settled_numbers = {{ 0, 0 }}; // what these were at settle()
-  std::unordered_map<const void*, Carrier> m_carriers; // look-up only
+  std::vector<Settled> m_settled; // the outermost first
+  Carriers m_carriers;
   Vertices_of_constraint m_chains;    // of edges, ends included
   Vertices_of_constraint m_interiors; // of facets
   std::unordered_map<std::size_t, std::vector<std::size_t> > m_facets_at_edge; // look-up only

@@ -72,14 +72,22 @@ public:
       remove_points(ALL_POINTS, low);
   }
 
+  // In which points that are left make room for each other.
+  static constexpr int max_number_of_rounds = 20;
+
   // Gives each of the points a position that the triangulation can store. Returns whether there is one for all of them.
-  // Once stopped, only what is quick is tried.
-  bool round_points(const int max_recursion_level)
+  // Once stopped, only what is quick is tried. Without rounds, it ends with the first point for which there is none.
+  bool round_points(const int max_recursion_level, const int number_of_rounds = max_number_of_rounds)
   {
     const int l_max = (std::min)(low_recursion_level, max_recursion_level);
     std::vector<Vertex_handle> points = m_mesh.ledger.free_points();
+    if(number_of_rounds == 0)
+      return std::all_of(points.begin(), points.end(), [this](const Vertex_handle v)
+      {
+        return ! m_mesh.ledger.is_free(v) || m_round(v);
+      });
     round(points, m_round);
-    for(int i = 0; i < max_number_of_rounds && ! points.empty() && m_mesh.context.go_further(); ++i)
+    for(int i = 0; i < number_of_rounds && ! points.empty() && m_mesh.context.go_further(); ++i)
       round(points, [&](const Vertex_handle v)
       {
         return round_in_smaller_ball(v, l_max) || round_among_moved_neighbors(v);
@@ -268,9 +276,6 @@ private:
   // Where one of hundreds of points after the other stays, as in Chazelle's polyhedra, the rest will.
   static constexpr std::size_t max_number_of_failures = 40;
   static constexpr std::size_t failures_per_removed_point = 10;
-
-  // In which points that are left make room for each other.
-  static constexpr int max_number_of_rounds = 20;
 
   Mesh& m_mesh;
   Suppress_free_point_3<Tr, Visitor, typename Mesh::Constraints> m_suppress;
