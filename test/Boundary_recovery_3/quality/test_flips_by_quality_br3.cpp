@@ -308,7 +308,7 @@ void test_best_flip()
       }
       const double before = badness_of_all(t);
       const bool is_done = flip(c);
-      assert(is_done == (gain > 0));
+      assert(is_done == (gain > 1e-10));
       assert(std::abs(before - badness_of_all(t) - gain) < 1e-9);
       number += is_done;
     }

@@ -108,15 +108,21 @@ public:
   double badness() const { return m_badness; }
 
 private:
-  // Those that are gone, or are there twice, are taken out.
+  // Those that are gone, or are there twice, are taken out; where qualities are equal, these are not side by side.
   void sort()
   {
+    Unique_hash_map<Cell_handle, bool> is_there(false); // for looking up only
     for(auto& entry : m_cells)
-      entry.first = contains(entry.second) ? m_mesh.quality(entry.second) : m_mesh.enough();
+      if(contains(entry.second) && ! is_there[entry.second])
+      {
+        entry.first = m_mesh.quality(entry.second);
+        is_there[entry.second] = true;
+      }
+      else
+        entry.first = m_mesh.enough();
     std::stable_sort(m_cells.begin(), m_cells.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
     while(! m_cells.empty() && m_cells.back().first >= m_mesh.enough())
       m_cells.pop_back();
-    m_cells.erase(std::unique(m_cells.begin(), m_cells.end()), m_cells.end());
   }
 
   const Mesh& m_mesh;
