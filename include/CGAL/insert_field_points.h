@@ -38,6 +38,8 @@ namespace CGAL {
  * where that cannot be, at its centroid, unless another vertex is nearer than 0.7 times the size. The point is inserted
  * by the Bowyer-Watson algorithm in the region of the cell: constrained facets and edges, and facets between regions,
  * are neither crossed nor split. Where triangles of the surface are larger than the size, cells at them are, too.
+ * Edges inside that are far too long nevertheless, because cells were not Delaunay, are removed in the end, or get a
+ * point in the middle, unless another vertex is nearer than 0.4 times the size.
  *
  * The triangulation may come from `mark_domain()`, from CGAL's remeshing, or, by `convert_to_triangulation_3()`, from
  * Mesh_3, whose points have weights that nobody asks for. Constrained are the facets for which `is_facet_on_surface()`
