@@ -23,7 +23,8 @@ struct Talking_visitor
 {
   void on_phase_end(const CGAL::Boundary_recovery_3::Phase_report& report)
   {
-    std::cout << to_string(report.phase) << ": " << report.seconds << " s, " << report.lost_edges << " edges lost" << std::endl;
+    std::cout << to_string(report.phase) << ": " << report.seconds << " s, " << report.lost_edges << " edges lost"
+              << std::endl;
   }
 };
 
