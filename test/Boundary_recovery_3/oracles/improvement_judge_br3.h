@@ -556,8 +556,8 @@ private:
   std::map<Two, double> m_lengths;
 };
 
-// Tries an operation on the cells of the domain, which the judge watches. `attempt` returns whether it was done. Returns
-// how often that was so.
+// Tries an operation on the cells of the domain, which the judge watches. `attempt` returns whether it was done.
+// Returns how often that was so.
 template <typename Scene, typename Mesh, typename Attempt>
 int try_on_all_cells(Scene& scene, const Mesh& mesh, const Lengths_slack slack, const Attempt& attempt)
 {

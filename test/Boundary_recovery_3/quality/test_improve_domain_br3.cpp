@@ -1,5 +1,5 @@
-// The improvement as a whole on random constrained meshes, each exchange of cells judged as it happens: never worse, the
-// same again, stopped or interrupted at any time, on triangulations of CGAL's own, too.
+// The improvement as a whole on random constrained meshes, each exchange of cells judged as it happens: never worse,
+// the same again, stopped or interrupted at any time, on triangulations of CGAL's own, too.
 
 #undef NDEBUG // the checks are assertions, also in a Release build
 
