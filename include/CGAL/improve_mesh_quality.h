@@ -34,14 +34,14 @@ namespace CGAL {
  * stays as it is.
  *
  * This is step 7 of [CZZ+17, Section 4.1]. Cells are made better one after the other, the worst ones first: edges and
- * facets are removed, vertices are moved, inserted or removed. Nothing is changed unless it makes the worst of the
- * cells that are concerned better, so no cell is ever worse than the worst one was before.
+ * facets are removed, vertices are moved, inserted or removed. Nothing is changed unless it makes the cells that
+ * are concerned better together, and none of them worse than the worst of them was.
  *
  * The triangulation may come from `insert_field_points()`, from CGAL's remeshing, or, by
  * `convert_to_triangulation_3()`, from Mesh_3. Constrained are the facets for which `is_facet_on_surface()` holds,
- * those between cells of different `subdomain_index()`, and edges that are named; they stay, and so do vertices whose
- * `in_dimension()` is not 3, and those on constrained facets. Other vertices may be moved, and may go, so that handles
- * of them and of cells lose their meaning.
+ * those between cells of different `subdomain_index()`, and edges that are named; they stay, and so do vertices on them,
+ * and those whose `in_dimension()` is 0, 1 or 2. Other vertices may be moved, and may go, so that handles of them and of
+ * cells lose their meaning.
  *
  * For cells that cannot be improved the result tells why: see `Boundary_recovery_3::Quality_certificate_3`.
  *

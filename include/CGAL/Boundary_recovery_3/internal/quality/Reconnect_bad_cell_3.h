@@ -72,7 +72,7 @@ public:
     }
     for(const auto& t : m_tetrahedra)
       badness -= m_mesh.badness(m_search.filter().quality(t[0], t[1], t[2], t[3]));
-    return ! m_tetrahedra.empty() && badness > 0 && are_edges_in_size();
+    return ! m_tetrahedra.empty() && badness > 0 && has_all_vertices() && are_edges_in_size();
   }
 
   // Exchanges the cells, whose orientations are known to be positive.
@@ -168,6 +168,16 @@ private:
             if(m_mesh.domain().is_constrained_edge(c->vertex(i), c->vertex(j)))
               return false;
     return true;
+  }
+
+  // Vertices are not to be lost.
+  bool has_all_vertices() const
+  {
+    return std::all_of(m_vertices.begin(), m_vertices.end(), [this](const Vertex_handle v)
+    {
+      return std::any_of(m_tetrahedra.begin(), m_tetrahedra.end(),
+                         [&](const Tetrahedron& t) { return internal::contains(t, v); });
+    });
   }
 
   // Edges of the old cells may be as they are.
