@@ -39,9 +39,9 @@ namespace CGAL {
  *
  * The triangulation may come from `insert_field_points()`, from CGAL's remeshing, or, by
  * `convert_to_triangulation_3()`, from Mesh_3. Constrained are the facets for which `is_facet_on_surface()` holds,
- * those between cells of different `subdomain_index()`, and edges that are named; they stay, and so do vertices on them,
- * and those whose `in_dimension()` is 0, 1 or 2. Other vertices may be moved, and may go, so that handles of them and of
- * cells lose their meaning.
+ * those between cells of different `subdomain_index()`, and edges that are named; they stay, and so do vertices on
+ * them, and those whose `in_dimension()` is 0, 1 or 2. Other vertices may be moved, and may go, so that handles of them
+ * and of cells lose their meaning.
  *
  * For cells that cannot be improved the result tells why: see `Boundary_recovery_3::Quality_certificate_3`.
  *
