@@ -75,9 +75,11 @@ def mesh_by_us(arguments, surface, options):
         status, output, memory = run_measured([arguments.mesher, surface, "--quiet", "--timing"] + options,
                                               arguments.timeout)
         if status != 0:  # 2: the surface is refused
-            return {"outcome": "invalid_input" if status == 2 else outcome_of(status), "note": (output.strip().splitlines() or [""])[-1]}
+            return {"outcome": "invalid_input" if status == 2 else outcome_of(status),
+                    "note": (output.strip().splitlines() or [""])[-1]}
         rows.append(dict({name: number_after("@@%s (.+)" % word, output) for name, word in
-                          (("recovery", "rec"), ("filling", "fill"), ("total", "tmesh"))}, memory=memory))
+                          (("recovery", "rec"), ("filling", "fill"), ("improvement", "improve"), ("total", "tmesh"))},
+                         memory=memory))
     row = best(rows)
     report = report_of(arguments, surface, options)
     edges = report["number_of_edges_inside"]
@@ -110,6 +112,7 @@ def mesh_by_tetgen(arguments, programs, surface, size):
         if found["outcome"] not in ("ok", "split"):
             return {"outcome": found["outcome"], "note": found.get("note", "")}
         rows.append({"recovery": found["phases_seconds"], "filling": found["steps"].get("Refinement", float("nan")),
+                     "improvement": found["steps"].get("Optimization", float("nan")),
                      "total": found["steps"].get("Total running", found["seconds"]),
                      "memory": found["peak_memory_mb"] * 2 ** 20})
     # a mesh that lacks triangles of the surface is told, not hidden
@@ -272,9 +275,9 @@ def measure_aircraft(arguments, programs, records):
         records.add(dict(key, scale=scale, **row))
 
 
-HEAD = "%-28s %-9s %9s %9s %9s %9s %9s %10s %10s %7s %8s %7s" % (
-    "surface", "program", "points", "cells", "recovery", "filling", "total", "points/s", "cells/s", "B/cell", "in size",
-    "angle")
+HEAD = "%-28s %-9s %9s %9s %9s %9s %11s %9s %10s %10s %7s %8s %7s" % (
+    "surface", "program", "points", "cells", "recovery", "filling", "improvement", "total", "points/s", "cells/s",
+    "B/cell", "in size", "angle")
 
 
 def line_of(r):
@@ -287,9 +290,9 @@ def line_of(r):
         return begin + r["outcome"]
     seconds = r.get("filling", float("nan"))
     rates = ["%.0f" % (r[k] / seconds) if seconds > 0 else "-" for k in ("points", "cells")]
-    return begin + "%9d %9d %9s %9s %9s %10s %10s %7.0f %8s %7s%s" % (
-        r["points"], r["cells"], text("recovery", "%.3f"), text("filling", "%.3f"), text("total", "%.3f"), *rates,
-        r["memory"] / r["cells"], text("share", "%.3f"), text("smallest_angle", "%.2f"),
+    return begin + "%9d %9d %9s %9s %11s %9s %10s %10s %7.0f %8s %7s%s" % (
+        r["points"], r["cells"], text("recovery", "%.3f"), text("filling", "%.3f"), text("improvement", "%.3f"),
+        text("total", "%.3f"), *rates, r["memory"] / r["cells"], text("share", "%.3f"), text("smallest_angle", "%.2f"),
         "" if r["outcome"] == "ok" else "  " + r["outcome"])
 
 
@@ -298,8 +301,8 @@ def print_ratios(rows):
     for peer in ("TetGen", "Gmsh HXT"):
         pairs = [(ours[r["model"], r["size"]], r) for r in rows if r["program"] == peer and r["outcome"] == "ok"
                  and (r["model"], r["size"]) in ours]
-        for key in ("filling", "total", "memory"):
-            some = [(x[key] / x["cells"]) / (y[key] / y["cells"]) for x, y in pairs if x[key] > 0 and y.get(key, 0) > 0]
+        for key in ("filling", "improvement", "total", "memory"):
+            some = [(x[key] / x["cells"]) / (y[key] / y["cells"]) for x, y in pairs if x.get(key, 0) > 0 and y.get(key, 0) > 0]
             if some:
                 print("ours / %s on %d surfaces, %s per cell: %.3f (geometric mean)" % (peer, len(some), key,
                                                                                        geometric_mean(some)))
@@ -318,8 +321,8 @@ def print_summary(rows):
         if kind == "surface":
             print_ratios(some)
         for program in ("ours", "TetGen") if kind == "growth" else ():
-            for key in ("filling", "total", "memory"):
-                points = [(r["cells"], r[key]) for r in some if r["program"] == program and "cells" in r]
+            for key in ("filling", "improvement", "total", "memory"):
+                points = [(r["cells"], r[key]) for r in some if r["program"] == program and "cells" in r and key in r]
                 print("exponent of %s, %s: %.3f" % (key, program, exponent(points)))
 
 
