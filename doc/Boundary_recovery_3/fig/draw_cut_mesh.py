@@ -3,10 +3,14 @@
 Steiner points, the vertices that no boundary triangle has, as red dots if they are few.
 
 usage: draw_cut_mesh.py IN.mesh OUT.svg [WIDTH] [--cut X,Y,Z,D] [--view AZIMUTH,ELEVATION] [--around X,Y,Z,RADIUS]
+                        [--angles]
 
 meshed_wing.svg is the default surface of mesh_surface, cut along the middle of the wing:
   mesh_surface -o wing.mesh
   draw_cut_mesh.py wing.mesh meshed_wing.svg --cut 0,-1,0,0 --view -58,19
+before_improvement.svg and after_improvement.svg are a part of it, without and with step 7, in colours:
+  mesh_surface --no-improvement -o before.mesh && mesh_surface -o after.mesh
+  draw_cut_mesh.py before.mesh before_improvement.svg 620 --cut 0,-1,0,0 --view -90,0 --around 0.6,0,0,1.2 --angles
 recovered_gear.svg is the default surface of recover_boundary:
   recover_boundary -o gear.mesh && draw_cut_mesh.py gear.mesh recovered_gear.svg
 recovered_schoenhardt.svg is the smallest surface of data/meshes that takes a point:
@@ -14,8 +18,9 @@ recovered_schoenhardt.svg is the smallest surface of data/meshes that takes a po
 
 Without --cut, tetrahedra whose centroid lies to the right and to the front of the middle (larger x, smaller y) are left
 out; with it, those whose centroid p has (X,Y,Z) * p > D. Surfaces inside the outer one are drawn as a whole all the same.
---view tells from where the mesh is seen, in degrees, and --around draws only what is in a ball. What is hidden is left out
-of the file. Only Python's standard library is used.
+--view tells from where the mesh is seen, in degrees, and --around draws only what is in a ball. With --angles, the colours
+of what the cut lays bare tell the smallest dihedral angle of the tetrahedron: from red, 0 degrees, over yellow to green,
+40 and more. What is hidden is left out of the file. Only Python's standard library is used.
 """
 import argparse
 import heapq
@@ -68,6 +73,15 @@ def facets(t):
     return (t[1], t[2], t[3]), (t[0], t[3], t[2]), (t[0], t[1], t[3]), (t[0], t[2], t[1])
 
 
+def smallest_angle(points, t):
+    """Of the dihedral angles of a tetrahedron, in degrees."""
+    normals = [n for n in (normal(points, f) for f in facets(t)) if n]
+    if len(normals) < 4:
+        return 0
+    largest_cosine = max(-dot(normals[i], normals[j]) for i in range(4) for j in range(i))
+    return math.degrees(math.acos(max(-1, min(1, largest_cosine))))
+
+
 def is_cut_off(points, cut):
     """A function that tells whether a tetrahedron is left out."""
     middle = [(min(c) + max(c)) / 2 for c in zip(*points)]
@@ -96,7 +110,8 @@ def outer_vertices(points, boundary):
 
 
 def visible_skin(points, tetrahedra, boundary, cut):
-    """The outer triangles, turned outwards, of the tetrahedra that are kept, and inner surfaces as the others see them."""
+    """The outer triangles, turned outwards, of the tetrahedra that are kept, and inner surfaces as the others see them;
+    each with its tetrahedron."""
     leave_out = is_cut_off(points, cut)
     outer = outer_vertices(points, boundary)
     boundary = {frozenset(t) for t in boundary}
@@ -107,11 +122,11 @@ def visible_skin(points, tetrahedra, boundary, cut):
             key = frozenset(f)
             if is_left_out:
                 if key in boundary and f[0] not in outer:
-                    skin[key] = f[::-1]
+                    skin[key] = f[::-1], t
             elif key in skin:
                 del skin[key]  # the other side is a tetrahedron that is kept, too
             else:
-                skin[key] = f
+                skin[key] = f, t
     return skin
 
 
@@ -224,6 +239,13 @@ def colour(base, n):
     return "#%02x%02x%02x" % tuple(min(255, round(c * light * 1.12)) for c in base)
 
 
+def colour_of_angle(degrees):
+    """From red over yellow to green."""
+    x = min(1, degrees / 40)
+    low, high, y = ((214, 48, 39), (254, 224, 120), 2 * x) if x < 0.5 else ((254, 224, 120), (90, 170, 100), 2 * x - 1)
+    return tuple(a + (b - a) * y for a, b in zip(low, high))
+
+
 def path(corners):
     """The first corner, and the ways from each to the next, as short as SVG has them."""
     ways = [minus(q, p) for p, q in zip(corners, corners[1:])]
@@ -231,16 +253,17 @@ def path(corners):
     return text.replace(" -", "-").replace(",-", "-") + "z"
 
 
-def draw(points, tetrahedra, boundary, width, cut, view, around):
+def draw(points, tetrahedra, boundary, width, cut, view, around, has_angles):
     seen = project(points, *view)
     given = {v for t in boundary for v in t}
     is_boundary = {frozenset(t) for t in boundary}
     faces = []
-    for key, f in visible_skin(points, tetrahedra, boundary, cut).items():
+    for key, (f, t) in visible_skin(points, tetrahedra, boundary, cut).items():
         n = normal(seen, f)
         is_near = around is None or all(math.dist(points[v], around[:3]) < around[3] for v in f)
         if n and n[2] > 1e-6 and is_near:  # else it turns its back on the eye
-            faces.append((f, colour(BOUNDARY if key in is_boundary else INSIDE, normal(points, f))))
+            inside = colour_of_angle(smallest_angle(points, t)) if has_angles else INSIDE
+            faces.append((f, colour(BOUNDARY if key in is_boundary else inside, normal(points, f))))
     used = [seen[v] for f, _ in faces for v in f]
     low, high = ([f(p[i] for p in used) for i in (0, 1)] for f in (min, max))
     scale = (width - 2 * MARGIN) / (high[0] - low[0])
@@ -275,8 +298,10 @@ def main():
     parser.add_argument("--cut", type=numbers)
     parser.add_argument("--view", type=numbers, default=(-62, 38))
     parser.add_argument("--around", type=numbers)
+    parser.add_argument("--angles", action="store_true")
     options = parser.parse_args(arguments)
-    picture = draw(*read_medit(options.mesh), options.width, options.cut, options.view, options.around)
+    picture = draw(*read_medit(options.mesh), options.width, options.cut, options.view, options.around,
+                   options.angles)
     with open(options.picture, "w") as file:
         file.write(picture)
     return 0
