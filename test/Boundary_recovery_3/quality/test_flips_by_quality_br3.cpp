@@ -80,6 +80,10 @@ struct Improvement
   {
     mesh.set_enough(kind == 0 ? BR3::Dihedral_angle_quality_3().of_angle(degrees)
                   : kind == 1 ? BR3::Volume_length_quality_3().of_angle(degrees) : 0.9);
+    for(const auto c : scene.cells())
+      if(scene.contains(c))
+        mesh.add_lengths(c);
+    mesh.spread_lengths();
   }
 
   Scene scene;

@@ -63,6 +63,10 @@ struct Improvement
     : scene(seed, options), domain(scene.domain()), quality{ is_random }, mesh(scene.tr, domain, quality, visitor)
   {
     mesh.set_enough(is_random ? 0.9 : BR3::Dihedral_angle_quality_3().of_angle(degrees));
+    for(const auto c : scene.cells())
+      if(scene.contains(c))
+        mesh.add_lengths(c);
+    mesh.spread_lengths();
   }
 
   Scene scene;
@@ -307,6 +311,16 @@ void test_contraction()
 // ------------------------------------------------ which lengths are allowed
 
 // What a constraint allows, spread by going over all edges again and again.
+internal::Allowed_lengths_3<Tr> allowed_lengths(const Improvement& t)
+{
+  internal::Allowed_lengths_3<Tr> lengths(t.scene.tr);
+  for(const Cell_handle c : t.scene.cells())
+    if(t.scene.contains(c))
+      lengths.add(t.domain, c);
+  lengths.spread();
+  return lengths;
+}
+
 void test_allowed_lengths()
 {
   int number_of_spread = 0;
@@ -316,7 +330,7 @@ void test_allowed_lengths()
     options.size = 0.2;
     options.number_of_points = 150;
     Improvement t(seed + 30, options, 30);
-    const internal::Allowed_lengths_3<Tr> lengths(t.scene.tr, t.domain);
+    const internal::Allowed_lengths_3<Tr> lengths = allowed_lengths(t);
     std::map<Vertex_handle, std::array<double, 2> > known;
     const double infinity = std::numeric_limits<double>::infinity();
     for(const Vertex_handle v : t.scene.tr.finite_vertex_handles())
@@ -384,7 +398,7 @@ void test_new_vertex_at_old_place()
   Improvement_options options;
   options.size = 0.2;
   Improvement t(0, options, 30);
-  internal::Allowed_lengths_3<Tr> lengths(t.scene.tr, t.domain);
+  internal::Allowed_lengths_3<Tr> lengths = allowed_lengths(t);
   Vertex_handle corner = t.scene.tr.finite_vertices_begin();
   for(const Vertex_handle v : t.scene.tr.finite_vertex_handles())
     if(lengths.at(v, v).largest > 2 * v->meshing_info())
@@ -401,7 +415,9 @@ void test_list_of_bad_cells()
 {
   Improvement t(5, Improvement_options(), 30);
   internal::Bad_cells_3<Mesh> bad_cells(t.mesh);
-  bad_cells.collect();
+  for(const Cell_handle c : t.scene.cells())
+    if(t.scene.contains(c))
+      bad_cells.push(c);
   std::set<Cell_handle> expected;
   double badness = 0;
   for(const Cell_handle c : t.scene.cells())

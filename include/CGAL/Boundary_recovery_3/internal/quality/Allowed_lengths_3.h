@@ -63,7 +63,7 @@ public:
   {
     if constexpr(Has_meshing_info<typename Tr::Vertex>::value)
       for(int i = 0; i < 4; ++i)
-        if(may_be_constrained(c, i) && domain.is_wall(c, i))
+        if(may_be_wall<Domain>(c, i) && domain.is_wall(c, i))
           add_facet(c, i);
   }
 
@@ -126,9 +126,10 @@ private:
   }
 
   // Asks the vertices, if they know; that is cheaper than to ask the cell behind the facet.
-  static bool may_be_constrained(const Cell_handle c, const int i)
+  template <typename Domain>
+  static bool may_be_wall(const Cell_handle c, const int i)
   {
-    if constexpr(Has_vertex_indices<typename Tr::Vertex>::value)
+    if constexpr(Has_vertex_indices<typename Tr::Vertex>::value && ! Domain::has_selection)
       for(int k = 0; k < 4; ++k)
         if(k != i && c->vertex(k)->in_dimension() == 3)
           return false;

@@ -44,27 +44,11 @@ public:
 
   Insert_into_bad_cell_3(Mesh& mesh, const typename Mesh::Quality& quality) : m_mesh(mesh), m_best_point(quality) { }
 
-  // Searches for a point. Returns whether the cells would be less bad then, and none worse than the worst one now.
+  // Searches for a point. Returns whether the cells would be less bad then, and none worse than the worst one now. The
+  // first point is in the cell, so if that is flat and at a wall, it is in the plane of the wall.
   bool find(const Cell_handle c)
   {
-    const double enough = m_mesh.enough();
-    start(c);
-    for(int turn = 0; turn < max_number_of_turns; ++turn)
-    {
-      const bool has_grown = grow(enough);
-      if(turn > 0 && ! has_grown)
-        break;
-      if(! is_no_vertex_inside() || has_constrained_edge_inside())
-        return false;
-      set_faces(enough);
-      Coordinates_3 p = m_point;
-      m_best_point.improve(p, [](const Coordinates_3&) { return true; });
-      m_point = p;
-      m_quality = m_best_point.worst_quality(p);
-      if(m_quality >= enough)
-        break;
-    }
-    return m_quality > m_worst && is_less_bad() && is_in_size();
+    return find(c, true) || (m_mesh.quality(c) < nearly_flat * m_mesh.enough() && find(c, false));
   }
 
   // Inserts the vertex. Returns false, and does nothing, if a new cell is not positively oriented.
@@ -95,6 +79,29 @@ private:
   // See "Tuning constants" in the manual.
   static constexpr int max_number_of_turns = 3;
   static constexpr std::size_t max_number_of_cells = 30;
+  static constexpr double nearly_flat = 0.1;
+
+  bool find(const Cell_handle c, const bool minds_walls)
+  {
+    const double enough = m_mesh.enough();
+    start(c);
+    for(int turn = 0; turn < max_number_of_turns; ++turn)
+    {
+      const bool has_grown = grow(enough, minds_walls);
+      if(turn > 0 && ! has_grown)
+        break;
+      if(! is_no_vertex_inside() || has_constrained_edge_inside())
+        return false;
+      set_faces(enough);
+      Coordinates_3 p = m_point;
+      m_best_point.improve(p, [](const Coordinates_3&) { return true; });
+      m_point = p;
+      m_quality = m_best_point.worst_quality(p);
+      if(m_quality >= enough)
+        break;
+    }
+    return m_quality > m_worst && is_less_bad() && is_in_size();
+  }
 
   void start(const Cell_handle c)
   {
@@ -106,8 +113,9 @@ private:
     m_worst = m_quality = m_mesh.quality(c);
   }
 
-  // Takes in the cell behind the worst face, again and again. Returns whether there was one.
-  bool grow(const double enough)
+  // Takes in the cell behind the worst face, again and again, until that is a wall, or all are good enough. If walls
+  // are not minded, that is done at the other faces. Returns whether there was a cell.
+  bool grow(const double enough, const bool minds_walls)
   {
     bool has_grown = false;
     while(m_cells.size() < max_number_of_cells)
@@ -117,19 +125,21 @@ private:
       for(const Face& f : m_faces)
       {
         const double q = quality(f);
-        if(q < worst)
+        if(q < worst && (minds_walls || ! is_wall(f)))
         {
           worst = q;
           face = &f;
         }
       }
-      if(face == nullptr || m_mesh.domain().is_wall(face->cell, face->index))
+      if(face == nullptr || is_wall(*face))
         break;
       take_in(face->cell->neighbor(face->index));
       has_grown = true;
     }
     return has_grown;
   }
+
+  bool is_wall(const Face& f) const { return m_mesh.domain().is_wall(f.cell, f.index); }
 
   double quality(const Face& f) const
   {
