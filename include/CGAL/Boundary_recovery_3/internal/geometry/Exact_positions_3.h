@@ -83,11 +83,12 @@ public:
   Exact_point_3 operator()(const Vertex_handle v) const
   {
     if constexpr(is_kernel_exact)
-      return v->point();
+      return internal::bare_point<Point_3>(v->point());
     else
     {
       const Position* const position = find(v);
-      return position == nullptr ? Cartesian_converter<Kernel, Exact_kernel>()(v->point()) : position->exact;
+      const Cartesian_converter<Kernel, Exact_kernel> to_exact;
+      return position == nullptr ? to_exact(internal::bare_point<Point_3>(v->point())) : position->exact;
     }
   }
 

@@ -63,7 +63,7 @@ public:
 
   Approximate_point approximate_point(const Vertex_handle v) const
   {
-    const Point_3& p = v->point();
+    const Point_3& p = point(v);
     return Approximate_point(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
   }
 
@@ -72,7 +72,7 @@ public:
   {
     const Position* const position = m_positions == nullptr ? nullptr : m_positions->find(v);
     if(position == nullptr)
-      return v->point().bbox();
+      return point(v).bbox();
     const auto& box = position->box;
     return Bbox_3(box.x().inf(), box.y().inf(), box.z().inf(), box.x().sup(), box.y().sup(), box.z().sup());
   }
@@ -95,7 +95,7 @@ public:
   {
     if(has_exact_position(p, q, r))
       return typename Exact_kernel::Collinear_3()((*m_positions)(p), (*m_positions)(q), (*m_positions)(r));
-    return m_coplanar_orientation(p->point(), q->point(), r->point()) == COLLINEAR;
+    return m_coplanar_orientation(point(p), point(q), point(r)) == COLLINEAR;
   }
 
   // For coplanar p, q, r, s: POSITIVE if r and s are on the same side of the line pq, NEGATIVE if on opposite sides,
@@ -108,7 +108,7 @@ public:
     if(has_exact_position(p, q, r, s))
       return typename Exact_kernel::Coplanar_orientation_3()((*m_positions)(p), (*m_positions)(q),
                                                              (*m_positions)(r), (*m_positions)(s));
-    return m_coplanar_orientation(p->point(), q->point(), r->point(), s->point());
+    return m_coplanar_orientation(point(p), point(q), point(r), point(s));
   }
 
   // Whether the segments uv and pq cross, known to be coplanar.
