@@ -51,6 +51,14 @@ public:
   {
     double least;
     double largest;
+
+    bool contains(const double length) const { return length >= least && length <= largest; }
+
+    void include(const double length)
+    {
+      least = (std::min)(least, length);
+      largest = (std::max)(largest, length);
+    }
   };
 
   explicit Allowed_lengths_3(const Tr& tr)
@@ -146,23 +154,20 @@ private:
           Range& range = m_of_constraints[c->vertex(k)];
           if(range.largest == 0)
             m_constrained_vertices.push_back(c->vertex(k));
-          range.least = (std::min)(range.least, d);
-          range.largest = (std::max)(range.largest, d);
+          range.include(d);
         }
   }
 
   void spread_least()
   {
-    spread(
-           [this](const Vertex_handle v) { return - m_of_constraints[v].least; },
+    spread([this](const Vertex_handle v) { return - m_of_constraints[v].least; },
            [this](const Vertex_handle v) { return - least(v); },
            [this](const Vertex_handle v, const double x) { m_of_constraints[v].least = -x; }, 0.5);
   }
 
   void spread_largest()
   {
-    spread(
-           [this](const Vertex_handle v) { return m_of_constraints[v].largest; },
+    spread([this](const Vertex_handle v) { return m_of_constraints[v].largest; },
            [this](const Vertex_handle v) { return (std::max)(2 * size(v), m_of_constraints[v].largest); },
            [this](const Vertex_handle v, const double x) { m_of_constraints[v].largest = x; }, 1);
   }
@@ -229,9 +234,9 @@ public:
     for(const Vertex_handle u : neighbors)
     {
       const Coordinates_3 p = internal::coordinates_of(u->point());
-      const double d = internal::distance(before, p);
-      const auto range = lengths.at(v, u);
-      add(p, (std::min)(range.least, d), (std::max)(range.largest, d));
+      auto range = lengths.at(v, u);
+      range.include(internal::distance(before, p));
+      m_limits.push_back(Limit{ p, range.least * range.least, range.largest * range.largest });
     }
   }
 
@@ -252,11 +257,6 @@ private:
     double least;
     double largest;
   };
-
-  void add(const Coordinates_3& center, const double least, const double largest)
-  {
-    m_limits.push_back(Limit{ center, least * least, largest * largest });
-  }
 
   std::vector<Limit> m_limits;
 };

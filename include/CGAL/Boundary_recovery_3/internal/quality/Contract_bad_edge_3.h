@@ -46,18 +46,12 @@ public:
     m_to = Vertex_handle();
     if(! m_star.collect(v))
       return false;
-    m_worst = 2;
-    double badness = 0;
-    for(const Cell_handle c : m_star.cells())
-    {
-      const double q = m_mesh.quality(c);
-      m_worst = (std::min)(m_worst, q);
-      badness += m_mesh.badness(q);
-    }
-    m_least = badness - least_gain;
+    const auto account = m_mesh.account_of(m_star.cells());
+    m_worst = account.worst;
+    m_least = account.badness - least_gain;
     for(const Vertex_handle u : m_star.neighbors())
       look_at(u);
-    m_gain = badness - m_least;
+    m_gain = account.badness - m_least;
     return m_to != Vertex_handle();
   }
 
@@ -91,8 +85,7 @@ private:
     for(const auto& f : m_star.faces())
       if(! internal::contains(f, u))
       {
-        const double q = m_mesh.quality({{ Mesh::coordinates(f[0]), Mesh::coordinates(f[1]),
-                                           Mesh::coordinates(f[2]), p }});
+        const double q = m_mesh.quality(f, p);
         badness += m_mesh.badness(q);
         if(q < m_worst || ! (badness < m_least))
           return;

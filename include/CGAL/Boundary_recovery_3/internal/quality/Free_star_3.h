@@ -14,8 +14,8 @@
 
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_indices.h>
+#include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 
-#include <algorithm>
 #include <array>
 #include <iterator>
 #include <vector>
@@ -67,7 +67,7 @@ public:
     m_neighbors.clear();
     for(const Face& f : m_faces)
       for(const Vertex_handle u : f)
-        if(std::find(m_neighbors.begin(), m_neighbors.end(), u) == m_neighbors.end())
+        if(! internal::contains(m_neighbors, u))
           m_neighbors.push_back(u);
     return m_neighbors;
   }

@@ -71,6 +71,17 @@ public:
   double quality(const Corners& corners) const { return m_quality(corners); }
   double quality(const Cell_handle c) const { return m_quality(internal::corners(c)); }
 
+  // That of the cell of a face, seen from inside, and a point.
+  double quality(const std::array<Vertex_handle, 3>& face, const Coordinates_3& p) const
+  {
+    return m_quality({{ coordinates(face[0]), coordinates(face[1]), coordinates(face[2]), p }});
+  }
+
+  double quality(const Tetrahedron& t) const
+  {
+    return m_quality({{ coordinates(t[0]), coordinates(t[1]), coordinates(t[2]), coordinates(t[3]) }});
+  }
+
   // From now on, cells better than this need not be any better.
   void set_enough(const double quality)
   {
@@ -84,6 +95,26 @@ public:
   {
     const double lack = 1 - quality * m_inverse;
     return lack > 0 ? lack * lack : 0;
+  }
+
+  // What cells, or tetrahedra that are none yet, are together: the quality of the worst one, and the sum of badness.
+  struct Account
+  {
+    double worst = 2;
+    double badness = 0;
+  };
+
+  template <typename CellRange>
+  Account account_of(const CellRange& cells) const
+  {
+    Account account;
+    for(const auto& c : cells)
+    {
+      const double q = quality(c);
+      account.worst = (std::min)(account.worst, q);
+      account.badness += badness(q);
+    }
+    return account;
   }
 
   bool is_positive(const Vertex_handle p, const Vertex_handle q, const Vertex_handle r, const Vertex_handle s) const
@@ -102,16 +133,14 @@ public:
   // that goes for it.
   bool is_edge_in_size(const Vertex_handle u, const Vertex_handle v, const double length_before) const
   {
-    const auto range = m_lengths.at(u, v);
-    const double length = internal::distance(coordinates(u), coordinates(v));
-    return length >= (std::min)(range.least, length_before) && length <= (std::max)(range.largest, length_before);
+    auto range = m_lengths.at(u, v);
+    range.include(length_before);
+    return range.contains(distance(u, v));
   }
 
   bool is_edge_in_size(const Vertex_handle u, const Vertex_handle v) const
   {
-    const auto range = m_lengths.at(u, v);
-    const double length = internal::distance(coordinates(u), coordinates(v));
-    return length >= range.least && length <= range.largest;
+    return m_lengths.at(u, v).contains(distance(u, v));
   }
 
   const Allowed_lengths_3<Tr>& allowed_lengths() const { return m_lengths; }
@@ -124,7 +153,7 @@ public:
   static double size(const Vertex_handle v) { return Allowed_lengths_3<Tr>::size(v); }
 
   // Exchanges cells of a region for the star of a new vertex at p, which has this size, and edges that may have the
-  // length `least`. The faces, seen from inside, are those of the cells.
+  // length `least`. The `vertices` of the faces, seen from inside, are those of the outer facets of the cells.
   template <typename CellRange, typename FaceRange>
   const Cells& star(const CellRange& old_cells, const FaceRange& faces, const Point_3& p, const double size,
                     const double least)
@@ -133,7 +162,7 @@ public:
     try {
       m_star.clear();
       for(const auto& f : faces)
-        m_star.push_back(Tetrahedron{{ f[0], f[1], f[2], v }});
+        m_star.push_back(Tetrahedron{{ f.vertices[0], f.vertices[1], f.vertices[2], v }});
       return replace(old_cells, m_star);
     } catch(...) {
       if(v->cell() == Cell_handle()) // else the star is there, and the visitor threw afterwards
@@ -168,6 +197,11 @@ public:
   }
 
 private:
+  static double distance(const Vertex_handle u, const Vertex_handle v)
+  {
+    return internal::distance(coordinates(u), coordinates(v));
+  }
+
   Vertex_handle create_vertex(const Point_3& p, const Subdomain_index region, const double size, const double least)
   {
     const Vertex_handle v = m_tr.tds().create_vertex();

@@ -32,7 +32,7 @@ namespace internal {
  * Inserts a vertex into a bad cell: the cell and some around it are exchanged for the star of a new vertex.
  *
  * The cavity grows where the star would have its worst cell, as long as that helps; then the point is moved to where
- * the worst cell is the best; and so on in turns. Nothing is changed before the whole star is known to be better.
+ * the cells are less bad; and so on in turns. Nothing is changed before the whole star is known to be better.
  */
 template <typename Mesh>
 class Insert_into_bad_cell_3
@@ -58,10 +58,7 @@ public:
     for(const Face& f : m_faces)
       if(! m_mesh.is_positive(Mesh::point(f.vertices[0]), Mesh::point(f.vertices[1]), Mesh::point(f.vertices[2]), p))
         return false;
-    m_face_vertices.clear();
-    for(const Face& f : m_faces)
-      m_face_vertices.push_back(f.vertices);
-    m_new_cells = &m_mesh.star(m_cells, m_face_vertices, p, m_size, m_least);
+    m_new_cells = &m_mesh.star(m_cells, m_faces, p, m_size, m_least);
     return true;
   }
 
@@ -93,10 +90,8 @@ private:
       if(! is_no_vertex_inside() || has_constrained_edge_inside())
         return false;
       set_faces(enough);
-      Coordinates_3 p = m_point;
-      m_best_point.improve(p, [](const Coordinates_3&) { return true; });
-      m_point = p;
-      m_quality = m_best_point.worst_quality(p);
+      m_best_point.improve(m_point, [](const Coordinates_3&) { return true; });
+      m_quality = m_best_point.worst_quality(m_point);
       if(m_quality >= enough)
         break;
     }
@@ -141,11 +136,7 @@ private:
 
   bool is_wall(const Face& f) const { return m_mesh.domain().is_wall(f.cell, f.index); }
 
-  double quality(const Face& f) const
-  {
-    return m_mesh.quality({{ Mesh::coordinates(f.vertices[0]), Mesh::coordinates(f.vertices[1]),
-                             Mesh::coordinates(f.vertices[2]), m_point }});
-  }
+  double quality(const Face& f) const { return m_mesh.quality(f.vertices, m_point); }
 
   void take_in(const Cell_handle c)
   {
@@ -200,9 +191,7 @@ private:
 
   bool is_less_bad() const
   {
-    double gain = 0;
-    for(const Cell_handle c : m_cells)
-      gain += m_mesh.badness(m_mesh.quality(c));
+    double gain = m_mesh.account_of(m_cells).badness;
     for(const Face& f : m_faces)
       gain -= m_mesh.badness(quality(f));
     return gain > 0;
@@ -251,7 +240,6 @@ private:
   std::vector<Cell_handle> m_cells;
   std::vector<Face> m_faces;
   std::vector<Vertex_handle> m_vertices;
-  std::vector<std::array<Vertex_handle, 3> > m_face_vertices;
   const Cells* m_new_cells = nullptr;
 };
 

@@ -49,30 +49,24 @@ public:
   {
     if(! collect_polyhedron(c))
       return false;
-    double worst = 2, badness = 0;
-    for(const Cell_handle d : m_cells)
-    {
-      const double q = m_mesh.quality(d);
-      worst = (std::min)(worst, q);
-      badness += m_mesh.badness(q);
-    }
+    auto account = m_mesh.account_of(m_cells);
+    const double badness_before = account.badness;
     m_tetrahedra.clear();
     m_search.forget(); // vertices may have moved
-    for(int turn = 0; turn < max_number_of_turns && worst < m_mesh.enough(); ++turn)
+    for(int turn = 0; turn < max_number_of_turns && account.worst < m_mesh.enough(); ++turn)
     {
-      m_search.filter().bound = worst;
+      m_search.filter().bound = account.worst;
       const std::array<std::array<Vertex_handle, 2>, 0> no_edges = {};
       const std::array<std::array<Vertex_handle, 3>, 0> no_facets = {};
       if(m_search(m_cells, no_edges, no_facets, Vertex_handle(), bounds) != Search::FOUND)
         break;
       m_tetrahedra = m_search.tetrahedra();
-      worst = 2;
-      for(const auto& t : m_tetrahedra)
-        worst = (std::min)(worst, m_search.filter().quality(t[0], t[1], t[2], t[3]));
+      account = m_mesh.account_of(m_tetrahedra);
     }
+    double gain = badness_before;
     for(const auto& t : m_tetrahedra)
-      badness -= m_mesh.badness(m_search.filter().quality(t[0], t[1], t[2], t[3]));
-    return ! m_tetrahedra.empty() && badness > 0 && has_all_vertices() && are_edges_in_size();
+      gain -= m_mesh.badness(m_mesh.quality(t));
+    return ! m_tetrahedra.empty() && gain > 0 && has_all_vertices() && are_edges_in_size();
   }
 
   // Exchanges the cells, whose orientations are known to be positive.
@@ -89,15 +83,9 @@ private:
     const Mesh* mesh;
     double bound;
 
-    double quality(const Vertex_handle p, const Vertex_handle q, const Vertex_handle r, const Vertex_handle s) const
-    {
-      return mesh->quality({{ Mesh::coordinates(p), Mesh::coordinates(q), Mesh::coordinates(r),
-                              Mesh::coordinates(s) }});
-    }
-
     bool operator()(const Vertex_handle p, const Vertex_handle q, const Vertex_handle r, const Vertex_handle s) const
     {
-      return quality(p, q, r, s) > bound;
+      return mesh->quality(typename Mesh::Tetrahedron{{ p, q, r, s }}) > bound;
     }
   };
 

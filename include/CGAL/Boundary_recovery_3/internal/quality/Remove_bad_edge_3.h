@@ -25,11 +25,11 @@ namespace internal {
 
 /*
  * The shell transformation that is led by quality alone, and removes the supporting edge [CZZ+17, Sections 1.3 and 2]:
- * the covering mesh of the shell is exchanged for the complete triangulation of the skirt polygon whose worst cell is
- * the best, if that is better than the worst one now.
+ * the covering mesh of the shell is exchanged for the complete triangulation of the skirt polygon whose cells are the
+ * least bad together, of those that have no cell worse than the worst one now.
  *
  * The best triangulation is found by dynamic programming over the intervals of the skirt polygon (Klincsek). Whatever
- * cannot be better than the worst cell now is not looked at.
+ * is worse already is not looked at.
  */
 template <typename Mesh>
 class Remove_bad_edge_3
@@ -50,18 +50,12 @@ public:
   {
     if(! collect_shell(c, i, j))
       return false;
-    double worst = 2, badness = 0;
-    for(const Cell_handle cell : m_cells)
-    {
-      const double q = m_mesh.quality(cell);
-      worst = (std::min)(worst, q);
-      badness += m_mesh.badness(q);
-    }
-    const double bound = badness - least_gain;
+    const auto account = m_mesh.account_of(m_cells);
+    const double bound = account.badness - least_gain;
     if(! (bound > 0))
       return false;
-    const double least = least_badness(worst, bound);
-    m_gain = badness - least;
+    const double least = least_badness(account.worst, bound);
+    m_gain = account.badness - least;
     return least < bound;
   }
 

@@ -55,8 +55,6 @@ public:
     m_q = n->vertex(n->index(c));
     if(! m_mesh.is_edge_in_size(m_p, m_q))
       return false;
-    m_at_p = Mesh::coordinates(m_p);
-    m_at_q = Mesh::coordinates(m_q);
     m_cells.clear();
     m_tetrahedra.clear();
     m_worst = (std::min)(m_mesh.quality(c), m_mesh.quality(n));
@@ -113,7 +111,7 @@ private:
   // The edge stays: it gets a cell with the new edge.
   bool close(const Open_edge& e)
   {
-    const double q = m_mesh.quality({{ Mesh::coordinates(e.u), Mesh::coordinates(e.v), m_at_q, m_at_p }});
+    const double q = m_mesh.quality(Tetrahedron{{ e.u, e.v, m_q, m_p }});
     if(q < m_worst)
       return false;
     m_gain -= m_mesh.badness(q);
@@ -151,7 +149,6 @@ private:
 
   Mesh& m_mesh;
   Vertex_handle m_p, m_q;
-  Coordinates_3 m_at_p, m_at_q;
   double m_worst = 0; // of the first two cells
   double m_gain = 0;
   boost::container::static_vector<Cell_handle, 2 * max_number_of_facets> m_cells;

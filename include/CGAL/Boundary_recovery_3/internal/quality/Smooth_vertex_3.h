@@ -51,7 +51,7 @@ void forget_shape(Cell& c)
 }
 
 /*
- * Moves a free vertex to where the worst of the cells around it is better.
+ * Moves a free vertex to where the cells around it are less bad, and none is worse than the worst one was.
  */
 template <typename Mesh>
 class Smooth_vertex_3

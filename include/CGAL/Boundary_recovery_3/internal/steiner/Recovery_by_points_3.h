@@ -41,8 +41,8 @@ namespace internal {
  * The recovery by Steiner points: the main procedure and the postprocessing of [CZZ+17, Section 4].
  *
  * The phases can be run one by one. operator() runs them all as a transaction: if they do not lead to what the mode
- * wants, the mesh is put back, and other points are tried. Where
- * many edges are of no facet, these are recovered one by one before, each as a transaction of its own.
+ * wants, the mesh is put back, and other points are tried. Where many edges are of no facet, these are recovered one by
+ * one before, each as a transaction of its own.
  */
 template <typename Tr, typename Visitor>
 class Recovery_by_points_3
