@@ -478,7 +478,7 @@ private:
                             br3_test::to_rational(c.corners[2]), br3_test::to_rational(c.corners[3]));
   }
 
-  // Cells of one region of the domain are exchanged for better ones.
+  // Cells of one region of the domain are exchanged for better ones, or for good ones.
   void check_exchange(const Cells& gone, const Cells& come) const
   {
     assert(! gone.empty() && ! come.empty());
@@ -502,7 +502,7 @@ private:
       badness_after += lack(m_mesh.quality(c.second.corners));
     }
     assert(sum == 0);
-    assert(worst_after >= worst - rounding && badness_after < badness + 1e-14);
+    assert(worst_after >= (std::min)(worst, m_mesh.enough()) - rounding && badness_after < badness + 1e-14);
   }
 
   double lack(const double quality) const

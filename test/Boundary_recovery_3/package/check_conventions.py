@@ -63,9 +63,9 @@ FLOORS = [
     "Boundary_recovery_3/Bounded_sizing_field_3.h",
     "Boundary_recovery_3/Region_sizing_field_3.h",
     "insert_field_points.h",
+    "Boundary_recovery_3/Cell_quality_3.h",
     "quality",      # angles of cells, their improvement, and what is to be said about those that stay bad
     "Boundary_recovery_3/mesh_quality.h",
-    "Boundary_recovery_3/Cell_quality_3.h",
     "improve_mesh_quality.h",
     "meshing",      # all steps, one after the other
     "make_boundary_constrained_mesh_3.h",

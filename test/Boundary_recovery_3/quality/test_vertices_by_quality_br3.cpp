@@ -1,6 +1,6 @@
-// Smoothing, contraction and insertion, led by quality, on random constrained meshes, judged after each step; where
-// the best point is, which vertices are free, which edge is contracted, and which lengths are allowed, against slow
-// references.
+// Smoothing of both kinds, contraction and insertion, led by quality, on random constrained meshes, judged after each
+// step; where the best point is, which vertices are free, which edge is contracted, and which lengths are allowed,
+// against slow references.
 
 #undef NDEBUG // the checks are assertions, also in a Release build
 
@@ -8,9 +8,12 @@
 
 #include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/Cell_quality_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Cell_shape_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/forget_shape.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Allowed_lengths_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Bad_cells_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Best_point_in_star_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Center_vertex_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Contract_bad_edge_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Free_star_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Improved_mesh_3.h>
@@ -112,6 +115,35 @@ std::array<int, 3> test_all_steps(const unsigned seed)
     assert(v->meshing_info() >= options.size && v->meshing_info() <= 2 * options.size);
   }
   return number;
+}
+
+// How round the cells of the mesh at a vertex are together.
+double roundness_at(const Scene& scene, const Vertex_handle v)
+{
+  double sum = 0;
+  for(const Cell_handle c : scene.tr.finite_cell_handles())
+    if(c->has_vertex(v))
+      sum += BR3::Volume_length_quality_3()(internal::corners(c));
+  return sum;
+}
+
+// Vertices go where cells are rounder, as the judge allows. Returns how many did.
+int test_centered_vertices(const unsigned seed)
+{
+  Improvement_options options;
+  options.size = seed % 3 == 0 ? 0.06 : seed % 3 == 1 ? 0.16 : 0;
+  options.number_of_points = 120;
+  Improvement t(seed, options, 10 + seed % 4 * 15, seed == 5);
+  internal::Center_vertex_3<Mesh> center(t.mesh);
+  int vertex = 0;
+  return try_on_all_cells(t.scene, t.mesh, Lengths_slack::none, [&](const Cell_handle c)
+  {
+    const Vertex_handle v = c->vertex(++vertex % 4);
+    const double before = roundness_at(t.scene, v);
+    const bool is_moved = center(v);
+    assert(! is_moved || roundness_at(t.scene, v) > before);
+    return is_moved;
+  });
 }
 
 // ------------------------------------------------ which vertices are free, and where they go
@@ -460,6 +492,24 @@ void test_list_of_bad_cells()
   assert(! bad_cells.has_changed(changed));
 }
 
+// What cells remember of their shape is forgotten where they have such a memory, and nothing else happens.
+struct Cell_with_memory
+{
+  bool has_circumcenter = true, has_quality = true;
+  void invalidate_weighted_circumcenter_cache() { has_circumcenter = false; }
+  void reset_cache_validity() { has_quality = false; }
+};
+
+void test_forgotten_shapes()
+{
+  Cell_with_memory c;
+  internal::forget_shape(c);
+  assert(! c.has_circumcenter && ! c.has_quality);
+  int without_memory = 1;
+  internal::forget_shape(without_memory);
+  assert(without_memory == 1);
+}
+
 int main()
 {
   std::array<int, 3> number = {{ 0, 0, 0 }};
@@ -471,7 +521,13 @@ int main()
   }
   std::cout << number[0] << " moved, " << number[1] << " removed, " << number[2] << " inserted" << std::endl;
   assert(number[0] > 50 && number[1] > 50 && number[2] > 50);
+  int number_of_centered_vertices = 0;
+  for(unsigned seed = 0; seed < 6; ++seed)
+    number_of_centered_vertices += test_centered_vertices(seed);
+  std::cout << number_of_centered_vertices << " centered" << std::endl;
+  assert(number_of_centered_vertices > 50);
   test_free_vertices();
+  test_forgotten_shapes();
   test_best_points();
   test_contraction();
   test_allowed_lengths();

@@ -39,12 +39,13 @@ public:
   // Begins anew, with the same cells.
   void forget_changes() { m_last_change.clear(m_round = 0); }
 
-  // A cell of the domain may be bad.
-  void push(const Cell_handle c)
+  // A cell of the domain may be bad. Returns its quality.
+  double push(const Cell_handle c)
   {
     const double q = m_mesh.quality(c);
     if(q < m_mesh.enough())
       m_cells.emplace_back(q, c);
+    return q;
   }
 
   template <typename CellRange>

@@ -13,7 +13,7 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/filling/Unit_frame_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/Cell_shape_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Cell_shape_3.h>
 
 #include <CGAL/number_utils.h>
 

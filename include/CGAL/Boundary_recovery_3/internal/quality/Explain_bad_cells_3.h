@@ -16,7 +16,7 @@
 #include <CGAL/Boundary_recovery_3/internal/filling/Unit_frame_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Cell_angles_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/Cell_shape_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Cell_shape_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Edge_walk_3.h>
 
 #include <algorithm>

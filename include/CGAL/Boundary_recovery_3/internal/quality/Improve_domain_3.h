@@ -15,6 +15,7 @@
 #include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_result_3.h>
 #include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Bad_cells_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Center_vertex_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Contract_bad_edge_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Flip_bad_cell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Improved_mesh_3.h>
@@ -25,6 +26,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -38,31 +40,34 @@ namespace internal {
  * No operation leaves a cell that is worse than the worst one of those that it changes, and each makes the sum of the
  * badness of the cells smaller. So the work ends, and the worst cell of the mesh does not get worse.
  *
- * At last, only those cells count that are really bad; then others may get worse for them.
+ * Then, only those cells count that are really bad, and others may get worse for them. At last, all the others get
+ * rounder, where that is for nothing.
  */
 template <typename Tr, typename Domain, typename Quality, typename Visitor>
 class Improve_domain_3
 {
 public:
-  typedef typename Tr::Cell_handle Cell_handle;
+  typedef typename Tr::Vertex_handle Vertex_handle;
+  typedef typename Tr::Cell_handle   Cell_handle;
 
   Improve_domain_3(Tr& tr, Domain& domain, const Quality& quality, Recovery_context<Visitor>& context)
     : m_quality(quality), m_context(context), m_mesh(tr, domain, quality, context.visitor()), m_bad_cells(m_mesh),
-      m_flip(m_mesh), m_contract(m_mesh), m_smooth(m_mesh, quality), m_insert(m_mesh, quality), m_reconnect(m_mesh)
+      m_flip(m_mesh), m_contract(m_mesh), m_smooth(m_mesh, quality), m_insert(m_mesh, quality), m_reconnect(m_mesh),
+      m_center(m_mesh)
   { }
 
   // The dihedral angle, in degrees, that no cell is to be below. To be set before cells are added.
   void set_target(const double min_dihedral_angle)
   {
     m_target = min_dihedral_angle;
-    m_mesh.set_enough(m_quality.of_angle(m_target));
+    set_enough(m_target);
   }
 
   // To be called for each cell of the domain.
   void add(const Cell_handle c)
   {
     m_mesh.add_lengths(c);
-    m_bad_cells.push(c);
+    m_worst = (std::min)(m_worst, m_bad_cells.push(c));
   }
 
   // Improves the mesh until all cells are good, or nothing helps, or the context says stop.
@@ -72,10 +77,12 @@ public:
     improve(max_number_of_rounds, false);
     if(m_target > really_bad_angle)
     {
-      m_mesh.set_enough(m_quality.of_angle(really_bad_angle));
+      set_enough(really_bad_angle);
       m_bad_cells.forget_changes();
       improve(max_number_of_last_rounds, true);
     }
+    if(m_target > 0)
+      center_vertices();
     tell_progress(m_number_of_visits);
   }
 
@@ -103,6 +110,8 @@ private:
   static constexpr std::size_t max_number_of_flips = 50;
   static constexpr std::size_t visits_per_report = 2048;
   static constexpr std::size_t expected_number_of_visits = 3; // of each cell that is bad at first
+
+  void set_enough(const double degrees) { m_mesh.set_enough(m_quality.of_angle(degrees)); }
 
   void improve(const int max_number, const bool reconnects)
   {
@@ -201,6 +210,18 @@ private:
     return is_changed;
   }
 
+  // If all cells are better than asked for, none gets worse than the worst one was.
+  void center_vertices()
+  {
+    m_mesh.set_enough((std::max)(m_quality.of_angle(m_target), m_worst));
+    for(const Vertex_handle v : m_mesh.triangulation().finite_vertex_handles())
+    {
+      if(! m_context.go_further_after_short_step())
+        break;
+      m_counts.number_of_moved_vertices += m_center(v);
+    }
+  }
+
   bool insert(const Cell_handle c)
   {
     if(! m_insert.find(c) || ! m_insert.apply())
@@ -239,9 +260,11 @@ private:
   Smooth_vertex_3<Mesh> m_smooth;
   Insert_into_bad_cell_3<Mesh> m_insert;
   Reconnect_bad_cell_3<Mesh> m_reconnect;
+  Center_vertex_3<Mesh> m_center;
   Quality_improvement_counts m_counts;
   std::vector<Cell_handle> m_stack;
   double m_target = 0;
+  double m_worst = std::numeric_limits<double>::infinity(); // of the qualities of all cells at first
   int m_round = 0;
   bool m_reconnects = false;
   std::size_t m_number_of_visits = 0;

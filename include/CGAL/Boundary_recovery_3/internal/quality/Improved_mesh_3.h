@@ -16,10 +16,10 @@
 #include <CGAL/Boundary_recovery_3/internal/filling/distances_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Cell_replacement.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mark_domain_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/forget_shape.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_indices.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Allowed_lengths_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/bare_point.h>
-
 
 #include <CGAL/enum.h>
 
@@ -151,6 +151,20 @@ public:
   void spread_lengths() { m_lengths.spread(); }
 
   static double size(const Vertex_handle v) { return Allowed_lengths_3<Tr>::size(v); }
+
+  // Moves the vertex of the star of these cells and faces, if all of the cells are oriented positively then.
+  template <typename CellRange, typename FaceRange>
+  bool move(const Vertex_handle v, const Coordinates_3& to, const CellRange& cells, const FaceRange& faces)
+  {
+    const Point_3 p(to[0], to[1], to[2]);
+    for(const auto& f : faces)
+      if(! is_positive(point(f[0]), point(f[1]), point(f[2]), p))
+        return false;
+    v->set_point(typename Tr::Point(p));
+    for(const Cell_handle c : cells)
+      internal::forget_shape(*c);
+    return true;
+  }
 
   // Exchanges cells of a region for the star of a new vertex at p, which has this size, and edges that may have the
   // length `least`. The `vertices` of the faces, seen from inside, are those of the outer facets of the cells.

@@ -13,45 +13,19 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Allowed_lengths_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Best_point_in_star_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Free_star_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/Allowed_lengths_3.h>
 
-#include <algorithm>
+#include <vector>
 
 namespace CGAL {
 namespace Boundary_recovery_3 {
 namespace internal {
 
-// Cells of Mesh_3 and of the remeshing remember their circumcenters and qualities.
-template <typename Cell>
-auto forget_circumcenter(Cell& c, int) -> decltype(c.invalidate_weighted_circumcenter_cache())
-{
-  c.invalidate_weighted_circumcenter_cache();
-}
-
-template <typename Cell>
-void forget_circumcenter(Cell&, long) { }
-
-template <typename Cell>
-auto forget_quality(Cell& c, int) -> decltype(c.reset_cache_validity())
-{
-  c.reset_cache_validity();
-}
-
-template <typename Cell>
-void forget_quality(Cell&, long) { }
-
-// To be called for each cell at a vertex that moved.
-template <typename Cell>
-void forget_shape(Cell& c)
-{
-  internal::forget_circumcenter(c, 0);
-  internal::forget_quality(c, 0);
-}
-
 /*
- * Moves a free vertex to where the cells around it are less bad, and none is worse than the worst one was.
+ * Moves a free vertex to where the cells around it are less bad, and none is worse than the worst one was: optimising
+ * smoothing.
  */
 template <typename Mesh>
 class Smooth_vertex_3
@@ -74,27 +48,13 @@ public:
       m_best_point.add({{ Mesh::coordinates(f[0]), Mesh::coordinates(f[1]), Mesh::coordinates(f[2]) }});
     Coordinates_3 p = Mesh::coordinates(v);
     m_limits.assign(m_mesh.allowed_lengths(), v, m_star.neighbors());
-    return m_best_point.improve(p, m_limits) && move(v, p);
+    return m_best_point.improve(p, m_limits) && m_mesh.move(v, p, m_star.cells(), m_star.faces());
   }
 
   // The cells around the vertex that was treated last.
   const std::vector<Cell_handle>& cells() const { return m_star.cells(); }
 
 private:
-  typedef typename Mesh::Point_3 Point_3;
-
-  bool move(const Vertex_handle v, const Coordinates_3& to)
-  {
-    const Point_3 p(to[0], to[1], to[2]);
-    for(const auto& f : m_star.faces())
-      if(! m_mesh.is_positive(Mesh::point(f[0]), Mesh::point(f[1]), Mesh::point(f[2]), p))
-        return false;
-    v->set_point(typename Mesh::Triangulation::Point(p));
-    for(const Cell_handle c : m_star.cells())
-      internal::forget_shape(*c);
-    return true;
-  }
-
   Mesh& m_mesh;
   Free_star_3<Mesh> m_star;
   Best_point_in_star_3<typename Mesh::Quality> m_best_point;

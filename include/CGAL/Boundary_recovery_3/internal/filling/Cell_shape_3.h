@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Boundary_recovery_3 authors
 
-#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_CELL_SHAPE_3_H
-#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_CELL_SHAPE_3_H
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_CELL_SHAPE_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_CELL_SHAPE_3_H
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
@@ -72,4 +72,4 @@ inline Cell_corners_3 scaled_corners(const Cell_corners_3& p)
 } // namespace Boundary_recovery_3
 } // namespace CGAL
 
-#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_CELL_SHAPE_3_H
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_CELL_SHAPE_3_H
