@@ -67,6 +67,7 @@ public:
 private:
   // See "Tuning constants" in the manual.
   static constexpr double cells_per_forecast_cell = 1.32;
+  static constexpr double cells_per_wall = 1.2;
   static constexpr double cells_per_inner_vertex = 6.6;
   static constexpr double cells_per_surface_vertex = 2;
   static constexpr std::size_t least_number_of_questions = 2000;
@@ -109,9 +110,20 @@ private:
     m_result.forecast_of_vertices = number_of_vertices;
     if(! m_sizes.ask_at_vertices(m_cells))
       return;
-    m_result.forecast_of_cells = (std::max)(cells_per_forecast_cell * number_of_regular_cells(), number_of_cells);
+    m_result.forecast_of_cells = (std::max)(number_of_cells, cells_per_forecast_cell * number_of_regular_cells() +
+                                                             cells_per_wall * static_cast<double>(number_of_walls()));
     const double inner_cells = m_result.forecast_of_cells - cells_per_surface_vertex * number_of_vertices;
     m_result.forecast_of_vertices = number_of_vertices + (std::max)(0., inner_cells / cells_per_inner_vertex);
+  }
+
+  // Seen from inside: cells at them have their size.
+  std::size_t number_of_walls() const
+  {
+    std::size_t number = 0;
+    for(const Cell_handle c : m_cells)
+      for(int i = 0; i < 4; ++i)
+        number += m_domain.is_wall(c, i);
+    return number;
   }
 
   // Infinity if the sizes are so small that nobody can count.
