@@ -57,6 +57,7 @@ struct Quality
 
 typedef internal::Improved_mesh_3<Tr, Domain, Quality, Visitor> Mesh;
 typedef internal::Best_point_in_star_3<Quality>                 Best_point;
+typedef internal::Bad_cells_3<Mesh>::Bad_cell                   Bad_cell;
 typedef internal::Coordinates_3                                 Place;
 
 struct Improvement
@@ -461,35 +462,58 @@ void test_list_of_bad_cells()
     }
     else
       assert(! bad_cells.contains(c));
-  const std::vector<Cell_handle> list = bad_cells.next_round();
+  const std::vector<Bad_cell> list = bad_cells.next_round();
   assert(expected.size() > 20 && list.size() == expected.size());
-  assert(std::set<Cell_handle>(list.begin(), list.end()) == expected);
+  for(const Bad_cell& c : list)
+    assert(expected.erase(c.cell) == 1 && c.quality == t.mesh.quality(c.cell));
   assert(std::abs(bad_cells.badness() - badness) < 1e-9);
   for(std::size_t k = 1; k < list.size(); ++k)
-    assert(t.mesh.quality(list[k - 1]) <= t.mesh.quality(list[k]) && bad_cells.contains(list[k]));
+    assert(list[k - 1].quality <= list[k].quality && bad_cells.contains(list[k].cell));
   assert(bad_cells.next_round().empty() && bad_cells.badness() == 0);
 
-  // cells that are gone are not bad, and where the mesh changed is known for two rounds
-  for(const Cell_handle c : list)
+  // cells that are gone are not bad, and where the mesh changed is known until the next visit
+  for(const Bad_cell& c : list)
     assert(! bad_cells.has_changed(c));
-  for(const Cell_handle c : list)
-    bad_cells.push(c);
-  internal::Smooth_vertex_3<Mesh> smooth(t.mesh, t.quality);
+  for(const Bad_cell& c : list)
+    bad_cells.put_back(c);
   internal::Contract_bad_edge_3<Mesh> contract(t.mesh);
   const std::size_t number_of_cells = t.scene.tr.number_of_cells();
+  bad_cells.begin_visit();
   for(const Vertex_handle v : t.scene.tr.finite_vertex_handles())
     if(contract.find(v, 0) && contract.apply())
       break;
   assert(t.scene.tr.number_of_cells() < number_of_cells);
   bad_cells.note_change(contract.new_cells());
+  std::set<Vertex_handle> changed;
   for(const Cell_handle c : contract.new_cells())
+    for(int i = 0; i < 4; ++i)
+      changed.insert(c->vertex(i));
+  const auto check_changes = [&](const std::vector<Bad_cell>& cells, const bool is_visited)
+  {
+    int number = 0;
+    for(const Bad_cell& c : cells)
+    {
+      assert(t.scene.tr.tds().cells().is_used(c.cell) && t.mesh.quality(c.cell) < t.mesh.enough());
+      bool is_beside = false;
+      for(int i = 0; i < 4; ++i)
+        is_beside = is_beside || changed.count(c.cell->vertex(i)) > 0;
+      number += is_beside;
+      assert(bad_cells.has_changed(c) == (is_beside && ! is_visited));
+    }
+    assert(number > 0 && number < static_cast<int>(cells.size()));
+  };
+  const std::vector<Bad_cell> next = bad_cells.next_round();
+  check_changes(next, false);
+  bad_cells.begin_visit();
+  for(const Bad_cell& c : next)
+    bad_cells.push(c.cell);
+  check_changes(bad_cells.next_round(), true);
+
+  // what is new in a visit was not visited
+  bad_cells.begin_visit();
+  bad_cells.push_changed(t.scene.tr.finite_cell_handles());
+  for(const Bad_cell& c : bad_cells.next_round())
     assert(bad_cells.has_changed(c));
-  for(const Cell_handle c : bad_cells.next_round())
-    assert(t.scene.tr.tds().cells().is_used(c) && t.mesh.quality(c) < t.mesh.enough());
-  const Cell_handle changed = contract.new_cells()[0];
-  assert(bad_cells.has_changed(changed));
-  bad_cells.next_round();
-  assert(! bad_cells.has_changed(changed));
 }
 
 // What cells remember of their shape is forgotten where they have such a memory, and nothing else happens.

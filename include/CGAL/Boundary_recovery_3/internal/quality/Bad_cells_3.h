@@ -34,33 +34,37 @@ public:
   typedef typename Mesh::Vertex_handle Vertex_handle;
   typedef typename Mesh::Cell_handle   Cell_handle;
 
+  struct Bad_cell
+  {
+    double quality;
+    Cell_handle cell;
+    std::size_t visit; // that it comes from, or the last one that was for it
+  };
+
   explicit Bad_cells_3(const Mesh& mesh) : m_mesh(mesh), m_last_change(0) { }
 
-  // Begins anew, with the same cells.
-  void forget_changes() { m_last_change.clear(m_round = 0); }
+  // From now on, something else is tried.
+  void begin_visit() { ++m_visit; }
 
   // A cell of the domain may be bad. Returns its quality.
   double push(const Cell_handle c)
   {
     const double q = m_mesh.quality(c);
     if(q < m_mesh.enough())
-      m_cells.emplace_back(q, c);
+      m_cells.push_back(Bad_cell{ q, c, m_visit });
     return q;
   }
 
-  template <typename CellRange>
-  void push_all(const CellRange& cells)
-  {
-    for(const Cell_handle c : cells)
-      push(c);
-  }
+  // It was not visited.
+  void put_back(const Bad_cell& c) { m_cells.push_back(c); }
 
   // These cells of the domain are new, or have a vertex that moved.
   template <typename CellRange>
   void push_changed(const CellRange& cells)
   {
     note_change(cells);
-    push_all(cells);
+    for(const Cell_handle c : cells)
+      push(c);
   }
 
   template <typename CellRange>
@@ -68,7 +72,7 @@ public:
   {
     for(const Cell_handle c : cells)
       for(int i = 0; i < 4; ++i)
-        m_last_change[c->vertex(i)] = m_round;
+        m_last_change[c->vertex(i)] = m_visit;
   }
 
   // Whether a handle, maybe of a cell that is gone, is one of a bad cell of the domain.
@@ -78,31 +82,24 @@ public:
         && m_mesh.quality(c) < m_mesh.enough();
   }
 
-  // Whether something changed at the vertices of a cell in this round or in the last one.
-  bool has_changed(const Cell_handle c) const
+  // Whether something changed at the vertices of a cell since its visit, or in it.
+  bool has_changed(const Bad_cell& c) const
   {
     for(int i = 0; i < 4; ++i)
-      if(m_last_change.is_defined(c->vertex(i)) && m_last_change[c->vertex(i)] + 1 >= m_round)
+      if(m_last_change.is_defined(c.cell->vertex(i)) && m_last_change[c.cell->vertex(i)] >= c.visit)
         return true;
     return false;
   }
 
   // Begins a round: the cells to be worked through, the worst one first; there is none left here. In equal meshes, the
   // order is the same.
-  std::vector<Cell_handle> next_round()
+  std::vector<Bad_cell> next_round()
   {
-    ++m_round;
     sort();
-    std::vector<Cell_handle> cells;
-    cells.reserve(m_cells.size());
     m_badness = 0;
-    for(const auto& entry : m_cells)
-    {
-      cells.push_back(entry.second);
-      m_badness += m_mesh.badness(entry.first);
-    }
-    m_cells.clear();
-    return cells;
+    for(const Bad_cell& c : m_cells)
+      m_badness += m_mesh.badness(c.quality);
+    return std::exchange(m_cells, std::vector<Bad_cell>());
   }
 
   // How bad these cells were together.
@@ -113,23 +110,24 @@ private:
   void sort()
   {
     Unique_hash_map<Cell_handle, bool> is_there(false); // for looking up only
-    for(auto& entry : m_cells)
-      if(contains(entry.second) && ! is_there[entry.second])
+    for(Bad_cell& c : m_cells)
+      if(contains(c.cell) && ! is_there[c.cell])
       {
-        entry.first = m_mesh.quality(entry.second);
-        is_there[entry.second] = true;
+        c.quality = m_mesh.quality(c.cell);
+        is_there[c.cell] = true;
       }
       else
-        entry.first = m_mesh.enough();
-    std::stable_sort(m_cells.begin(), m_cells.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
-    while(! m_cells.empty() && m_cells.back().first >= m_mesh.enough())
+        c.quality = m_mesh.enough();
+    std::stable_sort(m_cells.begin(), m_cells.end(),
+                     [](const Bad_cell& x, const Bad_cell& y) { return x.quality < y.quality; });
+    while(! m_cells.empty() && m_cells.back().quality >= m_mesh.enough())
       m_cells.pop_back();
   }
 
   const Mesh& m_mesh;
-  std::vector<std::pair<double, Cell_handle> > m_cells; // with their qualities
-  Unique_hash_map<Vertex_handle, int> m_last_change;    // the round, by vertex; for looking up only
-  int m_round = 0;
+  std::vector<Bad_cell> m_cells;
+  Unique_hash_map<Vertex_handle, std::size_t> m_last_change; // the visit, by vertex; for looking up only
+  std::size_t m_visit = 0;
   double m_badness = 0;
 };
 

@@ -78,7 +78,6 @@ public:
     if(m_target > really_bad_angle)
     {
       set_enough(really_bad_angle);
-      m_bad_cells.forget_changes();
       improve(max_number_of_last_rounds, true);
     }
     if(m_target > 0)
@@ -100,13 +99,14 @@ public:
 
 private:
   typedef Improved_mesh_3<Tr, Domain, Quality, Visitor> Mesh;
+  typedef typename Bad_cells_3<Mesh>::Bad_cell          Bad_cell;
 
   // See "Tuning constants" in the manual.
   static constexpr double really_bad_angle = 12;
   static constexpr int max_number_of_rounds = 6;
   static constexpr int max_number_of_last_rounds = 12;
   static constexpr int first_dear_round = 3;
-  static constexpr double least_progress = 0.02;
+  static constexpr double least_progress = 0.1;
   static constexpr std::size_t max_number_of_flips = 50;
   static constexpr std::size_t visits_per_report = 2048;
   static constexpr std::size_t expected_number_of_visits = 3; // of each cell that is bad at first
@@ -118,13 +118,14 @@ private:
     double last_badness = 0;
     for(m_round = 1; m_round <= max_number && m_context.go_further(); ++m_round)
     {
-      const std::vector<Cell_handle> cells = m_bad_cells.next_round();
+      const std::vector<Bad_cell> cells = m_bad_cells.next_round();
       const bool is_slow = m_bad_cells.badness() > (1 - least_progress) * last_badness;
       if(cells.empty())
         break;
       if(m_round > first_dear_round && is_slow)
       {
-        m_bad_cells.push_all(cells);
+        for(const Bad_cell& c : cells)
+          m_bad_cells.put_back(c);
         break;
       }
       last_badness = m_bad_cells.badness();
@@ -132,19 +133,21 @@ private:
         m_expected_visits = expected_number_of_visits * cells.size();
       m_reconnects = reconnects && m_round >= first_dear_round;
       ++m_counts.number_of_rounds;
-      for(const Cell_handle c : cells)
-        if(m_bad_cells.contains(c) && m_context.go_further_after_short_step())
+      for(const Bad_cell& c : cells)
+        if(m_bad_cells.contains(c.cell) && m_context.go_further_after_short_step())
           visit(c);
     }
   }
 
-  void visit(const Cell_handle c)
+  void visit(const Bad_cell& c)
   {
     if(++m_number_of_visits % visits_per_report == 0)
       tell_progress((std::max)(m_expected_visits, m_number_of_visits));
-    const bool is_worth_it = m_round <= first_dear_round || m_bad_cells.has_changed(c);
-    if(! is_worth_it || ! improve(c))
-      m_bad_cells.push(c);
+    m_bad_cells.begin_visit();
+    if(m_round > first_dear_round && ! m_bad_cells.has_changed(c))
+      m_bad_cells.put_back(c);
+    else if(! improve(c.cell))
+      m_bad_cells.push(c.cell);
   }
 
   // Returns whether the cell was changed.
