@@ -246,15 +246,14 @@ private:
       (is_of_facet[e] ? others : isolated).push_back(e);
     if(isolated.size() <= max_number_at_once)
       return;
-    const Effort low{ number_of_levels_at_first, 0 };
-    const Effort high{ std::size(recursion_levels), Steiner_suppression_3<Tr, Visitor>::max_number_of_rounds };
-    recover_one_by_one(isolated, max_recursion_level, low);
-    for(std::size_t before = 0; ! isolated.empty() && before != isolated.size(); )
-    {
-      before = isolated.size();
-      remove_points_between([&](auto& recover) { recover.make_room(max_recursion_level); });
-      recover_one_by_one(isolated, max_recursion_level, high);
-    }
+    recover_one_by_one(isolated, max_recursion_level, Effort{ number_of_levels_at_first, 0 });
+    for(const int number_of_rounds : { 0, Steiner_suppression_3<Tr, Visitor>::max_number_of_rounds })
+      for(std::size_t before = 0; ! isolated.empty() && before != isolated.size(); )
+      {
+        before = isolated.size();
+        remove_points_between([&](auto& recover) { recover.make_room(max_recursion_level); });
+        recover_one_by_one(isolated, max_recursion_level, Effort{ std::size(recursion_levels), number_of_rounds });
+      }
     m_state.lost.edges.clear();
     std::merge(others.begin(), others.end(), isolated.begin(), isolated.end(), std::back_inserter(m_state.lost.edges));
   }
