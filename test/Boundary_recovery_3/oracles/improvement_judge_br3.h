@@ -7,8 +7,11 @@
 #include "random_numbers_br3.h"
 
 #include <CGAL/Boundary_constrained_mesh_triangulation_3.h>
+#include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Selected_domain_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Unit_frame_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Improved_mesh_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/bare_point.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -22,6 +25,7 @@
 #include <random>
 #include <set>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -60,16 +64,36 @@ struct Improvement_options
   int number_of_points = 60;
 };
 
+// Patches are numbers, or pairs of them where Mesh_3 made the triangulation. There is none if it is 0.
+template <typename Patch>
+Patch make_patch(const int number)
+{
+  if constexpr(std::is_same<Patch, std::pair<int, int> >::value)
+    return Patch(0, number);
+  else
+    return static_cast<Patch>(number);
+}
+
+template <typename Patch>
+int number_of_patch(const Patch& patch)
+{
+  if constexpr(std::is_same<Patch, std::pair<int, int> >::value)
+    return patch.second;
+  else
+    return static_cast<int>(patch);
+}
+
 // Two regions with jagged facets between them, and a part of the convex hull that is outside; sheets, constrained
 // edges, and cells that are not selected.
-template <typename Kernel_>
+template <typename Kernel,
+          typename Tr_ = typename CGAL::Boundary_constrained_mesh_triangulation_3<Kernel>::type>
 struct Improvement_scene
 {
-  typedef Kernel_                                                                Kernel;
-  typedef typename CGAL::Boundary_constrained_mesh_triangulation_3<Kernel>::type Tr;
+  typedef Tr_                                                                    Tr;
   typedef typename Tr::Vertex_handle                                             Vertex_handle;
   typedef typename Tr::Cell_handle                                               Cell_handle;
-  typedef typename Tr::Point                                                     Point;
+  typedef typename Tr::Point                                                     Point; // with a weight, maybe
+  typedef typename Tr::Cell::Surface_patch_index                                 Patch;
   typedef std::pair<Vertex_handle, Vertex_handle>                                Edge;
   typedef std::map<Cell_handle, bool>                                            Selection;
   typedef boost::associative_property_map<Selection>                             Selection_map;
@@ -129,18 +153,23 @@ private:
   void insert_random_points(const int n)
   {
     for(int i = 0; i < 8; ++i)
-      tr.insert(Point(i & 1, (i >> 1) & 1, (i >> 2) & 1));
+      insert(i & 1, (i >> 1) & 1, (i >> 2) & 1);
     for(int i = 8; i < n; ++i)
     {
       const double x = random_int(1024) / 1024., y = random_int(1024) / 1024., z = random_int(1024) / 1024.;
-      tr.insert(Point(x, y, z));
+      insert(x, y, z);
     }
+  }
+
+  void insert(const double x, const double y, const double z)
+  {
+    tr.insert(Point(typename Tr::Geom_traits::Point_3(x, y, z)));
   }
 
   void insert_grid()
   {
     for(int i = 0; i < 64; ++i)
-      tr.insert(Point(i % 4 * 0.375, i / 4 % 4 * 0.375, i / 16 * 0.125));
+      insert(i % 4 * 0.375, i / 4 % 4 * 0.375, i / 16 * 0.125);
   }
 
   void flip_randomly(const int n)
@@ -173,7 +202,7 @@ private:
       for(int i = 0; i < 4; ++i)
       {
         const bool is_between = c->subdomain_index() != c->neighbor(i)->subdomain_index();
-        const int patch = 1 + random_int(9);
+        const Patch patch = make_patch<Patch>(1 + random_int(9));
         if(random_int(is_between ? 2 : 150) == 0)
         {
           c->set_surface_patch_index(i, patch);
@@ -207,7 +236,8 @@ struct Improvement_picture
   typedef typename Scene::Vertex_handle        Vertex_handle;
   typedef typename Scene::Cell_handle          Cell_handle;
   typedef std::tuple<const void*, Four, int, std::array<int, 4>, bool>      Cell_row;
-  typedef std::tuple<const void*, Place, int, int, double>                  Vertex_row;
+  typedef std::decay_t<decltype(std::declval<Vertex_handle>()->index())>    Index;
+  typedef std::tuple<const void*, Place, int, Index, double>                Vertex_row;
 
   struct Cell
   {
@@ -228,7 +258,7 @@ struct Improvement_picture
       for(int i = 0; i < 4; ++i)
       {
         four[i] = &*c->vertex(i);
-        patches[i] = static_cast<int>(c->surface_patch_index(i));
+        patches[i] = number_of_patch(c->surface_patch_index(i));
       }
       cells.emplace_back(&*c, four, static_cast<int>(c->subdomain_index()), patches, scene.is_selected(c));
     }
@@ -236,7 +266,7 @@ struct Improvement_picture
 
   static Place place(const Vertex_handle v)
   {
-    return {{ CGAL::to_double(v->point().x()), CGAL::to_double(v->point().y()), CGAL::to_double(v->point().z()) }};
+    return CGAL::Boundary_recovery_3::internal::coordinates_of(v->point());
   }
 
   bool operator==(const Improvement_picture& other) const
@@ -269,6 +299,7 @@ public:
   typedef typename Picture::Cell           Cell;
   typedef typename Scene::Vertex_handle    Vertex_handle;
   typedef typename Scene::Cell_handle      Cell_handle;
+  typedef typename Scene::Tr::Geom_traits::Point_3               Point_3;
   typedef std::pair<Four, std::array<Place, 4> > Cell_key; // by sorted vertices
   typedef std::map<Cell_key, Cell>         Cells;
 
@@ -380,7 +411,7 @@ private:
   bool is_wall(const Cell_handle c, const int i) const
   {
     const Cell_handle n = c->neighbor(i);
-    return c->surface_patch_index(i) != 0 || c->subdomain_index() != n->subdomain_index()
+    return c->is_facet_on_surface(i) || c->subdomain_index() != n->subdomain_index()
         || m_scene.contains(c) != m_scene.contains(n);
   }
 
@@ -395,7 +426,7 @@ private:
         assert(c->surface_patch_index(i) == n->surface_patch_index(n->index(c)));
         const int r = static_cast<int>(c->subdomain_index()), s = static_cast<int>(n->subdomain_index());
         if(is_wall(c, i))
-          result[triple(c, i)] = {{ static_cast<int>(c->surface_patch_index(i)), (std::min)(r, s), (std::max)(r, s) }};
+          result[triple(c, i)] = {{ number_of_patch(c->surface_patch_index(i)), (std::min)(r, s), (std::max)(r, s) }};
       }
     return result;
   }
@@ -468,7 +499,7 @@ private:
   {
     std::array<Rational_point, 4> p;
     for(int i = 0; i < 4; ++i)
-      p[i] = br3_test::to_rational(c.vertices[i]->point());
+      p[i] = br3_test::to_rational(CGAL::Boundary_recovery_3::internal::bare_point<Point_3>(c.vertices[i]->point()));
     return br3_test::volume(p[0], p[1], p[2], p[3]);
   }
 
@@ -554,6 +585,33 @@ private:
   std::map<Three, std::array<int, 3> > m_walls;
   std::map<const void*, Place> m_frozen;
   std::map<Two, double> m_lengths;
+};
+
+// A scene that is to be improved, where cells of the quality `enough` are good enough. The quality may be changed.
+template <typename Scene_, typename Quality_>
+struct Improvement_trial
+{
+  typedef Scene_                                              Scene;
+  typedef Quality_                                            Quality;
+  typedef typename Scene::Domain                              Domain;
+  typedef CGAL::Default_boundary_constrained_mesh_visitor_3   Visitor;
+  typedef CGAL::Boundary_recovery_3::internal::Improved_mesh_3<typename Scene::Tr, Domain, Quality, Visitor>  Mesh;
+
+  Improvement_trial(const unsigned seed, const Improvement_options& options, const Quality& q, const double enough)
+    : scene(seed, options), domain(scene.domain()), quality(q), mesh(scene.tr, domain, quality, visitor)
+  {
+    mesh.set_enough(enough);
+    for(const auto c : scene.cells())
+      if(scene.contains(c))
+        mesh.add_lengths(c);
+    mesh.spread_lengths();
+  }
+
+  Scene scene;
+  Domain domain;
+  Quality quality;
+  Visitor visitor;
+  Mesh mesh;
 };
 
 // Tries an operation on the cells of the domain, which the judge watches. `attempt` returns whether it was done.

@@ -6,10 +6,8 @@
 #include "improvement_judge_br3.h"
 #include "mesh_validity_br3.h"
 
-#include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/Cell_quality_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Flip_bad_cell_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/Improved_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Reconnect_bad_cell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Remove_bad_edge_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Remove_bad_facet_3.h>
@@ -34,10 +32,8 @@ using br3_test::Lengths_slack;
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef br3_test::Improvement_scene<Kernel>                 Scene;
 typedef Scene::Tr                                           Tr;
-typedef Scene::Domain                                       Domain;
 typedef Scene::Vertex_handle                                Vertex_handle;
 typedef Scene::Cell_handle                                  Cell_handle;
-typedef CGAL::Default_boundary_constrained_mesh_visitor_3   Visitor;
 typedef std::array<std::array<double, 3>, 4>                Corners;
 
 // One of two models, or random, or what a test wishes: cells with the edge on the axis and two points that are side by
@@ -71,26 +67,17 @@ struct Quality
   }
 };
 
-typedef internal::Improved_mesh_3<Tr, Domain, Quality, Visitor> Mesh;
+typedef br3_test::Improvement_trial<Scene, Quality>   Trial;
+typedef Trial::Mesh                                   Mesh;
 
 struct Improvement
+  : public Trial
 {
   Improvement(const unsigned seed, const Improvement_options& options, const int kind, const double degrees)
-    : scene(seed, options), domain(scene.domain()), quality{ kind }, mesh(scene.tr, domain, quality, visitor)
-  {
-    mesh.set_enough(kind == 0 ? BR3::Dihedral_angle_quality_3().of_angle(degrees)
-                  : kind == 1 ? BR3::Volume_length_quality_3().of_angle(degrees) : 0.9);
-    for(const auto c : scene.cells())
-      if(scene.contains(c))
-        mesh.add_lengths(c);
-    mesh.spread_lengths();
-  }
-
-  Scene scene;
-  Domain domain;
-  Quality quality;
-  Visitor visitor;
-  Mesh mesh;
+    : Trial(seed, options, Quality{ kind },
+            kind == 0 ? BR3::Dihedral_angle_quality_3().of_angle(degrees)
+          : kind == 1 ? BR3::Volume_length_quality_3().of_angle(degrees) : 0.9)
+  { }
 };
 
 // All steps on random meshes. Returns how many there were of each kind.

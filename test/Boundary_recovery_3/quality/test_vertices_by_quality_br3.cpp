@@ -6,7 +6,6 @@
 
 #include "improvement_judge_br3.h"
 
-#include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/Cell_quality_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Cell_shape_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/forget_shape.h>
@@ -16,7 +15,6 @@
 #include <CGAL/Boundary_recovery_3/internal/quality/Center_vertex_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Contract_bad_edge_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Free_star_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/Improved_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Insert_into_bad_cell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Smooth_vertex_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -40,10 +38,8 @@ using br3_test::Lengths_slack;
 typedef CGAL::Exact_predicates_inexact_constructions_kernel     Kernel;
 typedef br3_test::Improvement_scene<Kernel>                     Scene;
 typedef Scene::Tr                                               Tr;
-typedef Scene::Domain                                           Domain;
 typedef Scene::Vertex_handle                                    Vertex_handle;
 typedef Scene::Cell_handle                                      Cell_handle;
-typedef CGAL::Default_boundary_constrained_mesh_visitor_3       Visitor;
 
 struct Quality
 {
@@ -55,29 +51,19 @@ struct Quality
   }
 };
 
-typedef internal::Improved_mesh_3<Tr, Domain, Quality, Visitor> Mesh;
-typedef internal::Best_point_in_star_3<Quality>                 Best_point;
-typedef internal::Bad_cells_3<Mesh>::Bad_cell                   Bad_cell;
-typedef internal::Coordinates_3                                 Place;
+typedef br3_test::Improvement_trial<Scene, Quality>   Trial;
+typedef Trial::Mesh                                   Mesh;
+typedef internal::Best_point_in_star_3<Quality>       Best_point;
+typedef internal::Bad_cells_3<Mesh>::Bad_cell         Bad_cell;
+typedef internal::Coordinates_3                       Place;
 
 struct Improvement
+  : public Trial
 {
   Improvement(const unsigned seed, const Improvement_options& options, const double degrees,
               const bool is_random = false)
-    : scene(seed, options), domain(scene.domain()), quality{ is_random }, mesh(scene.tr, domain, quality, visitor)
-  {
-    mesh.set_enough(is_random ? 0.9 : BR3::Dihedral_angle_quality_3().of_angle(degrees));
-    for(const auto c : scene.cells())
-      if(scene.contains(c))
-        mesh.add_lengths(c);
-    mesh.spread_lengths();
-  }
-
-  Scene scene;
-  Domain domain;
-  Quality quality;
-  Visitor visitor;
-  Mesh mesh;
+    : Trial(seed, options, Quality{ is_random }, is_random ? 0.9 : BR3::Dihedral_angle_quality_3().of_angle(degrees))
+  { }
 };
 
 // All steps on random meshes. Returns how many there were of each kind.

@@ -248,7 +248,7 @@ void test_edge_that_fails(br3_test::Plc plc)
   assert(scene.cells() == cells && scene.ledger.points().empty());
 }
 
-// After each edge, with or without rounds.
+// After each edge, with or without rounds. What came for the edges before is left alone, until room is made.
 void test_edge_after_edge(const br3_test::Plc& plc)
 {
   Scene scene(plc);
@@ -258,13 +258,22 @@ void test_edge_after_edge(const br3_test::Plc& plc)
   internal::Constraint_search_3<Tr> search(scene.tr, scene.constraints);
   for(std::vector<std::size_t> lost = search().edges; ! lost.empty(); lost = search().edges)
   {
+    scene.ledger.settle();
     assert(recover(lost.front(), 0, 4, lost.size() % 2 == 0 ? 0 : 20));
+    scene.ledger.unsettle();
     const std::vector<std::size_t> after = search().edges;
     assert(after.size() < lost.size() && std::includes(lost.begin(), lost.end(), after.begin(), after.end()));
     assert(after.empty() || after.front() != lost.front());
     assert(scene.is_valid() && scene.ledger.points_on_constraints().empty() && scene.ledger.positions().empty());
   }
   assert(! scene.ledger.free_points().empty() && recover.number_of_transformations() > 0);
+  const auto& points = scene.ledger.free_points();
+  const std::size_t number = points.size();
+  recover.thin_out(4);
+  const std::size_t number_then = points.size();
+  recover.make_room(4);
+  assert(number_then < number && points.size() <= number_then && search().edges.empty());
+  assert(scene.is_valid() && scene.is_conforming() && scene.ledger.positions().empty());
 }
 
 void test_one_by_one()

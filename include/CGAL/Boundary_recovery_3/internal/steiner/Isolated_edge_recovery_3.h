@@ -56,9 +56,13 @@ public:
     CGAL_precondition(m_mesh.ledger.points_on_constraints().empty());
     if(! m_conform.recover_edge(e, l_max) || ! split_points())
       return false;
-    remove_points((std::min)(recursion_level, max_recursion_level));
+    remove_points((std::min)(recursion_level, max_recursion_level), 0);
     return m_suppress.round_points(max_recursion_level, number_of_rounds);
   }
+
+  // Removes free points of edges that are recovered: some of them, or as many as go without much effort.
+  void thin_out(const int max_recursion_level) { remove_points((std::min)(recursion_level, max_recursion_level), 100); }
+  void make_room(const int max_recursion_level) { remove_points((std::min)(recursion_level, max_recursion_level), 1); }
 
   std::size_t number_of_transformations() const
   {
@@ -81,18 +85,20 @@ private:
     return points.empty();
   }
 
-  // As long as one goes.
-  void remove_points(const int l_max)
+  // In rounds, as long as more than so many in a hundred go.
+  void remove_points(const int l_max, const std::size_t percentage)
   {
     const auto& points = m_mesh.ledger.free_points();
-    for(std::size_t before = 0; before != points.size() && m_mesh.context.go_further(); )
+    while(m_mesh.context.go_further())
     {
-      before = points.size();
+      const std::size_t before = points.size();
       for(const Vertex_handle v : std::vector<Vertex_handle>(points))
         if(m_mesh.ledger.is_free(v) && m_mesh.context.go_further())
           m_remove.remove(v, l_max);
       for(const Vertex_handle v : points)
         m_remove.relocate(v);
+      if(100 * (before - points.size()) <= percentage * before)
+        return;
     }
   }
 
