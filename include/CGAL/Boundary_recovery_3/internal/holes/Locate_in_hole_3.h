@@ -1,0 +1,211 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_HOLES_LOCATE_IN_HOLE_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_HOLES_LOCATE_IN_HOLE_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/Hole_remeshing_result_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Box_hierarchy_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Unit_frame_3.h>
+#include <CGAL/Boundary_recovery_3/internal/holes/Moved_mesh_3.h>
+#include <CGAL/Boundary_recovery_3/internal/numbers/exact_numbers.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Cell_shape_3.h>
+
+#include <CGAL/enum.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * Finds the old cell of a hole in which a place is.
+ *
+ * Old cells may be inverted, and overlap. But the boundary of the hole, and that of each region in it, is a valid
+ * surface; so at each place inside there is one cell more that is positive than there are inverted ones, which fold
+ * back: a positive cell of the region is there, and decided on by exact predicates. Of several, the largest one is
+ * taken: thin ones are those that turned over next.
+ */
+template <typename Kernel>
+class Locate_in_hole_3
+{
+public:
+  typedef typename Kernel::Point_3     Point_3;
+  typedef Moved_mesh_3<Point_3>        Mesh;
+  typedef Old_mesh_location_3          Location;
+
+  Locate_in_hole_3(const Mesh& mesh, const std::vector<std::size_t>& cells)
+    : m_mesh(mesh), m_cells(positive_cells(mesh, cells)), m_frame(box_of(mesh, m_cells)), m_hierarchy(boxes())
+  {
+    std::vector<std::size_t> ordered;
+    for(const std::size_t k : m_hierarchy.order())
+      ordered.push_back(m_cells[k]);
+    m_cells.swap(ordered);
+    m_hierarchy.forget_order();
+  }
+
+  // `region` is the caller's number. If there is no such cell, the place is not in that region of the hole.
+  Location operator()(const Point_3& p, const int region) const
+  {
+    Best best;
+    const auto is_of_interest = [](const std::size_t, const double squared_distance) { return squared_distance <= 0; };
+    const Coordinates_3 q = m_frame.to_frame(internal::coordinates_of(p));
+    m_hierarchy.search(q, is_of_interest, [&](const std::size_t k) { look_at(m_cells[k], p, region, best); });
+    if(best.cell == none) // boxes are rounded, and so are coordinates if the kernel has better ones
+      for(const std::size_t c : m_cells)
+        look_at(c, p, region, best);
+    return best.cell == none ? Location() : Location{ best.cell, coordinates(best.cell, p) };
+  }
+
+private:
+  typedef std::array<double, 4> Weights;
+
+  static constexpr std::size_t none = std::size_t(-1);
+  static constexpr double least_volume = 1e-4;   // of a cell, in cubes of its edges, for floating point numbers
+  static constexpr double least_number = 1e-200; // below it, and above its inverse, volumes may leave their range
+
+  struct Best
+  {
+    std::size_t cell = none;
+    double volume = 0;
+  };
+
+  static std::vector<std::size_t> positive_cells(const Mesh& mesh, const std::vector<std::size_t>& cells)
+  {
+    std::vector<std::size_t> result;
+    for(const std::size_t c : cells)
+    {
+      const auto& t = mesh.tetrahedra[c];
+      if(Kernel().orientation_3_object()(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]], mesh.points[t[3]])
+         == POSITIVE)
+        result.push_back(c);
+    }
+    return result;
+  }
+
+  static Axis_box_3 box_of(const Mesh& mesh, const std::vector<std::size_t>& cells)
+  {
+    Axis_box_3 box;
+    for(const std::size_t c : cells)
+      for(const std::size_t v : mesh.tetrahedra[c])
+        box.add(internal::coordinates_of(mesh.points[v]));
+    return box;
+  }
+
+  std::vector<Axis_box_3> boxes() const
+  {
+    std::vector<Axis_box_3> boxes(m_cells.size());
+    for(std::size_t k = 0; k < m_cells.size(); ++k)
+      for(const std::size_t v : m_mesh.tetrahedra[m_cells[k]])
+        boxes[k].add(m_frame.to_frame(internal::coordinates_of(m_mesh.points[v])));
+    return boxes;
+  }
+
+  Cell_corners_3 corners(const std::size_t cell) const
+  {
+    const auto& t = m_mesh.tetrahedra[cell];
+    return {{ internal::coordinates_of(m_mesh.points[t[0]]), internal::coordinates_of(m_mesh.points[t[1]]),
+              internal::coordinates_of(m_mesh.points[t[2]]), internal::coordinates_of(m_mesh.points[t[3]]) }};
+  }
+
+  void look_at(const std::size_t cell, const Point_3& p, const int region, Best& best) const
+  {
+    if(m_mesh.regions[cell] != region || ! has_inside(cell, p))
+      return;
+    const double volume = Cell_shape_3(corners(cell)).volume_times_6;
+    if(best.cell == none || volume > best.volume || (volume == best.volume && cell < best.cell))
+      best = Best{ cell, volume };
+  }
+
+  // Whether p is inside, or on the boundary.
+  bool has_inside(const std::size_t cell, const Point_3& p) const
+  {
+    const auto orientation = Kernel().orientation_3_object();
+    for(std::size_t i = 0; i < 4; ++i)
+    {
+      std::array<const Point_3*, 4> q;
+      for(std::size_t k = 0; k < 4; ++k)
+        q[k] = k == i ? &p : &m_mesh.points[m_mesh.tetrahedra[cell][k]];
+      if(orientation(*q[0], *q[1], *q[2], *q[3]) == NEGATIVE)
+        return false;
+    }
+    return true;
+  }
+
+  // Volumes with p in the place of a vertex, seen from p, where numbers are the most precise ones; exact ones if the
+  // cell is so thin that even this is not enough.
+  Weights coordinates(const std::size_t cell, const Point_3& p) const
+  {
+    const Cell_corners_3 t = corners(cell);
+    const double volume = Cell_shape_3(t).volume_times_6;
+    const bool is_ordinary = volume > least_number && volume < 1 / least_number &&
+                             Cell_shape_3(internal::scaled_corners(t)).volume_times_6 >= least_volume;
+    Weights weights = is_ordinary ? volumes<double>(cell, p) : volumes<Rational>(cell, p);
+    double sum = 0;
+    for(double& w : weights)
+      sum += w = (std::max)(0., w);
+    for(double& w : weights)
+      w /= sum;
+    return weights;
+  }
+
+  template <typename Number>
+  static Number to_number(const typename Kernel::FT& x)
+  {
+    if constexpr(std::is_same<Number, double>::value)
+      return CGAL::to_double(x);
+    else
+      return Number(CGAL::exact(x));
+  }
+
+  // As parts of their sum.
+  template <typename Number>
+  Weights volumes(const std::size_t cell, const Point_3& p) const
+  {
+    std::array<std::array<Number, 3>, 4> q;
+    for(std::size_t k = 0; k < 4; ++k)
+      for(int j = 0; j < 3; ++j)
+        q[k][j] = to_number<Number>(m_mesh.points[m_mesh.tetrahedra[cell][k]][j]) - to_number<Number>(p[j]);
+    static constexpr int facets[4][3] = { { 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 }, { 0, 2, 1 } };
+    std::array<Number, 4> parts;
+    Number sum = 0;
+    for(std::size_t i = 0; i < 4; ++i)
+    {
+      const auto& a = q[facets[i][0]];
+      const auto& b = q[facets[i][1]];
+      const auto& c = q[facets[i][2]];
+      parts[i] = (a[1] * b[2] - a[2] * b[1]) * c[0] + (a[2] * b[0] - a[0] * b[2]) * c[1] +
+                 (a[0] * b[1] - a[1] * b[0]) * c[2];
+      sum += parts[i];
+    }
+    Weights weights;
+    for(std::size_t i = 0; i < 4; ++i)
+      weights[i] = CGAL::to_double(Number(parts[i] / sum));
+    return weights;
+  }
+
+  const Mesh& m_mesh;
+  std::vector<std::size_t> m_cells; // in the order of the hierarchy
+  Unit_frame_3 m_frame;
+  Box_hierarchy_3<1> m_hierarchy;
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_HOLES_LOCATE_IN_HOLE_3_H
