@@ -284,7 +284,7 @@ private:
     const auto old_sizes = std::make_shared<Old_sizes_3>(m_mesh, *m_incidences, m_is_bad,
                                                          m_hole_cells->cells(hole.number));
     return { [old_sizes](const Point_3& p, const int) { return (*old_sizes)(internal::coordinates_of(p)); },
-             std::numeric_limits<double>::infinity() };
+             double(Old_sizes_3::grading) };
   }
 
   void improve_holes()
