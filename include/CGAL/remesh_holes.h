@@ -59,8 +59,8 @@ auto remesh_holes_of_ranges(const PointRange& points, const TetrahedronRange& te
  * \brief replaces the bad cells of a tetrahedral mesh whose vertices were moved, and some cells around them, by new
  * ones; everything else stays as it is.
  *
- * This is the local remeshing of [CZZ+17, Section 5.2.3]: a body moves through a mesh, the mesh is deformed with it, and
- * now and then, where cells have become bad, flat or inverted, holes are cut out and meshed anew. The function
+ * This is the local remeshing of [CZZ+17, Section 5.2.3]: a body moves through a mesh, the mesh is deformed with it,
+ * and now and then, where cells have become bad, flat or inverted, holes are cut out and meshed anew. The function
  * 1. looks for cells that are bad, and puts those around them to them, as many layers as are asked for. What is
  *    connected by facets is a hole;
  * 2. recovers the boundary of each hole, and what is constrained in it, see `recover_boundary()`. Where the boundary of
@@ -111,8 +111,8 @@ auto remesh_holes_of_ranges(const PointRange& points, const TetrahedronRange& te
  *     \cgalParamExtra{New cells are improved up to this angle, or to 25 degrees if that is more.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{number_of_layers}
- *     \cgalParamDescription{how many layers of cells around bad ones are replaced with them: cells that have a vertex in
- *                           common}
+ *     \cgalParamDescription{how many layers of cells around bad ones are replaced with them: cells that have a vertex
+ *                           in common}
  *     \cgalParamType{`std::size_t`}
  *     \cgalParamDefault{2}
  *   \cgalParamNEnd
@@ -126,7 +126,7 @@ auto remesh_holes_of_ranges(const PointRange& points, const TetrahedronRange& te
  *     \cgalParamDescription{facets that have to stay: surfaces of bodies, sheets}
  *     \cgalParamType{a `ConstRange` whose value type is an array of three positions of points}
  *     \cgalParamDefault{no facets}
- *     \cgalParamExtra{Facets between regions, and those on the boundary of the mesh, need not be named. Since the facets
+ *     \cgalParamExtra{Facets between regions, and those on the boundary of the mesh, need not be named. Since facets
  *                     come back in their order, patch numbers stay what they are.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{constrained_edges}

@@ -26,8 +26,8 @@ namespace Boundary_recovery_3 {
 namespace internal {
 
 /*
- * What of a mesh has to stay, whatever is remeshed: the facets that the caller says, those between two regions, those on
- * the boundary of the mesh, and the edges that the caller says.
+ * What of a mesh has to stay, whatever is remeshed: the facets that the caller says, those between two regions, those
+ * on the boundary of the mesh, and the edges that the caller says.
  */
 template <typename Point_3>
 class Constrained_sides_3

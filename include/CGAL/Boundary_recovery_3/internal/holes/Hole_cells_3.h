@@ -25,7 +25,8 @@ namespace Boundary_recovery_3 {
 namespace internal {
 
 /*
- * Which tetrahedra are replaced, and which of them belong together: a hole is a set of them that is connected by facets.
+ * Which tetrahedra are replaced, and which of them belong together: a hole is a set of them that is connected by
+ * facets.
  *
  * Holes can only grow. One that does is dissolved, and its tetrahedra wait until holes are formed again, since it may
  * have reached others.
@@ -84,8 +85,8 @@ public:
     m_cells[hole].clear();
   }
 
-  // Makes holes of the tetrahedra that wait, and of other holes that they reach, which are no more. Returns the number of
-  // the first new one; the others follow.
+  // Makes holes of the tetrahedra that wait, and of other holes that they reach, which are no more. Returns the number
+  // of the first new one; the others follow.
   std::size_t form_holes()
   {
     const std::size_t first_new = m_cells.size();

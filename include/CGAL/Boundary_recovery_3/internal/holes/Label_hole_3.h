@@ -38,8 +38,8 @@ public:
 
   explicit Label_hole_3(Tr& tr) : m_tr(tr) { }
 
-  // The facets are in the triangulation; `regions` has for each of them the region on its positive side, and that on the
-  // other one, 0 being outside. Returns false if they contradict each other.
+  // The facets are in the triangulation; `regions` has for each of them the region on its positive side, and that on
+  // the other one, 0 being outside. Returns false if they contradict each other.
   bool operator()(const std::vector<Facet>& facets, const std::vector<std::array<int, 2> >& regions)
   {
     for(const Facet& f : facets)

@@ -64,10 +64,11 @@ public:
   {
     Options options;
     set_sizes(size, options);
+    set_selection(options);
     return (*this)(mesh(points, tetrahedra), options);
   }
 
-  // `options` has the sizes, and what named parameters cannot say.
+  // `options` has the sizes, the selection, and what named parameters cannot say.
   Result operator()(Mesh&& mesh, Options options) const
   {
     decltype(auto) visitor = internal::visitor_of<Default_hole_remeshing_visitor_3>(m_np);
@@ -86,7 +87,22 @@ public:
     return result;
   }
 
+  template <typename SizingField>
+  static void set_sizes(const SizingField& size, Options& options)
+  {
+    options.size = [&size](const Point_3& p, const int region)
+    {
+      return internal::size_of_field<Kernel>(size, p, 3, region);
+    };
+    options.grading = internal::grading_of_field<Kernel, SizingField>(size);
+  }
+
+  static void set_sizes(const Sizes_of_old_mesh&, Options&) { }
+
 private:
+  static constexpr bool has_selection = ! parameters::is_default_parameter<NamedParameters,
+                                                                           internal_np::cell_selector_t>::value;
+
   template <typename Tag, typename Default>
   auto get(const Tag tag, const Default& default_value) const
   {
@@ -96,36 +112,23 @@ private:
   // Returns false if they are not possible.
   bool set_options(Options& options) const
   {
-    constexpr bool has_selection = ! parameters::is_default_parameter<NamedParameters,
-                                                                      internal_np::cell_selector_t>::value;
     options.min_dihedral_angle = get(internal::min_dihedral_angle, has_selection ? 0. : default_angle_of_bad_cells);
     options.target_angle = (std::max)(options.min_dihedral_angle, default_min_dihedral_angle);
     options.number_of_layers = static_cast<std::size_t>(get(internal::number_of_layers, default_number_of_layers));
     options.improve_quality = get(internal::improve_quality, true);
-    if(! options.is_selected)
-    {
-      if constexpr(has_selection)
-        options.is_selected = [map = parameters::get_parameter(m_np, internal_np::cell_selector)](const std::size_t c)
-        {
-          using boost::get;
-          return bool(get(map, c));
-        };
-      else
-        options.is_selected = [](const std::size_t) { return false; };
-    }
     return is_possible_target(options.min_dihedral_angle);
   }
 
-  void set_sizes(const Sizes_of_old_mesh&, Options&) const { }
-
-  template <typename SizingField>
-  void set_sizes(const SizingField& size, Options& options) const
+  void set_selection(Options& options) const
   {
-    options.size = [&size](const Point_3& p, const int region)
-    {
-      return internal::size_of_field<Kernel>(size, p, 3, region);
-    };
-    options.grading = internal::grading_of_field<Kernel, SizingField>(size);
+    if constexpr(has_selection)
+      options.is_selected = [map = parameters::get_parameter(m_np, internal_np::cell_selector)](const std::size_t c)
+      {
+        using boost::get;
+        return bool(get(map, c));
+      };
+    else
+      options.is_selected = [](const std::size_t) { return false; };
   }
 
   template <typename PointRange, typename TetrahedronRange>

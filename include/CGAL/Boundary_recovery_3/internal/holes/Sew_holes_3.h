@@ -31,7 +31,8 @@ namespace Boundary_recovery_3 {
 namespace internal {
 
 /*
- * Puts the new mesh together: what is outside of the holes, in its order, then what is in the holes, one after the other.
+ * Puts the new mesh together: what is outside of the holes, in its order, then what is in the holes, one after the
+ * other.
  */
 template <typename Kernel>
 class Sew_holes_3
