@@ -358,8 +358,39 @@ void test_many_holes()
   assert(result.number_of_holes > 10);
 }
 
+// The new mesh is the next old one.
+Moved_grid next_mesh(const Moved_grid& grid, const Result& result)
+{
+  Moved_grid next = grid;
+  next.places.clear();
+  for(const Point& p : result.points)
+    next.places.push_back({{ p.x(), p.y(), p.z() }});
+  next.tetrahedra = result.tetrahedra;
+  next.regions = result.regions;
+  next.facets = result.facets;
+  next.edges = result.edges;
+  return next;
+}
+
+// No grid any more.
+void test_again_and_again()
+{
+  std::mt19937 rng(17);
+  Moved_grid grid = furnished_grid(7);
+  grid.shake(rng, 2);
+  for(int round = 0; round < 8; ++round)
+  {
+    const std::size_t layers = std::size_t(round % 3);
+    const Result result = remesh(grid, parameters::number_of_layers(layers));
+    judge(grid, result, "round " + std::to_string(round));
+    grid = next_mesh(grid, result);
+    grid.shake(rng, 0.6, 1 + 10 * (round % 4));
+  }
+}
+
 int main()
 {
+  test_again_and_again();
   test_moved_at_random();
   test_moved_body();
   test_surface_through_surface();
