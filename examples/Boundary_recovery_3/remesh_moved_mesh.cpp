@@ -84,7 +84,8 @@ int main()
   }
   for(const auto c : tr.finite_cell_handles())
     if(c->subdomain_index() != 0)
-      tetrahedra.push_back({{ number[c->vertex(0)], number[c->vertex(1)], number[c->vertex(2)], number[c->vertex(3)] }});
+      tetrahedra.push_back({{ number[c->vertex(0)], number[c->vertex(1)],
+                              number[c->vertex(2)], number[c->vertex(3)] }});
   std::cout << tetrahedra.size() << " cells" << std::endl;
 
   const Vector motion(0.2, 0, 0);

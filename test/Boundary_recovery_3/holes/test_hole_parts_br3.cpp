@@ -232,11 +232,11 @@ void test_holes_that_grow()
 void test_surface_of_hole()
 {
   std::mt19937 rng(8);
-  Moved_grid grid(4);
+  Moved_grid grid(5);
   grid.set_region({{ 0, 0, 0 }}, {{ 2, 4, 4 }}, 3);
   grid.set_region({{ 1, 1, 1 }}, {{ 3, 3, 3 }}, -2);
   grid.add_sheet(3, {{ 1, 0 }}, {{ 4, 2 }});
-  grid.add_edges(3, 3, 0, 3);
+  grid.add_edges(4, 4, 1, 4);
   grid.edges.push_back(grid.edges.front()); // once more
   std::swap(grid.edges[0][0], grid.edges[0][1]);
   const auto mesh = mesh_of<Epick>(grid);
@@ -271,7 +271,7 @@ void test_surface_of_hole()
   {
     Hole_cells holes(grid.tetrahedra, incidences);
     for(int k = 0; k < 1 + run; ++k)
-      holes.add(std::size_t(random_int(rng, 384)));
+      holes.add(std::size_t(random_int(rng, 750)));
     holes.add_layers(std::size_t(run % 3));
     holes.form_holes();
     for(std::size_t h = 0; h < holes.number_of_holes(); ++h)
