@@ -74,7 +74,7 @@ auto remesh_holes_of_ranges(const PointRange& points, const TetrahedronRange& te
  *
  * Constrained are the facets and edges that the caller names, those between cells of different regions, and those on
  * the boundary of the mesh. They stay, with their vertices, also inside of holes. A surface that was itself moved
- * through another one cannot stay: then the pairs of facets that intersect are told.
+ * through another one cannot stay: then the pairs of facets that intersect are told, as far as they are in holes.
  *
  * Nothing is printed, and nothing is thrown because of the input. The same input gives the same mesh, bit for bit,
  * unless time is limited. The time grows with the holes; over the whole mesh there are a few linear passes.

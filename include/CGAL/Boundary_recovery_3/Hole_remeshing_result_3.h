@@ -98,7 +98,8 @@ struct Hole_remeshing_result_3
   std::vector<std::size_t> old_cells;    ///< for each tetrahedron its old position, or `no_index`
 
   /// for each new vertex, from `number_of_kept_vertices` on, where it is in the old mesh, as that was given: in an old
-  /// tetrahedron of the same region and hole that is not inverted or flat. Where several are, in the largest one.
+  /// tetrahedron of the same region and hole that is not inverted or flat. There is always one; where inverted cells
+  /// fold back, there are several.
   std::vector<Old_mesh_location_3> locations;
 
   /// @}

@@ -412,7 +412,13 @@ void test_old_places(const double distance, const double scale, const double off
   const auto mesh = mesh_of<Kernel>(grid);
   std::vector<std::size_t> cells(grid.tetrahedra.size());
   std::iota(cells.begin(), cells.end(), std::size_t(0));
-  const internal::Locate_in_hole_3<Kernel> locate(mesh, cells);
+  const Incidences incidences(grid.places.size(), grid.tetrahedra);
+  Hole_cells holes(grid.tetrahedra, incidences);
+  for(const std::size_t c : cells)
+    holes.add(c);
+  holes.form_holes();
+  internal::Locate_in_hole_3<Kernel> locate(mesh, incidences, holes, cells);
+  assert(incidences.has_vertex(locate.cell_at(5), 5));
   for(int run = 0; run < 400; ++run)
   {
     std::array<double, 3> x;
@@ -426,7 +432,11 @@ void test_old_places(const double distance, const double scale, const double off
        p.y() > 4 * scale + offset || p.z() < offset || p.z() > 4 * scale + offset)
       continue; // both regions, or midpoints of vertices that left the grid
     const int region = p.x() < 2 * scale + offset ? 7 : 1;
-    const auto location = locate(p, region);
+    const std::size_t start = run % 3 == 0 ? locate.none : std::size_t(random_int(rng, 384));
+    const auto location = locate(p, region, start);
+    if(distance == 0) // cells do not overlap: the way makes no difference, unless p is on a boundary
+      assert(location.cell == locate(p, region, locate.none).cell || *std::min_element(
+               location.coordinates.begin(), location.coordinates.end()) == 0);
     assert(location.cell < grid.tetrahedra.size() && grid.regions[location.cell] == region);
     const Tetrahedron& t = grid.tetrahedra[location.cell];
     assert(CGAL::orientation(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]], mesh.points[t[3]])
@@ -447,7 +457,8 @@ void test_old_places(const double distance, const double scale, const double off
     for(std::size_t j = 0; j < 3; ++j)
       assert(std::abs(q[j] - (CGAL::to_double(p[int(j)]) - offset)) <= 1e-9 * scale);
   }
-  assert(locate(Point(offset - scale, offset, offset), 7).cell == std::size_t(-1));
+  for(const std::size_t start : { std::size_t(-1), std::size_t(0), std::size_t(200) })
+    assert(locate(Point(offset - scale, offset, offset), 7, start).cell == locate.none);
 }
 
 // A cell whose thickness is a few of the last bits: only exact numbers tell the coordinates.
@@ -459,9 +470,13 @@ void test_old_places_in_thin_cell()
   mesh.points = { Point(1, 1, 1), Point(2, 1, 1 + e), Point(1, 2, 1 + 2 * e), Point(1.25, 1.25, 1 + 4 * e) };
   mesh.tetrahedra = { {{ 0, 1, 2, 3 }} };
   mesh.regions = { 1 };
-  const internal::Locate_in_hole_3<Epick> locate(mesh, std::vector<std::size_t>(1, 0));
+  const Incidences incidences(4, mesh.tetrahedra);
+  Hole_cells holes(mesh.tetrahedra, incidences);
+  holes.add(0);
+  holes.form_holes();
+  internal::Locate_in_hole_3<Epick> locate(mesh, incidences, holes, holes.cells(0));
   const Point p(1.25, 1.25, 1 + 2 * e);
-  const auto location = locate(p, 1);
+  const auto location = locate(p, 1, 0);
   assert(location.cell == 0);
   // p is on the segment from the fourth vertex to the place (1.25, 1.25, 1 + 0.75 e) on the opposite facet
   const double w = (2 - 0.75) / (4 - 0.75);

@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <CGAL/Boundary_recovery_3/Cell_quality_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Unit_frame_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Moved_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Cell_angles_3.h>
@@ -44,11 +45,12 @@ struct Find_bad_cells_3
                    const Is_unfilled& is_unfilled)
     : is_bad(mesh.tetrahedra.size(), false)
   {
+    const double good = Dihedral_angle_quality_3(1).of_angle(min_dihedral_angle) * (1 + 1e-6); // for rounding
     for(std::size_t c = 0; c < mesh.tetrahedra.size(); ++c)
     {
       const bool is_inverted = ! is_positive(mesh, c);
       is_bad[c] = is_inverted || is_selected(c)
-               || (min_dihedral_angle > 0 && ! is_unfilled(mesh.regions[c]) && angle(mesh, c) < min_dihedral_angle);
+               || (! is_unfilled(mesh.regions[c]) && is_below(mesh, c, min_dihedral_angle, good));
       number_of_inverted_cells += is_inverted ? 1 : 0;
       number_of_bad_cells += is_bad[c] ? 1 : 0;
     }
@@ -62,12 +64,13 @@ private:
         == POSITIVE;
   }
 
-  static double angle(const Mesh& mesh, const std::size_t c)
+  // Most cells are so good that angles need not be computed.
+  static bool is_below(const Mesh& mesh, const std::size_t c, const double min_dihedral_angle, const double good)
   {
     Cell_corners_3 corners;
     for(std::size_t i = 0; i < 4; ++i)
       corners[i] = internal::coordinates_of(mesh.points[mesh.tetrahedra[c][i]]);
-    return Cell_angles_3(corners).smallest();
+    return Dihedral_angle_quality_3(1)(corners) < good && Cell_angles_3(corners).smallest() < min_dihedral_angle;
   }
 };
 

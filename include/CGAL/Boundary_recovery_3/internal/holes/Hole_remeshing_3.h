@@ -302,10 +302,10 @@ private:
 
   void sew()
   {
-    Sew_holes_3<Kernel> sew_holes(m_mesh, m_result);
+    Sew_holes_3<Kernel> sew_holes(m_mesh, *m_incidences, *m_hole_cells, m_result);
     for(const Hole& hole : m_holes)
       sew_holes.keep_vertices(hole.surface);
-    sew_holes.copy(*m_hole_cells);
+    sew_holes.copy();
     for(Hole& hole : m_holes)
     {
       sew_holes.add(hole.surface, *hole.triangulation, m_hole_cells->cells(hole.number));

@@ -82,7 +82,7 @@ public:
       parameters::list_defects(list_defects), parameters::visitor(std::ref(m_visitor)));
     m_vertices = recovery.vertices;
     m_facets = recovery.facets;
-    m_number_of_steiner_points = recovery.steiner_vertices.size();
+    m_steiner_vertices = recovery.steiner_vertices;
     return recovery;
   }
 
@@ -97,6 +97,8 @@ public:
       edges.push_back({{ m_vertices[e[0]], m_vertices[e[1]] }});
     m_edges = Constrained_edge_map_3<Tr>(edges);
     set_dimensions();
+    for(const Vertex_handle v : m_steiner_vertices)
+      m_number_of_steiner_points += v->cell()->subdomain_index() != 0 ? 1 : 0;
     set_aside(unfilled);
     return true;
   }
@@ -113,6 +115,7 @@ public:
                                 parameters::edge_is_constrained_map(m_edges).visitor(std::ref(m_visitor)));
   }
 
+  // Those in the hole, after the recovery.
   std::size_t number_of_steiner_points() const { return m_number_of_steiner_points; }
 
   const std::vector<Vertex_handle>& vertices() const { return m_vertices; }
@@ -157,6 +160,7 @@ private:
   Tr m_tr;
   std::vector<Vertex_handle> m_vertices; // of the surface
   std::vector<std::array<Vertex_handle, 3> > m_facets;
+  std::vector<Vertex_handle> m_steiner_vertices; // of the recovery, those outside of the hole included
   std::size_t m_number_of_steiner_points = 0;
   Constrained_edge_map_3<Tr> m_edges;
   int m_unfilled = -1;

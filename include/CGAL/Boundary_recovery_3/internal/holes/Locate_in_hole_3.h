@@ -15,7 +15,9 @@
 #include <CGAL/Boundary_recovery_3/Hole_remeshing_result_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Box_hierarchy_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Unit_frame_3.h>
+#include <CGAL/Boundary_recovery_3/internal/holes/Hole_cells_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Moved_mesh_3.h>
+#include <CGAL/Boundary_recovery_3/internal/holes/Tetrahedra_incidences_3.h>
 #include <CGAL/Boundary_recovery_3/internal/numbers/exact_numbers.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Cell_shape_3.h>
 
@@ -37,8 +39,10 @@ namespace internal {
  *
  * Old cells may be inverted, and overlap. But the boundary of the hole, and that of each region in it, is a valid
  * surface; so at each place inside there is one cell more that is positive than there are inverted ones, which fold
- * back: a positive cell of the region is there, and decided on by exact predicates. Of several, the largest one is
- * taken: thin ones are those that turned over next.
+ * back: a positive cell of the region is there, and decided on by exact predicates.
+ *
+ * A walk from a cell nearby finds it, unless an inverted cell or the boundary is in the way. Then all cells around the
+ * place are looked at, and of several the largest one is taken: thin ones are those that would have turned over next.
  */
 template <typename Kernel>
 class Locate_in_hole_3
@@ -48,33 +52,35 @@ public:
   typedef Moved_mesh_3<Point_3>        Mesh;
   typedef Old_mesh_location_3          Location;
 
-  Locate_in_hole_3(const Mesh& mesh, const std::vector<std::size_t>& cells)
-    : m_mesh(mesh), m_cells(positive_cells(mesh, cells)), m_frame(box_of(mesh, m_cells)), m_hierarchy(boxes())
+  static constexpr std::size_t none = std::size_t(-1);
+
+  // The hole is named by one of its cells.
+  Locate_in_hole_3(const Mesh& mesh, const Tetrahedra_incidences_3& incidences, const Hole_cells_3& hole_cells,
+                   const std::vector<std::size_t>& cells)
+    : m_mesh(mesh), m_incidences(incidences), m_hole_cells(hole_cells), m_cells(cells)
+  { }
+
+  // A cell of the hole at an old vertex, to start from, or none.
+  std::size_t cell_at(const std::size_t v) const
   {
-    std::vector<std::size_t> ordered;
-    for(const std::size_t k : m_hierarchy.order())
-      ordered.push_back(m_cells[k]);
-    m_cells.swap(ordered);
-    m_hierarchy.forget_order();
+    for(const std::size_t c : m_incidences.cells(v))
+      if(is_in_hole(c))
+        return c;
+    return none;
   }
 
-  // `region` is the caller's number. If there is no such cell, the place is not in that region of the hole.
-  Location operator()(const Point_3& p, const int region) const
+  // `region` is the caller's number, and `start` a cell of the hole, or none. If there is no such cell, the place is
+  // not in that region of the hole.
+  Location operator()(const Point_3& p, const int region, const std::size_t start)
   {
-    Best best;
-    const auto is_of_interest = [](const std::size_t, const double squared_distance) { return squared_distance <= 0; };
-    const Coordinates_3 q = m_frame.to_frame(internal::coordinates_of(p));
-    m_hierarchy.search(q, is_of_interest, [&](const std::size_t k) { look_at(m_cells[k], p, region, best); });
-    if(best.cell == none) // boxes are rounded, and so are coordinates if the kernel has better ones
-      for(const std::size_t c : m_cells)
-        look_at(c, p, region, best);
-    return best.cell == none ? Location() : Location{ best.cell, coordinates(best.cell, p) };
+    const std::size_t cell = start == none ? none : walk(p, region, start);
+    return cell == none ? search(p, region) : Location{ cell, coordinates(cell, p) };
   }
 
 private:
   typedef std::array<double, 4> Weights;
 
-  static constexpr std::size_t none = std::size_t(-1);
+  static constexpr int max_number_of_steps = 50;
   static constexpr double least_volume = 1e-4;   // of a cell, in cubes of its edges, for floating point numbers
   static constexpr double least_number = 1e-200; // below it, and above its inverse, volumes may leave their range
 
@@ -84,33 +90,81 @@ private:
     double volume = 0;
   };
 
-  static std::vector<std::size_t> positive_cells(const Mesh& mesh, const std::vector<std::size_t>& cells)
+  bool is_in_hole(const std::size_t cell) const { return m_hole_cells.are_in_same_hole(cell, m_cells.front()); }
+
+  // None if the way is barred.
+  std::size_t walk(const Point_3& p, const int region, std::size_t cell) const
   {
-    std::vector<std::size_t> result;
-    for(const std::size_t c : cells)
+    for(int step = 0; step < max_number_of_steps; ++step)
     {
-      const auto& t = mesh.tetrahedra[c];
-      if(Kernel().orientation_3_object()(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]], mesh.points[t[3]])
-         == POSITIVE)
-        result.push_back(c);
+      if(! is_in_hole(cell) || m_mesh.regions[cell] != region || ! is_positive(m_mesh, cell))
+        return none;
+      const std::size_t side = side_towards(p, cell);
+      if(side == none)
+        return cell;
+      const std::size_t opposite = m_incidences.opposite(side);
+      if(opposite == none)
+        return none;
+      cell = opposite / 4;
     }
-    return result;
+    return none;
   }
 
-  static Axis_box_3 box_of(const Mesh& mesh, const std::vector<std::size_t>& cells)
+  // A side of a positive cell that p is beyond; none if p is inside, or on the boundary.
+  std::size_t side_towards(const Point_3& p, const std::size_t cell) const
   {
+    for(std::size_t i = 0; i < 4; ++i)
+      if(orientation_with(p, cell, i) == NEGATIVE)
+        return 4 * cell + i;
+    return none;
+  }
+
+  Location search(const Point_3& p, const int region)
+  {
+    if(! m_is_ordered)
+      order_cells();
+    Best best;
+    const auto is_of_interest = [](const std::size_t, const double squared_distance) { return squared_distance <= 0; };
+    const Coordinates_3 q = m_frame.to_frame(internal::coordinates_of(p));
+    m_hierarchy.search(q, is_of_interest, [&](const std::size_t k) { look_at(m_positive_cells[k], p, region, best); });
+    if(best.cell == none) // boxes are rounded, and so are coordinates if the kernel has better ones
+      for(const std::size_t c : m_positive_cells)
+        look_at(c, p, region, best);
+    return best.cell == none ? Location() : Location{ best.cell, coordinates(best.cell, p) };
+  }
+
+  // Brings the positive cells into the order of a hierarchy of their boxes.
+  void order_cells()
+  {
+    std::vector<std::size_t> cells;
     Axis_box_3 box;
-    for(const std::size_t c : cells)
-      for(const std::size_t v : mesh.tetrahedra[c])
-        box.add(internal::coordinates_of(mesh.points[v]));
-    return box;
+    for(const std::size_t c : m_cells)
+      if(is_positive(m_mesh, c))
+      {
+        cells.push_back(c);
+        for(const std::size_t v : m_mesh.tetrahedra[c])
+          box.add(internal::coordinates_of(m_mesh.points[v]));
+      }
+    m_frame = Unit_frame_3(box);
+    m_hierarchy = Box_hierarchy_3<1>(boxes(cells));
+    for(const std::size_t k : m_hierarchy.order())
+      m_positive_cells.push_back(cells[k]);
+    m_hierarchy.forget_order();
+    m_is_ordered = true;
   }
 
-  std::vector<Axis_box_3> boxes() const
+  static bool is_positive(const Mesh& mesh, const std::size_t cell)
   {
-    std::vector<Axis_box_3> boxes(m_cells.size());
-    for(std::size_t k = 0; k < m_cells.size(); ++k)
-      for(const std::size_t v : m_mesh.tetrahedra[m_cells[k]])
+    const auto& t = mesh.tetrahedra[cell];
+    return Kernel().orientation_3_object()(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]], mesh.points[t[3]])
+        == POSITIVE;
+  }
+
+  std::vector<Axis_box_3> boxes(const std::vector<std::size_t>& cells) const
+  {
+    std::vector<Axis_box_3> boxes(cells.size());
+    for(std::size_t k = 0; k < cells.size(); ++k)
+      for(const std::size_t v : m_mesh.tetrahedra[cells[k]])
         boxes[k].add(m_frame.to_frame(internal::coordinates_of(m_mesh.points[v])));
     return boxes;
   }
@@ -124,26 +178,20 @@ private:
 
   void look_at(const std::size_t cell, const Point_3& p, const int region, Best& best) const
   {
-    if(m_mesh.regions[cell] != region || ! has_inside(cell, p))
+    if(m_mesh.regions[cell] != region || side_towards(p, cell) != none)
       return;
     const double volume = Cell_shape_3(corners(cell)).volume_times_6;
     if(best.cell == none || volume > best.volume || (volume == best.volume && cell < best.cell))
       best = Best{ cell, volume };
   }
 
-  // Whether p is inside, or on the boundary.
-  bool has_inside(const std::size_t cell, const Point_3& p) const
+  // That of the cell with p in the place of its vertex i.
+  Orientation orientation_with(const Point_3& p, const std::size_t cell, const std::size_t i) const
   {
-    const auto orientation = Kernel().orientation_3_object();
-    for(std::size_t i = 0; i < 4; ++i)
-    {
-      std::array<const Point_3*, 4> q;
-      for(std::size_t k = 0; k < 4; ++k)
-        q[k] = k == i ? &p : &m_mesh.points[m_mesh.tetrahedra[cell][k]];
-      if(orientation(*q[0], *q[1], *q[2], *q[3]) == NEGATIVE)
-        return false;
-    }
-    return true;
+    std::array<const Point_3*, 4> q;
+    for(std::size_t k = 0; k < 4; ++k)
+      q[k] = k == i ? &p : &m_mesh.points[m_mesh.tetrahedra[cell][k]];
+    return Kernel().orientation_3_object()(*q[0], *q[1], *q[2], *q[3]);
   }
 
   // Volumes with p in the place of a vertex, seen from p, where numbers are the most precise ones; exact ones if the
@@ -199,7 +247,11 @@ private:
   }
 
   const Mesh& m_mesh;
-  std::vector<std::size_t> m_cells; // in the order of the hierarchy
+  const Tetrahedra_incidences_3& m_incidences;
+  const Hole_cells_3& m_hole_cells;
+  const std::vector<std::size_t>& m_cells;   // of the hole
+  bool m_is_ordered = false;                 // whether the following are there
+  std::vector<std::size_t> m_positive_cells; // in the order of the hierarchy
   Unit_frame_3 m_frame;
   Box_hierarchy_3<1> m_hierarchy;
 };

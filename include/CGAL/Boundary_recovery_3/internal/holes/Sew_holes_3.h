@@ -18,6 +18,7 @@
 #include <CGAL/Boundary_recovery_3/internal/holes/Hole_triangulation_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Locate_in_hole_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Moved_mesh_3.h>
+#include <CGAL/Boundary_recovery_3/internal/holes/Tetrahedra_incidences_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Cell_angles_3.h>
 
 #include <CGAL/Unique_hash_map.h>
@@ -44,8 +45,10 @@ public:
   typedef Hole_triangulation_3<Kernel>      Triangulation;
   typedef Hole_remeshing_result_3<Point_3>  Result;
 
-  Sew_holes_3(const Mesh& mesh, Result& result)
-    : m_mesh(mesh), m_result(result), m_is_kept(mesh.points.size(), false)
+  Sew_holes_3(const Mesh& mesh, const Tetrahedra_incidences_3& incidences, const Hole_cells_3& hole_cells,
+              Result& result)
+    : m_mesh(mesh), m_incidences(incidences), m_hole_cells(hole_cells), m_result(result),
+      m_is_kept(mesh.points.size(), false)
   { }
 
   // First those that stay in some hole are named.
@@ -56,18 +59,18 @@ public:
   }
 
   // Then all is copied that is not in a hole.
-  void copy(const Hole_cells_3& hole_cells)
+  void copy()
   {
     std::vector<char> has_cell(m_mesh.points.size(), false);
     for(std::size_t c = 0; c < m_mesh.tetrahedra.size(); ++c)
       for(const std::size_t v : m_mesh.tetrahedra[c])
       {
         has_cell[v] = true;
-        m_is_kept[v] = m_is_kept[v] || ! hole_cells.contains(c);
+        m_is_kept[v] = m_is_kept[v] || ! m_hole_cells.contains(c);
       }
     copy_vertices(has_cell);
     for(std::size_t c = 0; c < m_mesh.tetrahedra.size(); ++c)
-      if(! hole_cells.contains(c))
+      if(! m_hole_cells.contains(c))
         add_cell(renumbered(m_mesh.tetrahedra[c]), m_mesh.regions[c], c);
     m_result.number_of_kept_cells = m_result.tetrahedra.size();
     for(const auto& f : m_mesh.facets)
@@ -81,7 +84,7 @@ public:
   {
     typedef typename Triangulation::Vertex_handle Vertex_handle;
     typedef typename Triangulation::Cell_handle   Cell_handle;
-    const Locate_in_hole_3<Kernel> locate(m_mesh, old_cells);
+    Locate_in_hole_3<Kernel> locate(m_mesh, m_incidences, m_hole_cells, old_cells);
     Unique_hash_map<Vertex_handle, std::size_t> number; // for looking up only
     for(std::size_t k = 0; k < surface.vertices.size(); ++k)
       number[triangulation.vertices()[k]] = m_new_number[surface.vertices[k]];
@@ -94,7 +97,7 @@ public:
         if(! number.is_defined(c->vertex(i)))
         {
           number[c->vertex(i)] = m_result.points.size();
-          add_vertex(c->vertex(i)->point(), region, locate);
+          add_vertex(c->vertex(i)->point(), region, locate, start(c, number, locate));
         }
         t[static_cast<std::size_t>(i)] = number[c->vertex(i)];
       }
@@ -118,11 +121,27 @@ private:
     m_result.number_of_kept_vertices = m_result.points.size();
   }
 
-  void add_vertex(const Point_3& p, const int region, const Locate_in_hole_3<Kernel>& locate)
+  void add_vertex(const Point_3& p, const int region, Locate_in_hole_3<Kernel>& locate, const std::size_t start)
   {
     m_result.points.push_back(p);
     m_result.old_vertices.push_back(m_result.no_index);
-    m_result.locations.push_back(locate(p, region));
+    m_result.locations.push_back(locate(p, region, start));
+  }
+
+  // An old cell near a new one: that where another vertex of it is.
+  template <typename Cell_handle, typename Numbers>
+  std::size_t start(const Cell_handle c, const Numbers& number, const Locate_in_hole_3<Kernel>& locate) const
+  {
+    for(int i = 0; i < 4; ++i)
+      if(number.is_defined(c->vertex(i)))
+      {
+        const std::size_t v = number[c->vertex(i)];
+        if(v >= m_result.number_of_kept_vertices && v - m_result.number_of_kept_vertices < m_result.locations.size())
+          return m_result.locations[v - m_result.number_of_kept_vertices].cell;
+        if(v < m_result.number_of_kept_vertices)
+          return locate.cell_at(m_result.old_vertices[v]);
+      }
+    return locate.none;
   }
 
   void add_cell(const typename Mesh::Tetrahedron& t, const int region, const std::size_t old_cell)
@@ -141,6 +160,8 @@ private:
   }
 
   const Mesh& m_mesh;
+  const Tetrahedra_incidences_3& m_incidences;
+  const Hole_cells_3& m_hole_cells;
   Result& m_result;
   std::vector<char> m_is_kept;           // of the old vertices
   std::vector<std::size_t> m_new_number; // of the old vertices
