@@ -26,7 +26,7 @@ typedef CGAL::Hole_remeshing_result_3<Point>              Result;
 int main()
 {
   std::mt19937 rng(3);
-  for(const double distance : { 0.4, 1. })
+  for(const double distance : { 0.8, 1.5 })
   {
     Moved_grid grid(4);
     grid.set_region({{ 0, 0, 0 }}, {{ 2, 4, 4 }}, 2);
