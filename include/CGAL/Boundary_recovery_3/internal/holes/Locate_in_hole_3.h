@@ -20,9 +20,12 @@
 #include <CGAL/Boundary_recovery_3/internal/holes/Tetrahedra_incidences_3.h>
 #include <CGAL/Boundary_recovery_3/internal/numbers/exact_numbers.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Cell_shape_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
+
+#include <boost/container/small_vector.hpp>
 
 #include <algorithm>
 #include <array>
@@ -41,8 +44,8 @@ namespace internal {
  * surface; so at each place inside there is one cell more that is positive than there are inverted ones, which fold
  * back: a positive cell of the region is there, and decided on by exact predicates.
  *
- * A walk from a cell nearby finds it, unless an inverted cell or the boundary is in the way. Then all cells around the
- * place are looked at, and of several the largest one is taken: thin ones are those that would have turned over next.
+ * A walk from a cell nearby finds it, unless an inverted cell or the boundary is in the way. Then the cells nearby are
+ * looked at, and, if that does not help, all cells around the place, of which the largest one is taken.
  */
 template <typename Kernel>
 class Locate_in_hole_3
@@ -73,7 +76,9 @@ public:
   // not in that region of the hole.
   Location operator()(const Point_3& p, const int region, const std::size_t start)
   {
-    const std::size_t cell = start == none ? none : walk(p, region, start);
+    std::size_t cell = start == none ? none : walk(p, region, start);
+    if(cell == none && start != none)
+      cell = look_around(p, region, start);
     return cell == none ? search(p, region) : Location{ cell, coordinates(cell, p) };
   }
 
@@ -81,6 +86,7 @@ private:
   typedef std::array<double, 4> Weights;
 
   static constexpr int max_number_of_steps = 50;
+  static constexpr std::size_t max_number_of_neighbors = 100;
   static constexpr double least_volume = 1e-4;   // of a cell, in cubes of its edges, for floating point numbers
   static constexpr double least_number = 1e-200; // below it, and above its inverse, volumes may leave their range
 
@@ -106,6 +112,27 @@ private:
       if(opposite == none)
         return none;
       cell = opposite / 4;
+    }
+    return none;
+  }
+
+  // Looks at the cells of the hole that are nearest to one of them, as steps go.
+  std::size_t look_around(const Point_3& p, const int region, const std::size_t start) const
+  {
+    boost::container::small_vector<std::size_t, max_number_of_neighbors> cells;
+    if(is_in_hole(start))
+      cells.push_back(start);
+    for(std::size_t k = 0; k < cells.size(); ++k)
+    {
+      const std::size_t c = cells[k];
+      if(m_mesh.regions[c] == region && is_positive(m_mesh, c) && side_towards(p, c) == none)
+        return c;
+      for(std::size_t i = 0; i < 4 && cells.size() < max_number_of_neighbors; ++i)
+      {
+        const std::size_t side = m_incidences.opposite(4 * c + i);
+        if(side != none && is_in_hole(side / 4) && ! internal::contains(cells, side / 4))
+          cells.push_back(side / 4);
+      }
     }
     return none;
   }

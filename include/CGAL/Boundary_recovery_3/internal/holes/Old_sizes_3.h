@@ -17,8 +17,9 @@
 #include <CGAL/Boundary_recovery_3/internal/filling/distances_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Moved_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Tetrahedra_incidences_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Cell_shape_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -29,18 +30,18 @@ namespace Boundary_recovery_3 {
 namespace internal {
 
 /*
- * The sizes of the old mesh in a hole: at each vertex the mean length of the edges there, of those cells that are not
- * bad if there are any, carried from there into space.
+ * The sizes of the old mesh in a hole: at each vertex the mean length of the edges of the cells there, of those that
+ * are not bad if there are any, carried from there into space.
  *
  * Lengths differ from one vertex to the next, and the smallest ones would win everywhere: a mesh that is remeshed again
- * and again would get finer and finer. Therefore each vertex takes the mean of what it and its neighbors have.
+ * and again would get finer and finer. Therefore all edges of these cells count, and not only those at the vertex.
  */
 class Old_sizes_3
 {
 public:
   // See "Tuning constants" in the manual.
   static constexpr double grading = 0.3;
-  static constexpr double size_per_mean_length = 0.94;
+  static constexpr double size_per_mean_length = 0.95;
 
   // `is_bad` has an entry for each tetrahedron of the mesh, `cells` are those of the hole.
   template <typename Point_3>
@@ -77,20 +78,16 @@ private:
   static std::vector<Site> sites(const Moved_mesh_3<Point_3>& mesh, const Tetrahedra_incidences_3& incidences,
                                  const std::vector<char>& is_bad, const std::vector<std::size_t>& cells)
   {
-    std::vector<std::size_t> vertices;
-    for(const std::size_t c : cells)
-      vertices.insert(vertices.end(), mesh.tetrahedra[c].begin(), mesh.tetrahedra[c].end());
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-
-    std::vector<double> lengths;
-    for(const std::size_t v : vertices)
-      lengths.push_back(mean_length(mesh, incidences, is_bad, v));
-    const std::vector<double> means = means_of_neighbors(mesh, is_bad, cells, vertices, lengths);
+    Simplex_index_3<std::size_t, 1> known;
     std::vector<Site> result;
-    for(std::size_t k = 0; k < vertices.size(); ++k)
-      if(means[k] > 0) // else all of its neighbors are at its place
-        result.push_back(Site{ internal::coordinates_of(mesh.points[vertices[k]]), size_per_mean_length * means[k] });
+    for(const std::size_t c : cells)
+      for(const std::size_t v : mesh.tetrahedra[c])
+        if(known.insert({{ v }}).second)
+        {
+          const double length = mean_length(mesh, incidences, is_bad, v);
+          if(length > 0) // else all of its neighbors are at its place
+            result.push_back(Site{ internal::coordinates_of(mesh.points[v]), size_per_mean_length * length });
+        }
     return result;
   }
 
@@ -98,38 +95,16 @@ private:
   static double mean_length(const Moved_mesh_3<Point_3>& mesh, const Tetrahedra_incidences_3& incidences,
                             const std::vector<char>& is_bad, const std::size_t v)
   {
-    const Coordinates_3 p = internal::coordinates_of(mesh.points[v]);
     Mean mean;
     for(const std::size_t c : incidences.cells(v))
-      for(const std::size_t u : mesh.tetrahedra[c])
-        if(u != v)
-          mean.add(std::sqrt(internal::squared_distance(p, internal::coordinates_of(mesh.points[u]))), ! is_bad[c]);
-    return mean();
-  }
-
-  template <typename Point_3>
-  static std::vector<double> means_of_neighbors(const Moved_mesh_3<Point_3>& mesh, const std::vector<char>& is_bad,
-                                                const std::vector<std::size_t>& cells,
-                                                const std::vector<std::size_t>& vertices,
-                                                const std::vector<double>& lengths)
-  {
-    std::vector<Mean> means(vertices.size());
-    for(const std::size_t c : cells)
     {
-      std::array<std::size_t, 4> t = mesh.tetrahedra[c];
-      double sum = 0;
-      for(std::size_t& v : t)
-      {
-        v = static_cast<std::size_t>(std::lower_bound(vertices.begin(), vertices.end(), v) - vertices.begin());
-        sum += lengths[v] / 4;
-      }
-      for(const std::size_t v : t)
-        means[v].add(sum, ! is_bad[c]);
+      std::array<Coordinates_3, 4> p;
+      for(std::size_t i = 0; i < 4; ++i)
+        p[i] = internal::coordinates_of(mesh.points[mesh.tetrahedra[c][i]]);
+      for(const auto& e : edges_of_cell)
+        mean.add(std::sqrt(internal::squared_distance(p[std::size_t(e[0])], p[std::size_t(e[1])])), ! is_bad[c]);
     }
-    std::vector<double> result;
-    for(const Mean& mean : means)
-      result.push_back(mean());
-    return result;
+    return mean();
   }
 
   Cone_minimum_3 m_cones;
