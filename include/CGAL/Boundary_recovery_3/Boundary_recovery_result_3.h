@@ -78,8 +78,15 @@ enum class Input_defect_kind
   duplicate_facet,          ///< two facets have the same three vertices
   coincident_vertices,      ///< two vertices of constraints are at one point
   dimension_less_than_3,    ///< all the points are coplanar
-  intersecting_constraints  ///< two constraints intersect elsewhere than in a common vertex or edge, or a vertex is
+  intersecting_constraints, ///< two constraints intersect elsewhere than in a common vertex or edge, or a vertex is
                             ///< on a constraint that is not its own
+  repeated_vertex,          ///< a tetrahedron of a mesh names a vertex twice
+  nonmanifold_facet,        ///< more than two tetrahedra of a mesh have the same facet
+  inconsistent_orientation, ///< two tetrahedra of a mesh are on the same side of a common facet, by the order of their
+                            ///< vertices
+  not_in_mesh,              ///< a constrained facet or edge of a mesh is none of its tetrahedra
+  inverted_region           ///< the facets that bound a region of a mesh, and have to stay, do not have it on the side
+                            ///< where its tetrahedra are by the order of their vertices
 };
 
 /// \ingroup PkgBoundaryRecovery3Classes
@@ -93,8 +100,9 @@ struct Input_simplex_3
   /// triangulation but not in the input
   static constexpr std::size_t no_index = std::size_t(-1);
 
-  int dimension = -1;                ///< 0: vertex, 1: edge, 2: facet
-  std::size_t index = no_index;      ///< position of the vertex, constrained edge or facet in its input range
+  int dimension = -1;                ///< 0: vertex, 1: edge, 2: facet, 3: tetrahedron
+  std::size_t index = no_index;      ///< position of the vertex, constrained edge, facet or tetrahedron in its input
+                                     ///< range
   std::vector<std::size_t> vertices; ///< the input indices of its vertices; none for a vertex without index
   std::vector<Point_3> points;       ///< the coordinates of its vertices; empty where an index has no finite point
 };
@@ -309,6 +317,11 @@ inline const char* to_string(const Input_defect_kind kind)
     case Input_defect_kind::coincident_vertices:      return "coincident_vertices";
     case Input_defect_kind::dimension_less_than_3:    return "dimension_less_than_3";
     case Input_defect_kind::intersecting_constraints: return "intersecting_constraints";
+    case Input_defect_kind::repeated_vertex:          return "repeated_vertex";
+    case Input_defect_kind::nonmanifold_facet:        return "nonmanifold_facet";
+    case Input_defect_kind::inconsistent_orientation: return "inconsistent_orientation";
+    case Input_defect_kind::not_in_mesh:              return "not_in_mesh";
+    case Input_defect_kind::inverted_region:          return "inverted_region";
   }
   return "";
 }
@@ -318,7 +331,7 @@ inline const char* to_string(const Input_defect_kind kind)
 template <typename Point_3>
 std::ostream& operator<<(std::ostream& os, const Input_simplex_3<Point_3>& simplex)
 {
-  static constexpr const char* names[] = { "vertex", "edge", "facet" };
+  static constexpr const char* names[] = { "vertex", "edge", "facet", "tetrahedron" };
   os << (simplex.dimension < 0 ? "nothing" : names[simplex.dimension]);
   if(simplex.index != Input_simplex_3<Point_3>::no_index)
     os << ' ' << simplex.index;

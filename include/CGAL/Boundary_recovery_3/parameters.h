@@ -33,6 +33,9 @@ enum maximum_number_of_vertices_t { maximum_number_of_vertices };
 enum min_dihedral_angle_t        { min_dihedral_angle };
 enum cell_quality_t              { cell_quality };
 enum improve_quality_t           { improve_quality };
+enum cell_region_map_t           { cell_region_map };
+enum constrained_facets_t        { constrained_facets };
+enum number_of_layers_t          { number_of_layers };
 
 // A pack with all the parameters of both packs; those of the second win.
 template <typename NP, typename T, typename Tag>
@@ -151,6 +154,33 @@ Named_function_parameters<K, Boundary_recovery_3::internal::improve_quality_t>
 improve_quality(const K& k)
 {
   return Named_function_parameters<K, Boundary_recovery_3::internal::improve_quality_t>(k);
+}
+
+/// \ingroup PkgBoundaryRecovery3Functions
+/// the region of each tetrahedron of a mesh, a property map from positions to integers.
+template <typename K>
+Named_function_parameters<K, Boundary_recovery_3::internal::cell_region_map_t>
+cell_region_map(const K& k)
+{
+  return Named_function_parameters<K, Boundary_recovery_3::internal::cell_region_map_t>(k);
+}
+
+/// \ingroup PkgBoundaryRecovery3Functions
+/// facets of a mesh that have to stay: a range of arrays of three vertex indices.
+template <typename K>
+Named_function_parameters<K, Boundary_recovery_3::internal::constrained_facets_t>
+constrained_facets(const K& k)
+{
+  return Named_function_parameters<K, Boundary_recovery_3::internal::constrained_facets_t>(k);
+}
+
+/// \ingroup PkgBoundaryRecovery3Functions
+/// how many layers of cells around bad ones are remeshed with them, an integer.
+template <typename K>
+Named_function_parameters<K, Boundary_recovery_3::internal::number_of_layers_t>
+number_of_layers(const K& k)
+{
+  return Named_function_parameters<K, Boundary_recovery_3::internal::number_of_layers_t>(k);
 }
 
 } // namespace parameters

@@ -69,6 +69,11 @@ FLOORS = [
     "improve_mesh_quality.h",
     "meshing",      # all steps, one after the other
     "make_boundary_constrained_mesh_3.h",
+    "Boundary_recovery_3/Hole_remeshing_result_3.h",
+    "Boundary_recovery_3/Cell_remeshing_result_3.h",
+    "holes",        # meshes that were moved, given by arrays: cavities, and sewing
+    "remesh_holes.h",
+    "remesh_cells.h",
 ]
 # Internal headers that no file of test/ has to include, by their path below include/CGAL, with the reason.
 UNTESTED_HEADERS = {}

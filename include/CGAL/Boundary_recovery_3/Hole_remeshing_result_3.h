@@ -1,0 +1,218 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_HOLE_REMESHING_RESULT_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_HOLE_REMESHING_RESULT_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_result_3.h>
+#include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
+#include <CGAL/Boundary_recovery_3/Meshing_status.h>
+
+#include <array>
+#include <cstddef>
+#include <ostream>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// the phases of `CGAL::remesh_holes()`, in their order.
+enum class Hole_remeshing_phase
+{
+  selection,   ///< the input is checked, and the cells are looked for that are to be replaced
+  recovery,    ///< the boundary of each hole is recovered; holes grow until it is a valid surface
+  filling,     ///< field points are inserted
+  improvement, ///< the quality of new cells is improved
+  sewing       ///< old and new are put together, and new vertices are looked for in the old mesh
+};
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// the number of holes when a phase ended, and the duration of that phase.
+struct Hole_remeshing_phase_report
+{
+  Hole_remeshing_phase phase;      ///< the phase
+  std::size_t number_of_holes = 0; ///< number of holes
+  double seconds = 0;              ///< duration in seconds (wall clock)
+};
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// where a place is in the old mesh, so that a solution can be interpolated there.
+struct Old_mesh_location_3
+{
+  std::size_t cell = std::size_t(-1); ///< the position of the old tetrahedron
+
+  /// the weights of its four vertices: not negative, with the sum 1 up to rounding
+  std::array<double, 4> coordinates = {{ 0, 0, 0, 0 }};
+};
+
+/*!
+ * \ingroup PkgBoundaryRecovery3Classes
+ *
+ * \brief what `CGAL::remesh_holes()` returns: the new mesh, where everything in it was before, and an account.
+ *
+ * If the status is not `meshed`, the mesh is the old one, and nothing in it is new.
+ *
+ * \tparam Point_3_ the point type
+ */
+template <typename Point_3_>
+struct Hole_remeshing_result_3
+{
+  typedef Point_3_                    Point_3;      ///< the point type
+  typedef std::array<std::size_t, 4>  Tetrahedron;  ///< the positions of its four vertices
+  typedef std::array<std::size_t, 3>  Facet;        ///< the positions of its three vertices
+  typedef std::array<std::size_t, 2>  Edge;         ///< the positions of its two vertices
+  typedef Input_defect_3<Point_3>     Input_defect; ///< a defect of the input
+  typedef Invalid_size_3<Point_3>     Invalid_size; ///< a place without a size
+
+  /// the old position of what is new
+  static constexpr std::size_t no_index = std::size_t(-1);
+
+  /// how it ended
+  Meshing_status status = Meshing_status::incomplete;
+
+  /// \name The Mesh
+  /// @{
+
+  std::vector<Point_3> points;         ///< the vertices: first those that stayed, in their old order, then new ones
+  std::vector<Tetrahedron> tetrahedra; ///< the tetrahedra: first those that stayed, in their old order, then new ones,
+                                       ///< positively oriented
+  std::vector<int> regions;            ///< the region of each tetrahedron
+  std::vector<Facet> facets;           ///< the constrained facets, in their old order: all of them are still there
+  std::vector<Edge> edges;             ///< the constrained edges, in their old order: all of them are still there
+
+  /// @}
+
+  /// \name Where It Was
+  /// @{
+
+  std::vector<std::size_t> old_vertices; ///< for each vertex its old position, or `no_index`
+  std::vector<std::size_t> old_cells;    ///< for each tetrahedron its old position, or `no_index`
+
+  /// for each new vertex, from `number_of_kept_vertices` on, where it is in the old mesh, as that was given: in an old
+  /// tetrahedron of the same region and hole that is not inverted or flat. There is always one; where inverted cells
+  /// fold back, there are several.
+  std::vector<Old_mesh_location_3> locations;
+
+  /// @}
+
+  /// \name Account
+  /// @{
+
+  std::size_t number_of_kept_vertices = 0; ///< number of vertices that stayed; the first ones of `points`
+  std::size_t number_of_kept_cells = 0;    ///< number of tetrahedra that stayed; the first ones of `tetrahedra`
+  std::size_t number_of_bad_cells = 0;     ///< number of old tetrahedra that were bad
+  std::size_t number_of_inverted_cells = 0; ///< number of those that were flat or inverted
+  std::size_t number_of_holes = 0;         ///< number of holes that were meshed
+  std::size_t number_of_enlargements = 0;  ///< how often a hole grew because its boundary was no valid surface
+  std::size_t number_of_failures = 0;      ///< how often a hole grew because its valid boundary could not be recovered
+  std::size_t number_of_steiner_points = 0; ///< number of Steiner points that the recovery left in holes; the
+                                           ///< improvement may have moved or removed them
+  std::size_t number_of_holes_with_steiner_points = 0; ///< number of holes that have them
+
+  /// the smallest dihedral angle of the new cells in degrees; 180 if there are none
+  double smallest_new_angle = 180;
+
+  std::size_t number_of_forced_cells = 0;  ///< number of new cells below the target of the improvement because of
+                                           ///< facets that have to stay, see `Quality_certificate_3`
+  std::size_t number_of_needles = 0;       ///< number of those that are as thin as a facet of theirs that has to stay
+  std::size_t number_of_unimproved_cells = 0; ///< number of other new cells below the target
+
+  /// what is wrong with the input, if `status` is `invalid_input`
+  std::vector<Input_defect> defects;
+
+  /// the place where the size field has no size, if that made the status `invalid_input`: none, or one
+  std::vector<Invalid_size> invalid_sizes;
+
+  std::vector<Hole_remeshing_phase_report> phases; ///< one entry for each phase that ran
+
+  double seconds = 0; ///< duration of all in seconds (wall clock)
+
+  /// @}
+
+  /// returns the duration of a phase in seconds; 0 if it did not run.
+  double seconds_of(const Hole_remeshing_phase phase) const
+  {
+    double sum = 0;
+    for(const Hole_remeshing_phase_report& report : phases)
+      if(report.phase == phase)
+        sum += report.seconds;
+    return sum;
+  }
+
+  /// returns `true` iff all is done.
+  explicit operator bool() const { return status == Meshing_status::meshed; }
+};
+
+/*!
+ * \ingroup PkgBoundaryRecovery3Classes
+ *
+ * \brief a visitor that does nothing; derive from it to watch or to stop `CGAL::remesh_holes()`.
+ *
+ * Pass it with `CGAL::parameters::visitor(std::ref(v))`, else a copy of it is called.
+ *
+ * \cgalModels{HoleRemeshingVisitor_3}
+ */
+struct Default_hole_remeshing_visitor_3
+{
+  /// is called before a phase starts.
+  void on_phase_begin(Hole_remeshing_phase /* phase */) { }
+
+  /// is called after a phase ended.
+  void on_phase_end(const Hole_remeshing_phase_report& /* report */) { }
+
+  /// is called inside the phases from `recovery` to `improvement`, after each hole: `done` of `total` are done.
+  void on_progress(Hole_remeshing_phase /* phase */, std::size_t /* done */, std::size_t /* total */) { }
+
+  /// is asked at a steady rate; once it returned `false`, the work stops soon, and the old mesh is returned.
+  bool go_further() { return true; }
+};
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// returns the name of a phase, as it is spelled in the enumeration.
+inline const char* to_string(const Hole_remeshing_phase phase)
+{
+  switch(phase)
+  {
+    case Hole_remeshing_phase::selection:   return "selection";
+    case Hole_remeshing_phase::recovery:    return "recovery";
+    case Hole_remeshing_phase::filling:     return "filling";
+    case Hole_remeshing_phase::improvement: return "improvement";
+    case Hole_remeshing_phase::sewing:      return "sewing";
+  }
+  return "";
+}
+
+} // namespace Boundary_recovery_3
+
+using Boundary_recovery_3::Default_hole_remeshing_visitor_3;
+using Boundary_recovery_3::Hole_remeshing_result_3;
+
+namespace Boundary_recovery_3 {
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// writes the status and the main numbers as one line, and a line for each thing that is wrong.
+template <typename Point_3>
+std::ostream& operator<<(std::ostream& os, const Hole_remeshing_result_3<Point_3>& result)
+{
+  os << to_string(result.status) << ": " << result.number_of_bad_cells << " bad cells in " << result.number_of_holes
+     << " holes, " << result.tetrahedra.size() - result.number_of_kept_cells << " new cells";
+  for(const auto& defect : result.defects)
+    os << '\n' << defect;
+  for(const auto& invalid : result.invalid_sizes)
+    os << '\n' << invalid;
+  return os;
+}
+
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_HOLE_REMESHING_RESULT_3_H

@@ -1,0 +1,115 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_HOLES_CONSTRAINED_SIDES_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_HOLES_CONSTRAINED_SIDES_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/internal/holes/Moved_mesh_3.h>
+#include <CGAL/Boundary_recovery_3/internal/holes/Tetrahedra_incidences_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
+
+#include <array>
+#include <cstddef>
+#include <unordered_map>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * What of a mesh has to stay, whatever is remeshed: the facets that the caller says, those between two regions, those
+ * on the boundary of the mesh, and the edges that the caller says.
+ */
+template <typename Point_3>
+class Constrained_sides_3
+{
+public:
+  typedef Moved_mesh_3<Point_3>      Mesh;
+  typedef std::array<std::size_t, 2> Edge;
+
+  static constexpr std::size_t none = std::size_t(-1);
+
+  Constrained_sides_3(const Mesh& mesh, const Tetrahedra_incidences_3& incidences)
+    : m_mesh(mesh), m_incidences(incidences)
+  { }
+
+  // Looks up the facets and edges of the caller. Those that are not there are appended to lists of positions.
+  void find(std::vector<std::size_t>& lost_facets, std::vector<std::size_t>& lost_edges)
+  {
+    for(std::size_t f = 0; f < m_mesh.facets.size(); ++f)
+    {
+      const std::size_t side = m_incidences.find(m_mesh.facets[f]);
+      if(side == none)
+        lost_facets.push_back(f);
+      else
+      {
+        m_position_of_side.emplace(side, f); // the first one counts
+        if(m_incidences.opposite(side) != none)
+          m_position_of_side.emplace(m_incidences.opposite(side), f);
+      }
+    }
+    for(std::size_t e = 0; e < m_mesh.edges.size(); ++e)
+      if(! m_incidences.has_edge(m_mesh.edges[e][0], m_mesh.edges[e][1]))
+        lost_edges.push_back(e);
+      else if(m_edges.insert(m_mesh.edges[e]).second)
+        m_positions_of_edges.push_back(e);
+  }
+
+  // The caller's position of a facet, or none.
+  std::size_t position(const std::size_t side) const
+  {
+    const auto it = m_position_of_side.find(side);
+    return it == m_position_of_side.end() ? none : it->second;
+  }
+
+  // Whether there is another region, or nothing, behind a facet.
+  bool bounds_region(const std::size_t side) const
+  {
+    const std::size_t opposite = m_incidences.opposite(side);
+    return opposite == none || m_mesh.regions[opposite / 4] != m_mesh.regions[side / 4];
+  }
+
+  bool is_constrained(const std::size_t side) const { return bounds_region(side) || position(side) != none; }
+
+  bool has_edges() const { return ! m_mesh.edges.empty(); }
+
+  bool is_constrained_edge(const Edge& edge) const { return m_edges[edge] != m_edges.none; }
+
+  // The caller's position of a constrained edge.
+  std::size_t position(const Edge& edge) const { return m_positions_of_edges[m_edges[edge]]; }
+
+  // Whether something that has to stay has this vertex.
+  bool is_constrained_vertex(const std::size_t v) const
+  {
+    for(const std::size_t c : m_incidences.cells(v))
+      for(std::size_t i = 0; i < 4; ++i)
+      {
+        const std::size_t u = m_mesh.tetrahedra[c][i];
+        if(u != v && (is_constrained(4 * c + i) || (has_edges() && is_constrained_edge({{ u, v }}))))
+          return true;
+      }
+    return false;
+  }
+
+private:
+  const Mesh& m_mesh;
+  const Tetrahedra_incidences_3& m_incidences;
+  std::unordered_map<std::size_t, std::size_t> m_position_of_side; // for looking up only
+  Simplex_index_3<std::size_t, 2> m_edges;
+  std::vector<std::size_t> m_positions_of_edges;
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_HOLES_CONSTRAINED_SIDES_3_H

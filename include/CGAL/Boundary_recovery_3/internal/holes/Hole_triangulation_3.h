@@ -1,0 +1,174 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_HOLES_HOLE_TRIANGULATION_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_HOLES_HOLE_TRIANGULATION_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_constrained_mesh_triangulation_3.h>
+#include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_visitor_3.h>
+#include <CGAL/Boundary_recovery_3/Constrained_edge_map_3.h>
+#include <CGAL/Boundary_recovery_3/internal/holes/Hole_surface_3.h>
+#include <CGAL/Boundary_recovery_3/internal/holes/Label_hole_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Quality_improvement_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
+#include <CGAL/Boundary_recovery_3/parameters.h>
+#include <CGAL/improve_mesh_quality.h>
+#include <CGAL/insert_field_points.h>
+#include <CGAL/recover_boundary.h>
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+// Asks somebody whether to go on, and tells nothing.
+struct Hole_visitor_3
+  : public Default_boundary_constrained_mesh_visitor_3
+{
+  explicit Hole_visitor_3(const std::function<bool()>& question) : question(question) { }
+
+  bool go_further() { return question(); }
+
+  std::function<bool()> question;
+};
+
+// A size field of any type, so that one mesher is compiled for all of them.
+template <typename Point_3>
+struct Hole_sizes_3
+{
+  std::function<double(const Point_3&, int)> size; // at a place in a region, with a local number
+  double largest_grading;
+
+  double operator()(const Point_3& p, const int /* dimension */, const int region) const { return size(p, region); }
+
+  double grading() const { return largest_grading; }
+};
+
+/*
+ * The triangulation that a hole is meshed in, from the recovery of its boundary to the improvement.
+ */
+template <typename Kernel>
+class Hole_triangulation_3
+{
+public:
+  typedef typename Kernel::Point_3                                        Point_3;
+  typedef typename Boundary_constrained_mesh_triangulation_3<Kernel>::type Tr;
+  typedef typename Tr::Vertex_handle                                      Vertex_handle;
+  typedef typename Tr::Cell_handle                                        Cell_handle;
+  typedef Hole_surface_3<Point_3>                                         Surface;
+  typedef Boundary_recovery_result_3<Tr>                                  Recovery;
+  typedef Field_points_result_3<Tr>                                       Filling;
+  typedef Quality_improvement_result_3<Tr>                                Improvement;
+
+  explicit Hole_triangulation_3(const std::function<bool()>& can_go_further) : m_visitor(can_go_further) { }
+
+  // `list_defects`: intersections are looked for first, as for `recover_boundary()`.
+  Recovery recover(const Surface& surface, const bool list_defects)
+  {
+    const Recovery recovery = recover_boundary(
+      m_tr, surface.points, surface.facets, parameters::constrained_edges(surface.edges),
+      parameters::list_defects(list_defects), parameters::visitor(std::ref(m_visitor)));
+    m_vertices = recovery.vertices;
+    m_facets = recovery.facets;
+    m_steiner_vertices = recovery.steiner_vertices;
+    return recovery;
+  }
+
+  // After a recovery that did not fail. Cells of the region `unfilled` get no field points; -1: none. Returns false if
+  // the surface is turned inside out.
+  bool mark(const Surface& surface, const int unfilled)
+  {
+    if(! Label_hole_3<Tr>(m_tr)(m_facets, surface.regions_of_sides))
+      return false;
+    std::vector<std::array<Vertex_handle, 2> > edges;
+    for(const auto& e : surface.edges)
+      edges.push_back({{ m_vertices[e[0]], m_vertices[e[1]] }});
+    m_edges = Constrained_edge_map_3<Tr>(edges);
+    set_dimensions();
+    for(const Vertex_handle v : m_steiner_vertices)
+      m_number_of_steiner_points += v->cell()->subdomain_index() != 0 ? 1 : 0;
+    set_aside(unfilled);
+    return true;
+  }
+
+  Filling fill(const Hole_sizes_3<Point_3>& sizes)
+  {
+    return insert_field_points(m_tr, sizes, parameters::edge_is_constrained_map(m_edges)
+                                              .visitor(std::ref(m_visitor)));
+  }
+
+  Improvement improve(const double min_dihedral_angle)
+  {
+    return improve_mesh_quality(m_tr, parameters::min_dihedral_angle(min_dihedral_angle),
+                                parameters::edge_is_constrained_map(m_edges).visitor(std::ref(m_visitor)));
+  }
+
+  // Those in the hole, after the recovery.
+  std::size_t number_of_steiner_points() const { return m_number_of_steiner_points; }
+
+  const std::vector<Vertex_handle>& vertices() const { return m_vertices; }
+
+  // Calls `work(c, region)` for the cells in the hole, with local numbers of regions.
+  template <typename Work>
+  void for_each_cell(const Work& work) const
+  {
+    for(const Cell_handle c : m_tr.finite_cell_handles())
+      if(c->subdomain_index() != 0)
+        work(c, c->subdomain_index());
+    for(const Cell_handle c : m_unfilled_cells)
+      work(c, m_unfilled);
+  }
+
+private:
+  // Steiner points are free.
+  void set_dimensions()
+  {
+    for(const Vertex_handle v : m_tr.finite_vertex_handles())
+      v->set_dimension(3);
+    for(const Vertex_handle v : m_vertices)
+      v->set_dimension(1);
+    for(const auto& f : m_facets)
+      for(const Vertex_handle v : f)
+        v->set_dimension(2);
+  }
+
+  // For the mesher, they are outside; it changes nothing there.
+  void set_aside(const int unfilled)
+  {
+    m_unfilled = unfilled;
+    for(const Cell_handle c : m_tr.finite_cell_handles())
+      if(c->subdomain_index() == unfilled)
+      {
+        c->set_subdomain_index(0);
+        m_unfilled_cells.push_back(c);
+      }
+  }
+
+  Hole_visitor_3 m_visitor;
+  Tr m_tr;
+  std::vector<Vertex_handle> m_vertices; // of the surface
+  std::vector<std::array<Vertex_handle, 3> > m_facets;
+  std::vector<Vertex_handle> m_steiner_vertices; // of the recovery, those outside of the hole included
+  std::size_t m_number_of_steiner_points = 0;
+  Constrained_edge_map_3<Tr> m_edges;
+  int m_unfilled = -1;
+  std::vector<Cell_handle> m_unfilled_cells;
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_HOLES_HOLE_TRIANGULATION_3_H

@@ -1,0 +1,123 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_REMESH_CELLS_H
+#define CGAL_REMESH_CELLS_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/Cell_remeshing_result_3.h>
+#include <CGAL/Boundary_recovery_3/internal/holes/Remesh_triangulation_3.h>
+#include <CGAL/Boundary_recovery_3/parameters.h>
+#include <CGAL/remesh_holes.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+namespace CGAL {
+
+namespace Boundary_recovery_3 {
+namespace internal {
+
+template <typename Tr, typename SizingField, typename NamedParameters>
+Cell_remeshing_result_3<Tr> remesh_cells_of_triangulation(Tr& tr, const SizingField& size, const NamedParameters& np)
+{
+  return Remesh_triangulation_3<Tr, NamedParameters>(tr, np)(size);
+}
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+
+/*!
+ * \ingroup PkgBoundaryRecovery3Functions
+ *
+ * \brief replaces the bad cells of a triangulation whose vertices were moved, and some cells around them, by new ones;
+ * everything else stays as it is.
+ *
+ * It does what `remesh_holes()` does, to a triangulation that carries the indices of CGAL's mesh packages, as
+ * `make_boundary_constrained_mesh_3()` and CGAL's remeshing leave it. Somebody has moved its vertices since, by
+ * `Vertex::set_point()`, so that it is not valid any more; afterwards it is, unless its hull is not convex.
+ *
+ * Constrained are the facets for which `is_facet_on_surface()` holds, those between cells of different
+ * `subdomain_index()`, those of the hull, and edges that are named. Other vertices may go. Cells outside of the domain,
+ * in the region 0, are bad only if they are flat or inverted, or named; they are replaced by cells without field
+ * points. Cells that are not in a hole, and vertices that stay, keep their handles; new ones have their regions,
+ * patches and dimensions.
+ *
+ * \tparam Triangulation an instance of `Triangulation_3`, or of a class derived from it, whose vertices are models of
+ *         `MeshVertexBase_3`, and whose cells are models of `MeshCellBase_3` with an integer as `Subdomain_index`
+ * \tparam SizingField a number type, or a model of `MeshDomainField_3`
+ * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+ *
+ * \param tr the triangulation
+ * \param size the lengths that new edges are to have, as for `insert_field_points()`. Without this argument, they are
+ *        those of the old mesh at the place.
+ * \param np an optional sequence of named parameters: `min_dihedral_angle`, `number_of_layers`, `improve_quality`,
+ *        `maximum_running_time` and `visitor` of `remesh_holes()`, and those listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{cell_is_selected_map}
+ *     \cgalParamDescription{cells that are bad, whatever their shape}
+ *     \cgalParamType{a model of `ReadablePropertyMap` with `Triangulation::Cell_handle` as key type and `bool` as value
+ *                    type}
+ *     \cgalParamDefault{no cell}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{constrained_edges}
+ *     \cgalParamDescription{edges that have to stay, beside those of constrained facets}
+ *     \cgalParamType{a `ConstRange` whose value type is an array of two vertex handles}
+ *     \cgalParamDefault{no edges}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \return the status and the account, see `remesh_holes()`. If the status is not `meshed`, the triangulation is
+ *         unchanged.
+ *
+ * \pre the dimension of `tr` is 3, and its data structure is valid: `tr.tds().is_valid()`.
+ */
+#ifdef DOXYGEN_RUNNING
+template <typename Triangulation, typename SizingField,
+          typename NamedParameters = parameters::Default_named_parameters>
+Cell_remeshing_result_3<Triangulation>
+remesh_cells(Triangulation& tr, const SizingField& size,
+             const NamedParameters& np = parameters::default_values());
+#else
+template <typename Triangulation, typename SizingField, typename ... NPs,
+          Boundary_recovery_3::internal::Enable_if_sizes<SizingField>* = nullptr,
+          Boundary_recovery_3::internal::Enable_if_named_parameters<NPs...>* = nullptr>
+Cell_remeshing_result_3<Triangulation>
+remesh_cells(Triangulation& tr, const SizingField& size, const NPs& ... nps)
+{
+  namespace BR3 = Boundary_recovery_3::internal;
+  return BR3::remesh_cells_of_triangulation(tr, size, BR3::merge_all(nps...));
+}
+#endif
+
+/*!
+ * \ingroup PkgBoundaryRecovery3Functions
+ *
+ * \brief replaces the bad cells of a triangulation whose vertices were moved, with the sizes of the old mesh.
+ *
+ * See the overload with a size field.
+ */
+#ifdef DOXYGEN_RUNNING
+template <typename Triangulation, typename NamedParameters = parameters::Default_named_parameters>
+Cell_remeshing_result_3<Triangulation>
+remesh_cells(Triangulation& tr, const NamedParameters& np = parameters::default_values());
+#else
+template <typename Triangulation, typename ... NPs,
+          Boundary_recovery_3::internal::Enable_if_named_parameters<NPs...>* = nullptr>
+Cell_remeshing_result_3<Triangulation> remesh_cells(Triangulation& tr, const NPs& ... nps)
+{
+  namespace BR3 = Boundary_recovery_3::internal;
+  return BR3::remesh_cells_of_triangulation(tr, BR3::Sizes_of_old_mesh(), BR3::merge_all(nps...));
+}
+#endif
+
+} // namespace CGAL
+
+#endif // CGAL_REMESH_CELLS_H
