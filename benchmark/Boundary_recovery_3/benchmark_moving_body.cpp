@@ -1,0 +1,243 @@
+// A store leaves the pylon of a wing, as in [CZZ+17, Section 5.2.3]: the mesh of the air follows, and where cells have
+// become bad, holes are meshed anew. About CELLS cells (default: 100000), in STEPS steps (default: 40).
+// Prints a row for each remeshing, and sums. The exit status is 1 if anything failed or a mesh is not valid.
+
+#include "mesh_motion_br3.h"
+#include "moving_body_br3.h"
+#include "peak_memory_br3.h"
+#include "remeshed_mesh_br3.h"
+
+#include <CGAL/Boundary_constrained_mesh_triangulation_3.h>
+#include <CGAL/Real_timer.h>
+#include <CGAL/make_boundary_constrained_mesh_3.h>
+#include <CGAL/remesh_holes.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <iomanip>
+#include <iostream>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+using br3_benchmark::Kernel;
+using br3_benchmark::Mesh;
+using br3_benchmark::Point;
+using br3_benchmark::Scene;
+using br3_benchmark::Tetrahedron;
+using br3_benchmark::Triangle;
+
+typedef CGAL::Boundary_constrained_mesh_triangulation_3<Kernel>::type Triangulation;
+typedef CGAL::Boundary_constrained_mesh_result_3<Triangulation>       Meshing_result;
+typedef CGAL::Hole_remeshing_result_3<Kernel::Point_3>                Remeshing_result;
+typedef CGAL::Boundary_recovery_3::Hole_remeshing_phase               Phase;
+
+const double least_angle = 10, radius = 0.4;
+const Point start = {{ 1.5, 0, -1.35 }}; // of the middle of the store, which leaves a gap of half its radius
+
+// The number of cells goes with the square of the size, since sizes grow away from the surface.
+Scene make_scene(const double number_of_cells)
+{
+  const double size = 20 / std::sqrt(number_of_cells);
+  Scene scene;
+  scene.add(br3_benchmark::box({{ -5, -5.5, -8 }}, {{ 8, 5.5, 3 }}, (std::min)(8 * size, 2.)), false);
+  scene.add(br3_benchmark::wing_with_pylon(size), true);
+  scene.add(br3_benchmark::store(radius, size), true);
+  return scene;
+}
+
+// Where the store is after some steps: an eighth of its diameter down in each, and its nose goes down, too.
+void place_store(Scene& scene, const std::vector<Kernel::Point_3>& at_origin, const int number_of_steps)
+{
+  const double depth = number_of_steps * (radius / 4), pitch = number_of_steps * 0.01;
+  const double c = std::cos(pitch), s = std::sin(pitch);
+  for(std::size_t v = scene.first_moving_point; v < at_origin.size(); ++v)
+  {
+    const Kernel::Point_3& p = at_origin[v];
+    scene.points[v] = Kernel::Point_3(start[0] + c * p.x() - s * p.z(), start[1] + p.y(),
+                                      start[2] + s * p.x() + c * p.z() - depth);
+  }
+}
+
+// The cells of the air as arrays.
+Mesh arrays_of(const Triangulation& tr, const Scene& scene, const Meshing_result& result)
+{
+  Mesh mesh;
+  std::unordered_map<Triangulation::Vertex_handle, std::size_t> number;
+  for(const auto c : tr.finite_cell_handles())
+    if(c->subdomain_index() != 0)
+    {
+      Tetrahedron t;
+      for(int i = 0; i < 4; ++i)
+      {
+        const auto inserted = number.emplace(c->vertex(i), mesh.points.size());
+        if(inserted.second)
+          mesh.points.push_back(c->vertex(i)->point());
+        t[std::size_t(i)] = inserted.first->second;
+      }
+      mesh.tetrahedra.push_back(t);
+    }
+  for(const Triangle& t : scene.triangles)
+  {
+    Triangle facet;
+    for(std::size_t i = 0; i < 3; ++i)
+      facet[i] = number[result.recovery.vertices[t[i]]];
+    mesh.facets.push_back(facet);
+  }
+  return mesh;
+}
+
+// Moves the vertices of the surface to where they are in the scene, and the others with them.
+bool move(Mesh& mesh, const Scene& scene)
+{
+  std::vector<bool> is_fixed(mesh.points.size(), false);
+  std::vector<Point> displacements(mesh.points.size(), Point{{ 0, 0, 0 }}), points;
+  for(const Kernel::Point_3& p : mesh.points)
+    points.push_back(br3_benchmark::coordinates(p));
+  std::vector<Kernel::Point_3> targets = mesh.points;
+  for(std::size_t i = 0; i < mesh.facets.size(); ++i)
+    for(std::size_t j = 0; j < 3; ++j)
+    {
+      const std::size_t v = mesh.facets[i][j];
+      targets[v] = scene.points[scene.triangles[i][j]];
+      displacements[v] = br3_benchmark::difference(br3_benchmark::coordinates(targets[v]), points[v]);
+      is_fixed[v] = true;
+    }
+  if(! br3_benchmark::Spring_motion(points, mesh.tetrahedra, is_fixed)(displacements))
+    return false;
+  for(std::size_t v = 0; v < points.size(); ++v)
+    mesh.points[v] = is_fixed[v] ? targets[v]
+                                 : mesh.points[v] + Kernel::Vector_3(displacements[v][0], displacements[v][1],
+                                                                     displacements[v][2]);
+  return true;
+}
+
+// The figures of Section 5.2.3.
+struct Account
+{
+  std::size_t remeshings = 0, bad = 0, holes = 0, new_cells = 0, enlargements = 0, failures = 0, with_steiner_points = 0;
+  double recovery = 0, filling = 0, improvement = 0, all = 0;
+
+  void add(const Remeshing_result& result)
+  {
+    ++remeshings;
+    bad += result.number_of_bad_cells;
+    holes += result.number_of_holes;
+    new_cells += result.tetrahedra.size() - result.number_of_kept_cells;
+    enlargements += result.number_of_enlargements;
+    failures += result.number_of_failures;
+    with_steiner_points += result.number_of_holes_with_steiner_points;
+    recovery += result.seconds_of(Phase::recovery);
+    filling += result.seconds_of(Phase::filling);
+    improvement += result.seconds_of(Phase::improvement);
+    all += result.seconds;
+  }
+};
+
+void print_head()
+{
+  std::cout << "step     cells   bad inverted holes       out       new enlarged failed Steiner recovery  filling improvement"
+               "      all  before  after\n";
+}
+
+void print_row(const int step, const Mesh& old_mesh, const double old_angle, const double new_angle,
+               const Remeshing_result& result)
+{
+  std::cout << std::setw(4) << step << std::setw(10) << old_mesh.tetrahedra.size()
+            << std::setw(6) << result.number_of_bad_cells << std::setw(9) << result.number_of_inverted_cells
+            << std::setw(6) << result.number_of_holes
+            << std::setw(10) << old_mesh.tetrahedra.size() - result.number_of_kept_cells
+            << std::setw(10) << result.tetrahedra.size() - result.number_of_kept_cells
+            << std::setw(9) << result.number_of_enlargements << std::setw(7) << result.number_of_failures
+            << std::setw(8) << result.number_of_holes_with_steiner_points
+            << std::setprecision(3) << std::setw(9) << result.seconds_of(Phase::recovery)
+            << std::setw(9) << result.seconds_of(Phase::filling)
+            << std::setw(12) << result.seconds_of(Phase::improvement) << std::setw(9) << result.seconds
+            << std::setprecision(1) << std::setw(8) << old_angle << std::setw(7) << new_angle << std::endl;
+}
+
+void print_sums(const Account& account, const double full_seconds_per_cell)
+{
+  const double without_improvement = account.all - account.improvement;
+  const double seconds_per_cell = without_improvement / double(account.new_cells);
+  std::cout << account.remeshings << " remeshings: " << account.bad << " bad cells in " << account.holes << " holes, "
+            << account.new_cells << " new cells; " << account.enlargements << " enlargements for a valid boundary, "
+            << account.failures << " because the recovery failed, " << account.with_steiner_points
+            << " holes with Steiner points\n"
+            << std::setprecision(3) << "seconds: recovery " << account.recovery << ", filling " << account.filling
+            << ", improvement " << account.improvement << ", the rest "
+            << without_improvement - account.recovery - account.filling << ", all " << account.all << '\n'
+            << std::setprecision(1) << "without improvement: the recovery has " << 100 * account.recovery / without_improvement
+            << " %; " << 1e6 * seconds_per_cell << " s per million new cells, which is " << std::setprecision(2)
+            << seconds_per_cell / full_seconds_per_cell << " times what the full mesh took per cell" << std::endl;
+}
+
+// Moves the store step by step, and remeshes where that makes cells bad.
+bool run(Mesh& mesh, Scene& scene, const std::vector<Kernel::Point_3>& at_origin, const int number_of_steps,
+         Account& account)
+{
+  CGAL::Real_timer motion;
+  for(int step = 1; step <= number_of_steps; ++step)
+  {
+    place_store(scene, at_origin, step);
+    motion.start();
+    if(! move(mesh, scene))
+    {
+      std::cerr << "step " << step << ": the springs have no solution" << std::endl;
+      return false;
+    }
+    motion.stop();
+    const double angle = mesh.smallest_angle();
+    if(angle >= least_angle && mesh.has_positive_cells_only())
+      continue;
+    const Remeshing_result result = CGAL::remesh_holes(mesh.points, mesh.tetrahedra,
+      CGAL::parameters::min_dihedral_angle(least_angle), CGAL::parameters::constrained_facets(mesh.facets));
+    const Mesh new_mesh{ result.points, result.tetrahedra, result.facets };
+    print_row(step, mesh, angle, new_mesh.smallest_angle(), result);
+    if(! result || ! new_mesh.is_valid(scene))
+    {
+      std::cerr << "step " << step << ": " << (result ? "the mesh is not valid; " : "") << result << std::endl;
+      return false;
+    }
+    account.add(result);
+    mesh = new_mesh;
+  }
+  std::cout << "moving the vertices took " << std::setprecision(1) << motion.time() << " s" << std::endl;
+  return account.remeshings > 0;
+}
+
+int main(int argc, char** argv)
+{
+  const double number_of_cells = argc > 1 ? std::stod(argv[1]) : 1e5;
+  const int number_of_steps = argc > 2 ? std::stoi(argv[2]) : 40;
+
+  Scene scene = make_scene(number_of_cells);
+  const std::vector<Kernel::Point_3> at_origin = scene.points;
+  place_store(scene, at_origin, 0);
+  Triangulation tr;
+  const Meshing_result result = CGAL::make_boundary_constrained_mesh_3(tr, scene.points, scene.triangles);
+  Mesh mesh;
+  if(result)
+    mesh = arrays_of(tr, scene, result);
+  if(! result || ! mesh.is_valid(scene))
+  {
+    std::cerr << "the full mesh: " << result << std::endl;
+    return EXIT_FAILURE;
+  }
+  double seconds = result.seconds;
+  for(const auto& report : result.phases)
+    if(report.phase == CGAL::Boundary_recovery_3::Meshing_phase::quality_improvement)
+      seconds -= report.seconds;
+  std::cout << std::fixed << std::setprecision(3) << scene.triangles.size() << " triangles, " << mesh.tetrahedra.size()
+            << " cells in " << result.seconds << " s, without improvement " << seconds << " s; smallest angle "
+            << std::setprecision(1) << mesh.smallest_angle() << std::endl;
+
+  print_head();
+  Account account;
+  const bool is_done = run(mesh, scene, at_origin, number_of_steps, account);
+  if(account.remeshings > 0)
+    print_sums(account, seconds / double(mesh.tetrahedra.size()));
+  std::cout << "largest memory: " << br3_benchmark::peak_memory() << " MB" << std::endl;
+  return is_done ? EXIT_SUCCESS : EXIT_FAILURE;
+}
