@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -17,7 +18,7 @@
 namespace br3_benchmark {
 
 // Springs along all edges, the stiffer the shorter they are, hold the inner vertices. `displacements` has what is known
-// where `is_fixed` is, and gets the rest; it begins with what it has there. Fails if the solver does not converge.
+// where `is_fixed` is, and gets the rest. Fails if the solver does not converge.
 class Spring_motion
 {
   typedef std::array<std::size_t, 4>                    Tetrahedron;
@@ -90,7 +91,7 @@ public:
     for(const Edge& e : m_edges)
     {
       const Point d = difference(points[e.first], points[e.second]);
-      m_stiffness.push_back(1 / dot(d, d));
+      m_stiffness.push_back(1 / std::sqrt(dot(d, d)));
     }
   }
 
