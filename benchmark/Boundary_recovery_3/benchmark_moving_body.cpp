@@ -1,12 +1,13 @@
 // A store leaves the pylon of a wing, as in [CZZ+17, Section 5.2.3]: the mesh of the air follows, and where cells have
-// become bad, holes are meshed anew. Arguments: about how many CELLS (default: 100000), and how many STEPS (default: 36,
-// and not more, as the box ends there).
+// become bad, holes are meshed anew. Arguments: about how many CELLS (default: 100000), and how many STEPS (default:
+// 36, and not more, as the box ends there).
 // Prints a row for each remeshing, and sums. The exit status is 1 if anything failed or a mesh is not valid.
 
 #include "mesh_motion_br3.h"
 #include "moving_body_br3.h"
 #include "peak_memory_br3.h"
 #include "remeshed_mesh_br3.h"
+#include "remeshing_account_br3.h"
 
 #include <CGAL/Boundary_constrained_mesh_triangulation_3.h>
 #include <CGAL/Real_timer.h>
@@ -23,6 +24,7 @@
 #include <unordered_map>
 #include <vector>
 
+using br3_benchmark::Account;
 using br3_benchmark::Kernel;
 using br3_benchmark::Mesh;
 using br3_benchmark::Point;
@@ -33,7 +35,6 @@ using br3_benchmark::Triangle;
 typedef CGAL::Boundary_constrained_mesh_triangulation_3<Kernel>::type Triangulation;
 typedef CGAL::Boundary_constrained_mesh_result_3<Triangulation>       Meshing_result;
 typedef CGAL::Hole_remeshing_result_3<Kernel::Point_3>                Remeshing_result;
-typedef CGAL::Boundary_recovery_3::Hole_remeshing_phase               Phase;
 
 // Cells below the first angle make a remeshing necessary, and those below the second one are replaced then.
 const double alarming_angle = 10, least_angle = 15;
@@ -118,72 +119,6 @@ bool move(Mesh& mesh, const Scene& scene)
   return true;
 }
 
-// The figures of Section 5.2.3.
-struct Account
-{
-  std::size_t steps = 0, remeshings = 0, bad = 0, holes = 0, new_cells = 0, enlargements = 0, failures = 0, with_steiner_points = 0;
-  double selection = 0, recovery = 0, filling = 0, improvement = 0, sewing = 0, all = 0;
-  double smallest_angle = 180; // after the remeshings of a step
-
-  void add(const Remeshing_result& result)
-  {
-    ++remeshings;
-    bad += result.number_of_bad_cells;
-    holes += result.number_of_holes;
-    new_cells += result.tetrahedra.size() - result.number_of_kept_cells;
-    enlargements += result.number_of_enlargements;
-    failures += result.number_of_failures;
-    with_steiner_points += result.number_of_holes_with_steiner_points;
-    selection += result.seconds_of(Phase::selection);
-    recovery += result.seconds_of(Phase::recovery);
-    filling += result.seconds_of(Phase::filling);
-    improvement += result.seconds_of(Phase::improvement);
-    sewing += result.seconds_of(Phase::sewing);
-    all += result.seconds;
-  }
-};
-
-void print_head()
-{
-  std::cout << "step     cells   bad inverted holes       out       new enlarged failed Steiner recovery  filling improvement"
-               "      all  before  after\n";
-}
-
-void print_row(const int step, const Mesh& old_mesh, const double old_angle, const double new_angle,
-               const Remeshing_result& result)
-{
-  std::cout << std::setw(4) << step << std::setw(10) << old_mesh.tetrahedra.size()
-            << std::setw(6) << result.number_of_bad_cells << std::setw(9) << result.number_of_inverted_cells
-            << std::setw(6) << result.number_of_holes
-            << std::setw(10) << old_mesh.tetrahedra.size() - result.number_of_kept_cells
-            << std::setw(10) << result.tetrahedra.size() - result.number_of_kept_cells
-            << std::setw(9) << result.number_of_enlargements << std::setw(7) << result.number_of_failures
-            << std::setw(8) << result.number_of_holes_with_steiner_points
-            << std::setprecision(3) << std::setw(9) << result.seconds_of(Phase::recovery)
-            << std::setw(9) << result.seconds_of(Phase::filling)
-            << std::setw(12) << result.seconds_of(Phase::improvement) << std::setw(9) << result.seconds
-            << std::setprecision(1) << std::setw(8) << old_angle << std::setw(7) << new_angle << std::endl;
-}
-
-void print_sums(const Account& account, const double full_seconds_per_cell)
-{
-  const double without_improvement = account.all - account.improvement;
-  const double seconds_per_cell = without_improvement / double(account.new_cells);
-  std::cout << account.remeshings << " remeshings in " << account.steps << " steps: " << account.bad << " bad cells in " << account.holes << " holes, "
-            << account.new_cells << " new cells; " << account.enlargements << " enlargements for a valid boundary, "
-            << account.failures << " because the recovery failed, " << account.with_steiner_points
-            << " holes with Steiner points\n"
-            << std::setprecision(3) << "seconds: selection " << account.selection << ", recovery " << account.recovery
-            << ", filling " << account.filling << ", improvement " << account.improvement << ", sewing " << account.sewing
-            << ", all " << account.all << '\n'
-            << std::setprecision(1) << "without improvement: the recovery has "
-            << 100 * account.recovery / without_improvement
-            << " %; " << 1e6 * seconds_per_cell << " s per million new cells, which is " << std::setprecision(2)
-            << seconds_per_cell / full_seconds_per_cell << " times what the full mesh took per cell;\nrecovery and filling alone: "
-            << (account.recovery + account.filling) / double(account.new_cells) / full_seconds_per_cell
-            << " times; smallest angle after a step " << std::setprecision(1) << account.smallest_angle << std::endl;
-}
-
 // Replaces bad cells. Where a hole ends, it may leave new ones, which are in the middle of the hole of another round.
 bool remesh(Mesh& mesh, const Scene& scene, const int step, Account& account)
 {
@@ -197,13 +132,13 @@ bool remesh(Mesh& mesh, const Scene& scene, const int step, Account& account)
       CGAL::parameters::min_dihedral_angle(least_angle), CGAL::parameters::constrained_facets(mesh.facets));
     const Mesh new_mesh{ result.points, result.tetrahedra, result.facets };
     const double new_angle = new_mesh.smallest_angle();
-    print_row(step, mesh, angle, new_angle, result);
+    br3_benchmark::print_row(step, mesh.tetrahedra.size(), angle, new_angle, result);
     if(! result || ! new_mesh.is_valid(scene))
     {
       std::cerr << (result ? "the mesh is not valid: " : "") << result << std::endl;
       return false;
     }
-    account.add(result);
+    account.add(mesh.tetrahedra.size(), result);
     mesh = new_mesh;
     angle = new_angle;
   }
@@ -257,11 +192,11 @@ int main(int argc, char** argv)
             << " cells in " << result.seconds << " s, without improvement " << seconds << " s; smallest angle "
             << std::setprecision(1) << mesh.smallest_angle() << std::endl;
 
-  print_head();
+  br3_benchmark::print_head();
   Account account;
   const bool is_done = run(mesh, scene, at_origin, number_of_steps, account);
   if(account.remeshings > 0)
-    print_sums(account, seconds / double(mesh.tetrahedra.size()));
+    br3_benchmark::print_sums(account, seconds / double(mesh.tetrahedra.size()));
   std::cout << "largest memory: " << br3_benchmark::peak_memory() << " MB" << std::endl;
   return is_done ? EXIT_SUCCESS : EXIT_FAILURE;
 }

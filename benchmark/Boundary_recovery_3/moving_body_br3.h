@@ -40,7 +40,8 @@ inline std::vector<double> graded_lines(const std::vector<std::pair<double, doub
   for(std::size_t i = 0; i + 1 < places_and_distances.size(); ++i)
   {
     const double a = places_and_distances[i].first, b = places_and_distances[i + 1].first;
-    const double first = places_and_distances[i].second, growth = (places_and_distances[i + 1].second - first) / (b - a);
+    const double first = places_and_distances[i].second, last = places_and_distances[i + 1].second;
+    const double growth = (last - first) / (b - a);
     std::vector<double> steps(1, 0);
     while(steps.back() < b - a)
       steps.push_back(steps.back() + first + growth * steps.back());
@@ -142,7 +143,8 @@ inline Body box(const Point& low, const Point& high, const double size)
   std::array<std::vector<double>, 3> lines;
   for(std::size_t i = 0; i < 3; ++i)
     lines[i] = graded_lines({ { low[i], size }, { high[i], size } });
-  return Surface_of_blocks(lines[0], lines[1], lines[2])([](const Point&) { return true; }, [](const Point& p) { return p; });
+  Surface_of_blocks surface(lines[0], lines[1], lines[2]);
+  return surface([](const Point&) { return true; }, [](const Point& p) { return p; });
 }
 
 // A wing with the chord 3 and the span 6, swept back and blunt at its edges, and below it a pylon down to z = -0.75.
@@ -168,11 +170,14 @@ inline Body wing_with_pylon(const double size)
     const double z = p[2] >= 0 ? t * (2 * p[2] - 1) : -t - p[2] * (bottom + t);
     return Point{{ p[0] + 0.08 * y * y, p[1] < 0 ? -y : y, z }};
   };
-  const double depth = 0.585, thickness = 0.3; // what 1 is below and in the wing
+  const double depth = 0.585, thickness = 0.165; // what 1 is below the wing, and in it at its edges
+  std::vector<double> z = graded_lines({ { -1, size / depth }, { 0, size / depth } });
+  const std::vector<double> z_in_wing = graded_lines({ { 0, 1.5 * size / thickness }, { 1, 1.5 * size / thickness } });
+  z.insert(z.end(), z_in_wing.begin() + 1, z_in_wing.end());
   return Surface_of_blocks(
     graded_lines({ { 0, 2 * size }, { front, size }, { back, size }, { 3, 2 * size } }),
     graded_lines({ { -3, 2 * size }, { -width, size }, { 0, size }, { width, size }, { 3, 2 * size } }),
-    graded_lines({ { -1, size / depth }, { 0, size / depth }, { 1, size / thickness } })
+    z
   )(is_solid, shape);
 }
 
@@ -186,7 +191,8 @@ inline Body store(const double radius, const double size)
   const auto shape = [=](const Point& p)
   {
     const double end = (std::max)(std::abs(p[0]) - 1, 0.);
-    const Point d = {{ std::copysign(std::tan(quarter * end), p[0]), std::tan(quarter * p[1]), std::tan(quarter * p[2]) }};
+    const Point d = {{ std::copysign(std::tan(quarter * end), p[0]),
+                       std::tan(quarter * p[1]), std::tan(quarter * p[2]) }};
     const double scale = radius / std::sqrt(dot(d, d)), axis = half_length * (std::max)(-1., (std::min)(1., p[0]));
     return Point{{ axis + scale * d[0] * (p[0] > 0 ? nose : tail), scale * d[1], scale * d[2] }};
   };

@@ -21,8 +21,8 @@ typedef std::array<std::size_t, 4>                          Tetrahedron;
 
 inline Point coordinates(const Kernel::Point_3& p) { return {{ p.x(), p.y(), p.z() }}; }
 
-// The surface: a box that turns outward, and bodies in it that turn inward, so that what is inside of them is no region.
-// The last one moves.
+// The surface: a box that turns outward, and bodies in it that turn inward, so that what is inside of them is no
+// region. The last one moves.
 struct Scene
 {
   std::vector<Kernel::Point_3> points;
