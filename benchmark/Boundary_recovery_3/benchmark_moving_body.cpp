@@ -188,6 +188,7 @@ int main(int argc, char** argv)
   for(const auto& report : result.phases)
     if(report.phase == CGAL::Boundary_recovery_3::Meshing_phase::quality_improvement)
       seconds -= report.seconds;
+  const double seconds_per_cell = seconds / double(mesh.tetrahedra.size());
   std::cout << std::fixed << std::setprecision(3) << scene.triangles.size() << " triangles, " << mesh.tetrahedra.size()
             << " cells in " << result.seconds << " s, without improvement " << seconds << " s; smallest angle "
             << std::setprecision(1) << mesh.smallest_angle() << std::endl;
@@ -196,7 +197,7 @@ int main(int argc, char** argv)
   Account account;
   const bool is_done = run(mesh, scene, at_origin, number_of_steps, account);
   if(account.remeshings > 0)
-    br3_benchmark::print_sums(account, seconds / double(mesh.tetrahedra.size()));
+    br3_benchmark::print_sums(account, seconds_per_cell);
   std::cout << "largest memory: " << br3_benchmark::peak_memory() << " MB" << std::endl;
   return is_done ? EXIT_SUCCESS : EXIT_FAILURE;
 }
