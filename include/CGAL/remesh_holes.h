@@ -66,7 +66,9 @@ auto remesh_holes_of_ranges(const PointRange& points, const TetrahedronRange& te
  * 2. recovers the boundary of each hole, and what is constrained in it, see `recover_boundary()`. Where the boundary of
  *    a hole is not a valid surface, since neighbors are inverted or overlap, the hole grows by the cells there until it
  *    is one; a hole whose boundary cannot be recovered grows by a layer;
- * 3. inserts field points, see `insert_field_points()`, and improves the new cells, see `improve_mesh_quality()`;
+ * 3. inserts field points, see `insert_field_points()`, and improves the new cells, see `improve_mesh_quality()`.
+ *    Where cells at the boundary of a hole are still bad, since the boundary is, the hole grows there once, and is
+ *    meshed again;
  * 4. puts old and new together, and tells where in the old mesh each new vertex is.
  *
  * A mesh with inverted cells is no valid triangulation of anything, therefore it comes as two arrays, and goes as two.

@@ -5,8 +5,8 @@
 The concept `HoleRemeshingVisitor_3` describes what is told about the remeshing of holes while it runs, and asked. All
 calls come from the thread that called the function.
 
-The phases are `selection`, `recovery`, `filling`, `improvement`, and `sewing`, in this order, each of them once at
-most.
+The phases are `selection`, `recovery`, `filling`, `improvement`, and `sewing`, in this order. Those from `recovery` to
+`improvement` run again if holes grow since cells at their boundaries stayed bad.
 
 A member may throw. The exception reaches the caller, whose mesh is unchanged then.
 

@@ -113,6 +113,7 @@ struct Hole_remeshing_result_3
   std::size_t number_of_inverted_cells = 0; ///< number of those that were flat or inverted
   std::size_t number_of_holes = 0;         ///< number of holes that were meshed
   std::size_t number_of_enlargements = 0;  ///< how often a hole grew because its boundary was no valid surface
+  std::size_t number_of_enlargements_for_quality = 0; ///< how often a hole grew since cells at its boundary stayed bad
   std::size_t number_of_failures = 0;      ///< how often a hole grew because its valid boundary could not be recovered
   std::size_t number_of_steiner_points = 0; ///< number of Steiner points that the recovery left in holes; the
                                            ///< improvement may have moved or removed them
@@ -132,7 +133,8 @@ struct Hole_remeshing_result_3
   /// the place where the size field has no size, if that made the status `invalid_input`: none, or one
   std::vector<Invalid_size> invalid_sizes;
 
-  std::vector<Hole_remeshing_phase_report> phases; ///< one entry for each phase that ran
+  std::vector<Hole_remeshing_phase_report> phases; ///< one entry for each run of a phase; those from `recovery` to
+                                                   ///< `improvement` run again if holes grow for quality
 
   double seconds = 0; ///< duration of all in seconds (wall clock)
 

@@ -149,7 +149,7 @@ int main()
     std::cout << verdict << std::endl;
     assert(result && verdict.empty());
     scene.check_valid(result);
-    assert(scene.patches() == patches);
+    assert(scene.patches() == patches && result.facets.size() == patches.size());
     for(std::size_t v = 0; v < result.number_of_kept_vertices; ++v)
       assert(result.vertices[v] == vertices[result.old_vertices[v]]);
     for(std::size_t c = 0; c < result.number_of_kept_cells; ++c)

@@ -26,6 +26,7 @@
 #include <CGAL/Boundary_recovery_3/internal/holes/Tetrahedra_incidences_3.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -76,10 +77,15 @@ public:
   {
     m_result.status = Meshing_status::meshed;
     run(Phase::selection, [this] { select(); });
-    run(Phase::recovery, [this] { recover_holes(); });
-    run(Phase::filling, [this] { fill_holes(); });
-    if(m_options.improve_quality)
-      run(Phase::improvement, [this] { improve_holes(); });
+    for(int round = 0; round < max_number_of_rounds; ++round)
+    {
+      run(Phase::recovery, [this] { recover_holes(); });
+      run(Phase::filling, [this] { fill_holes(); });
+      if(m_options.improve_quality)
+        run(Phase::improvement, [this] { improve_holes(); });
+      if(round + 1 == max_number_of_rounds || m_result.status != Meshing_status::meshed || ! grow_at_bad_cells())
+        break;
+    }
     run(Phase::sewing, [this] { sew(); });
   }
 
@@ -94,7 +100,14 @@ private:
     std::size_t number; // in m_hole_cells
     Surface surface;
     std::unique_ptr<Triangulation> triangulation;
+    bool is_filled = false;
+    bool is_improved = false;
+    std::vector<std::size_t> bad_vertices; // those of the surface at cells that stayed bad, as positions in the mesh
+    std::array<std::size_t, 3> numbers_of_bad_cells = {{ 0, 0, 0 }}; // by their reasons
   };
+
+  // See "Tuning constants" in the manual.
+  static constexpr int max_number_of_rounds = 2;
 
   template <typename Work>
   void run(const Phase phase, const Work& work)
@@ -195,7 +208,7 @@ private:
   {
     Hole hole{ number,
                Surface(m_mesh, *m_incidences, *m_constraints, *m_hole_cells, m_hole_cells->cells(number)),
-               std::make_unique<Triangulation>(m_options.can_go_further) };
+               std::make_unique<Triangulation>(m_options.can_go_further), false, false, { }, {{ 0, 0, 0 }} };
     const auto recovery = hole.triangulation->recover(hole.surface, ! is_first_round);
     Defects defects(m_mesh, *m_constraints, hole.surface);
     switch(recovery.status)
@@ -236,12 +249,7 @@ private:
   void grow_everywhere(const Hole& hole, const Input_defect_kind kind,
                        std::vector<std::pair<std::size_t, std::vector<std::size_t> > >& growing)
   {
-    const auto has_kept_cell = [this](const std::size_t v)
-    {
-      const auto star = m_incidences->cells(v);
-      return std::any_of(star.begin(), star.end(), [this](const std::size_t c) { return ! m_hole_cells->contains(c); });
-    };
-    if(std::any_of(hole.surface.vertices.begin(), hole.surface.vertices.end(), has_kept_cell))
+    if(can_grow_at(hole.surface.vertices))
       growing.emplace_back(hole.number, hole.surface.vertices);
     else if(kind == Input_defect_kind::empty_input)
       end(Meshing_status::incomplete);
@@ -250,6 +258,31 @@ private:
       const std::size_t c = m_hole_cells->cells(hole.number).front();
       refuse({ { kind, { m_mesh.describe(c, m_mesh.tetrahedra[c]) } } });
     }
+  }
+
+  // Whether there is a cell that is in no hole.
+  bool can_grow_at(const std::vector<std::size_t>& vertices) const
+  {
+    const auto has_kept_cell = [this](const std::size_t v)
+    {
+      const auto star = m_incidences->cells(v);
+      return std::any_of(star.begin(), star.end(), [this](const std::size_t c) { return ! m_hole_cells->contains(c); });
+    };
+    return std::any_of(vertices.begin(), vertices.end(), has_kept_cell);
+  }
+
+  // Cells may have to be bad because the boundary of a hole is: it grows there. Returns false if there is nothing to be
+  // done.
+  bool grow_at_bad_cells()
+  {
+    std::vector<std::pair<std::size_t, std::vector<std::size_t> > > growing;
+    for(const Hole& hole : m_holes)
+      if(can_grow_at(hole.bad_vertices))
+        growing.emplace_back(hole.number, hole.bad_vertices);
+    grow(growing);
+    m_result.number_of_enlargements -= growing.size();
+    m_result.number_of_enlargements_for_quality += growing.size();
+    return ! growing.empty();
   }
 
   void grow(const std::vector<std::pair<std::size_t, std::vector<std::size_t> > >& growing)
@@ -268,6 +301,8 @@ private:
     for(std::size_t k = 0; k < m_holes.size() && goes_on(); ++k)
     {
       Hole& hole = m_holes[k];
+      if(std::exchange(hole.is_filled, true))
+        continue;
       const auto filling = hole.triangulation->fill(sizes(hole));
       m_result.status = filling.status;
       m_result.invalid_sizes = filling.invalid_sizes;
@@ -291,11 +326,16 @@ private:
   {
     for(std::size_t k = 0; k < m_holes.size() && goes_on(); ++k)
     {
-      const auto improvement = m_holes[k].triangulation->improve(m_options.target_angle);
+      Hole& hole = m_holes[k];
+      if(std::exchange(hole.is_improved, true))
+        continue;
+      const auto improvement = hole.triangulation->improve(m_options.target_angle);
       m_result.status = improvement.status;
-      m_result.number_of_forced_cells += improvement.certificate.number_of_cells(Bad_cell_reason::forced);
-      m_result.number_of_needles += improvement.certificate.number_of_cells(Bad_cell_reason::needle);
-      m_result.number_of_unimproved_cells += improvement.certificate.number_of_cells(Bad_cell_reason::not_improved);
+      hole.numbers_of_bad_cells = {{ improvement.certificate.number_of_cells(Bad_cell_reason::forced),
+                                     improvement.certificate.number_of_cells(Bad_cell_reason::needle),
+                                     improvement.certificate.number_of_cells(Bad_cell_reason::not_improved) }};
+      for(const std::size_t v : hole.triangulation->vertices_of_bad_cells(improvement, m_options.min_dihedral_angle))
+        hole.bad_vertices.push_back(hole.surface.vertices[v]);
       m_recorder.progress(Phase::improvement, k + 1, m_holes.size());
     }
   }
@@ -312,6 +352,9 @@ private:
       const std::size_t n = hole.triangulation->number_of_steiner_points();
       m_result.number_of_steiner_points += n;
       m_result.number_of_holes_with_steiner_points += n > 0 ? 1 : 0;
+      m_result.number_of_forced_cells += hole.numbers_of_bad_cells[0];
+      m_result.number_of_needles += hole.numbers_of_bad_cells[1];
+      m_result.number_of_unimproved_cells += hole.numbers_of_bad_cells[2];
       hole.triangulation.reset();
     }
   }

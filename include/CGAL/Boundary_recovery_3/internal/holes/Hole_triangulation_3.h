@@ -115,6 +115,23 @@ public:
                                 parameters::edge_is_constrained_map(m_edges).visitor(std::ref(m_visitor)));
   }
 
+  // The positions in the surface of the vertices of cells that the improvement left below an angle.
+  std::vector<std::size_t> vertices_of_bad_cells(const Improvement& improvement, const double min_dihedral_angle) const
+  {
+    Simplex_index_3<Vertex_handle, 1> index; // for looking up only
+    for(const Vertex_handle v : m_vertices)
+      index.insert({{ v }});
+    std::vector<std::size_t> result;
+    for(const auto& bad : improvement.certificate.cells)
+      for(int i = 0; i < 4 && bad.min_dihedral_angle < min_dihedral_angle; ++i)
+      {
+        const std::size_t k = index[{{ bad.cell->vertex(i) }}];
+        if(k != index.none)
+          result.push_back(k);
+      }
+    return result;
+  }
+
   // Those in the hole, after the recovery.
   std::size_t number_of_steiner_points() const { return m_number_of_steiner_points; }
 

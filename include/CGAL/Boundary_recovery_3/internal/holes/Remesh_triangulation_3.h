@@ -106,7 +106,7 @@ private:
                                    number[c->vertex(3)] }});
       mesh.regions.push_back(static_cast<int>(c->subdomain_index()));
       for(int i = 0; i < 4; ++i)
-        if(c->is_facet_on_surface(i))
+        if(c->is_facet_on_surface(i) && is_first_side(c, i, number))
           mesh.facets.push_back({{ number[c->vertex((i + 1) % 4)], number[c->vertex((i + 2) % 4)],
                                    number[c->vertex((i + 3) % 4)] }});
     }
@@ -117,6 +117,13 @@ private:
         mesh.edges.push_back({{ number[e[0]], number[e[1]] }});
     }
     return mesh;
+  }
+
+  // So that facets are named once.
+  template <typename Numbers>
+  bool is_first_side(const Cell_handle c, const int i, const Numbers& number) const
+  {
+    return m_tr.is_infinite(c->neighbor(i)) || number[c->vertex(i)] <= number[m_tr.mirror_vertex(c, i)];
   }
 
   void put_into_triangulation(Result& result)
