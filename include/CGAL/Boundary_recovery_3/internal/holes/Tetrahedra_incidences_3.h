@@ -168,12 +168,17 @@ private:
     }
   }
 
+  // Those that have no smaller vertex. A cell with two of these has no such facet.
   void collect_facets(const std::size_t v, std::vector<Facet_at_vertex>& facets) const
   {
     facets.clear();
     for(const std::size_t c : cells(v))
+    {
+      const Tetrahedron& t = m_tetrahedra[c];
+      if(std::count_if(t.begin(), t.end(), [v](const std::size_t u) { return u < v; }) > 1)
+        continue;
       for(std::size_t i = 0; i < 4; ++i)
-        if(m_tetrahedra[c][i] != v)
+        if(t[i] != v)
         {
           Facet f = facet(4 * c + i);
           if(*std::min_element(f.begin(), f.end()) != v)
@@ -181,6 +186,7 @@ private:
           std::rotate(f.begin(), std::find(f.begin(), f.end(), v), f.end());
           facets.push_back({ (std::min)(f[1], f[2]), (std::max)(f[1], f[2]), 4 * c + i, f[1] < f[2] });
         }
+    }
   }
 
   void match(const std::vector<Facet_at_vertex>& facets, const std::size_t first, const std::size_t last)
