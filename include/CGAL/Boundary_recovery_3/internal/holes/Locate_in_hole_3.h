@@ -22,6 +22,7 @@
 #include <CGAL/Boundary_recovery_3/internal/numbers/exact_numbers.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 
+#include <CGAL/NT_converter.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
 
@@ -244,7 +245,7 @@ private:
     if constexpr(std::is_same<Number, double>::value)
       return CGAL::to_double(x);
     else
-      return Number(CGAL::exact(x));
+      return NT_converter<typename Kernel::FT, Number>()(x);
   }
 
   // As parts of their sum.
