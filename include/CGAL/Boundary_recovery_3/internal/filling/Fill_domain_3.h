@@ -19,7 +19,6 @@
 #include <CGAL/Boundary_recovery_3/internal/filling/Remove_long_edge_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/tetrahedron_edges.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/Mark_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_indices.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 
@@ -28,7 +27,6 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -314,10 +312,7 @@ private:
     const auto region = m_cavity.cells().front()->subdomain_index();
     const Vertex_handle v = m_insert(m_cavity, p);
     if constexpr(Has_vertex_indices<typename Tr::Vertex>::value)
-    {
-      v->set_dimension(3);
-      v->set_index(internal::mesh_index<std::decay_t<decltype(v->index())> >(region));
-    }
+      internal::set_vertex_indices(*v, 3, region);
     m_sizes.set_pending(v, size);
     m_vertices.push_back(v);
     m_pending.push_back(v);

@@ -13,11 +13,8 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/Cell_quality_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/Unit_frame_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Moved_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Cell_angles_3.h>
-
-#include <CGAL/enum.h>
 
 #include <cstddef>
 #include <vector>
@@ -48,7 +45,7 @@ struct Find_bad_cells_3
     const double good = Dihedral_angle_quality_3(1).of_angle(min_dihedral_angle) * (1 + 1e-6); // for rounding
     for(std::size_t c = 0; c < mesh.tetrahedra.size(); ++c)
     {
-      const bool is_inverted = ! is_positive(mesh, c);
+      const bool is_inverted = ! mesh.is_positive(c);
       is_bad[c] = is_inverted || is_selected(c)
                || (! is_unfilled(mesh.regions[c]) && is_below(mesh, c, min_dihedral_angle, good));
       number_of_inverted_cells += is_inverted ? 1 : 0;
@@ -57,19 +54,10 @@ struct Find_bad_cells_3
   }
 
 private:
-  static bool is_positive(const Mesh& mesh, const std::size_t c)
-  {
-    const auto& t = mesh.tetrahedra[c];
-    return Kernel().orientation_3_object()(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]], mesh.points[t[3]])
-        == POSITIVE;
-  }
-
   // Most cells are so good that angles need not be computed.
   static bool is_below(const Mesh& mesh, const std::size_t c, const double min_dihedral_angle, const double good)
   {
-    Cell_corners_3 corners;
-    for(std::size_t i = 0; i < 4; ++i)
-      corners[i] = internal::coordinates_of(mesh.points[mesh.tetrahedra[c][i]]);
+    const auto corners = mesh.corners(c);
     return Dihedral_angle_quality_3(1)(corners) < good && Cell_angles_3(corners).smallest() < min_dihedral_angle;
   }
 };

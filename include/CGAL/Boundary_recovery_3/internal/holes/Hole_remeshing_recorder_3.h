@@ -13,8 +13,8 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/Hole_remeshing_result_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 
-#include <chrono>
 #include <cstddef>
 #include <vector>
 
@@ -22,8 +22,7 @@ namespace CGAL {
 namespace Boundary_recovery_3 {
 namespace internal {
 
-// Stands between the work and the caller's visitor: it measures phases, and asks whether to go on until the answer is
-// no.
+// Stands between the work and the caller's visitor, and measures phases.
 template <typename Visitor>
 class Hole_remeshing_recorder_3
 {
@@ -33,43 +32,36 @@ public:
 
   // `maximum_running_time` is in seconds, from now on.
   Hole_remeshing_recorder_3(Visitor& visitor, std::vector<Report>& reports, const double maximum_running_time)
-    : m_visitor(visitor), m_reports(reports), m_start(Clock::now()), m_maximum_running_time(maximum_running_time)
-  { }
+    : m_context(visitor), m_reports(reports)
+  {
+    m_context.set_maximum_running_time(maximum_running_time);
+  }
 
   void begin(const Phase phase)
   {
     m_start_of_phase = seconds();
-    m_visitor.on_phase_begin(phase);
+    m_context.visitor().on_phase_begin(phase);
   }
 
   void end(const Phase phase, const std::size_t number_of_holes)
   {
     m_reports.push_back(Report{ phase, number_of_holes, seconds() - m_start_of_phase });
-    m_visitor.on_phase_end(m_reports.back());
+    m_context.visitor().on_phase_end(m_reports.back());
   }
 
   void progress(const Phase phase, const std::size_t done, const std::size_t total)
   {
-    m_visitor.on_progress(phase, done, total);
+    m_context.visitor().on_progress(phase, done, total);
   }
 
-  bool can_go_further()
-  {
-    m_is_stopped = m_is_stopped || ! (seconds() < m_maximum_running_time) || ! m_visitor.go_further();
-    return ! m_is_stopped;
-  }
+  bool can_go_further() { return m_context.go_further(); }
 
-  double seconds() const { return std::chrono::duration<double>(Clock::now() - m_start).count(); }
+  double seconds() const { return m_context.seconds(); }
 
 private:
-  typedef std::chrono::steady_clock Clock;
-
-  Visitor& m_visitor;
+  Recovery_context<Visitor> m_context;
   std::vector<Report>& m_reports;
-  Clock::time_point m_start;
-  double m_maximum_running_time;
   double m_start_of_phase = 0;
-  bool m_is_stopped = false;
 };
 
 } // namespace internal

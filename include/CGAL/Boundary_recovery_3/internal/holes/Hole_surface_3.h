@@ -49,8 +49,6 @@ struct Hole_surface_3
   std::vector<Edge> edges;           // by local numbers
   std::vector<int> regions;          // the caller's number of each region; that of 0 means nothing
 
-  Hole_surface_3() = default;
-
   Hole_surface_3(const Mesh& mesh, const Tetrahedra_incidences_3& incidences, const Constraints& constraints,
                  const Hole_cells_3& hole_cells, const std::vector<std::size_t>& cells)
   {

@@ -104,7 +104,7 @@ private:
   {
     for(int step = 0; step < max_number_of_steps; ++step)
     {
-      if(! is_in_hole(cell) || m_mesh.regions[cell] != region || ! is_positive(m_mesh, cell))
+      if(! is_in_hole(cell) || m_mesh.regions[cell] != region || ! m_mesh.is_positive(cell))
         return none;
       const std::size_t side = side_towards(p, cell);
       if(side == none)
@@ -126,7 +126,7 @@ private:
     for(std::size_t k = 0; k < cells.size(); ++k)
     {
       const std::size_t c = cells[k];
-      if(m_mesh.regions[c] == region && is_positive(m_mesh, c) && side_towards(p, c) == none)
+      if(m_mesh.regions[c] == region && m_mesh.is_positive(c) && side_towards(p, c) == none)
         return c;
       for(std::size_t i = 0; i < 4 && cells.size() < max_number_of_neighbors; ++i)
       {
@@ -167,11 +167,11 @@ private:
     std::vector<std::size_t> cells;
     Axis_box_3 box;
     for(const std::size_t c : m_cells)
-      if(is_positive(m_mesh, c))
+      if(m_mesh.is_positive(c))
       {
         cells.push_back(c);
-        for(const std::size_t v : m_mesh.tetrahedra[c])
-          box.add(internal::coordinates_of(m_mesh.points[v]));
+        for(const Coordinates_3& p : m_mesh.corners(c))
+          box.add(p);
       }
     m_frame = Unit_frame_3(box);
     m_hierarchy = Box_hierarchy_3<1>(boxes(cells));
@@ -181,34 +181,20 @@ private:
     m_is_ordered = true;
   }
 
-  static bool is_positive(const Mesh& mesh, const std::size_t cell)
-  {
-    const auto& t = mesh.tetrahedra[cell];
-    return Kernel().orientation_3_object()(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]], mesh.points[t[3]])
-        == POSITIVE;
-  }
-
   std::vector<Axis_box_3> boxes(const std::vector<std::size_t>& cells) const
   {
     std::vector<Axis_box_3> boxes(cells.size());
     for(std::size_t k = 0; k < cells.size(); ++k)
-      for(const std::size_t v : m_mesh.tetrahedra[cells[k]])
-        boxes[k].add(m_frame.to_frame(internal::coordinates_of(m_mesh.points[v])));
+      for(const Coordinates_3& p : m_mesh.corners(cells[k]))
+        boxes[k].add(m_frame.to_frame(p));
     return boxes;
-  }
-
-  Cell_corners_3 corners(const std::size_t cell) const
-  {
-    const auto& t = m_mesh.tetrahedra[cell];
-    return {{ internal::coordinates_of(m_mesh.points[t[0]]), internal::coordinates_of(m_mesh.points[t[1]]),
-              internal::coordinates_of(m_mesh.points[t[2]]), internal::coordinates_of(m_mesh.points[t[3]]) }};
   }
 
   void look_at(const std::size_t cell, const Point_3& p, const int region, Best& best) const
   {
     if(m_mesh.regions[cell] != region || side_towards(p, cell) != none)
       return;
-    const double volume = Cell_shape_3(corners(cell)).volume_times_6;
+    const double volume = Cell_shape_3(m_mesh.corners(cell)).volume_times_6;
     if(best.cell == none || volume > best.volume || (volume == best.volume && cell < best.cell))
       best = Best{ cell, volume };
   }
@@ -226,7 +212,7 @@ private:
   // cell is so thin that even this is not enough.
   Weights coordinates(const std::size_t cell, const Point_3& p) const
   {
-    const Cell_corners_3 t = corners(cell);
+    const Cell_corners_3 t = m_mesh.corners(cell);
     const double volume = Cell_shape_3(t).volume_times_6;
     const bool is_ordinary = volume > least_number && volume < 1 / least_number &&
                              Cell_shape_3(internal::scaled_corners(t)).volume_times_6 >= least_volume;

@@ -13,7 +13,11 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Unit_frame_3.h>
 #include <CGAL/Boundary_recovery_3/internal/input/Indexed_input_3.h>
+
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/enum.h>
 
 #include <algorithm>
 #include <array>
@@ -42,6 +46,22 @@ struct Moved_mesh_3
   std::vector<int> regions;  // of the tetrahedra
   std::vector<Facet> facets; // those that have to stay, beside those that bound regions
   std::vector<Edge> edges;   // those that have to stay, beside those of facets that do
+
+  // In floating point numbers.
+  std::array<Coordinates_3, 4> corners(const std::size_t cell) const
+  {
+    const Tetrahedron& t = tetrahedra[cell];
+    return {{ internal::coordinates_of(points[t[0]]), internal::coordinates_of(points[t[1]]),
+              internal::coordinates_of(points[t[2]]), internal::coordinates_of(points[t[3]]) }};
+  }
+
+  // Whether a cell is neither flat nor inverted.
+  bool is_positive(const std::size_t cell) const
+  {
+    const Tetrahedron& t = tetrahedra[cell];
+    const auto orientation = typename Kernel_traits<Point_3>::Kernel().orientation_3_object();
+    return orientation(points[t[0]], points[t[1]], points[t[2]], points[t[3]]) == POSITIVE;
+  }
 
   // A simplex in the caller's words, with the position in its range; without coordinates if some are not there.
   template <typename Vertices>

@@ -98,9 +98,7 @@ private:
     Mean mean;
     for(const std::size_t c : incidences.cells(v))
     {
-      std::array<Coordinates_3, 4> p;
-      for(std::size_t i = 0; i < 4; ++i)
-        p[i] = internal::coordinates_of(mesh.points[mesh.tetrahedra[c][i]]);
+      const std::array<Coordinates_3, 4> p = mesh.corners(c);
       for(const auto& e : edges_of_cell)
         mean.add(std::sqrt(internal::squared_distance(p[std::size_t(e[0])], p[std::size_t(e[1])])), ! is_bad[c]);
     }

@@ -16,8 +16,10 @@
 #include <CGAL/Boundary_recovery_3/Mesh_indices_keeper_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Moved_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Remesh_arrays_3.h>
+#include <CGAL/Boundary_recovery_3/internal/input/input_conversion.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Cell_replacement.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mark_domain_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/mesh_indices.h>
 #include <CGAL/Boundary_recovery_3/internal/util/bare_point.h>
 #include <CGAL/Boundary_recovery_3/parameters.h>
 
@@ -28,7 +30,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -110,12 +111,10 @@ private:
           mesh.facets.push_back({{ number[c->vertex((i + 1) % 4)], number[c->vertex((i + 2) % 4)],
                                    number[c->vertex((i + 3) % 4)] }});
     }
-    if constexpr(! parameters::is_default_parameter<NamedParameters, constrained_edges_t>::value)
+    internal::for_each_constrained_edge(m_np, [&](const Vertex_handle u, const Vertex_handle v)
     {
-      const auto edges = parameters::get_parameter(m_np, internal::constrained_edges);
-      for(const auto& e : edges)
-        mesh.edges.push_back({{ number[e[0]], number[e[1]] }});
-    }
+      mesh.edges.push_back({{ number[u], number[v] }});
+    });
     return mesh;
   }
 
@@ -167,17 +166,13 @@ private:
 
   void mark(const Result& result) const
   {
-    typedef std::decay_t<decltype(m_vertices[0]->index())> Index;
     for(std::size_t c = result.number_of_kept_cells; c < result.cells.size(); ++c)
     {
       const Subdomain_index region(result.regions[c]);
       result.cells[c]->set_subdomain_index(region);
       for(const std::size_t v : result.tetrahedra[c])
         if(v >= result.number_of_kept_vertices)
-        {
-          result.vertices[v]->set_dimension(3);
-          result.vertices[v]->set_index(internal::mesh_index<Index>(region));
-        }
+          internal::set_vertex_indices(*result.vertices[v], 3, region);
     }
   }
 

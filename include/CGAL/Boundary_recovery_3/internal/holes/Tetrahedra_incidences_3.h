@@ -57,8 +57,6 @@ public:
     match_facets();
   }
 
-  static std::size_t cell_of(const std::size_t side) { return side / 4; }
-
   // The tetrahedra at a vertex, in their order.
   Range cells(const std::size_t v) const
   {

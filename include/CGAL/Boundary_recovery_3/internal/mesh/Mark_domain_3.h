@@ -41,16 +41,6 @@ public:
   std::size_t operator[](const Cell_handle c) const { return static_cast<std::uint32_t>(c->subdomain_index()); }
 };
 
-// A mesh index that is made of another, or of a number. What cannot be made is the default one.
-template <typename Index, typename T>
-Index mesh_index(const T& value)
-{
-  if constexpr(std::is_constructible<Index, const T&>::value)
-    return Index(value);
-  else
-    return Index();
-}
-
 /*
  * Those facets that have no patch get one that no other facet has, all the same: the smallest positive number that is
  * left.
@@ -102,13 +92,13 @@ public:
     const Labeller labeller(m_tr, facets);
     const int number_of_regions = labeller.label([&](const Cell_handle c, const int region) { start(c, region); });
     for(const Vertex_handle v : m_tr.finite_vertex_handles())
-      mark(v, 3, v->cell()->subdomain_index());
+      internal::set_vertex_indices(*v, 3, v->cell()->subdomain_index());
     for(auto wall = labeller.walls().rbegin(); wall != labeller.walls().rend(); ++wall) // so that the first one wins
       if(wall->found)
         mark_facet(wall->facet.first, wall->facet.second, patches[wall->index]);
     for(std::size_t e = edges.size(); e-- > 0; )
       for(const Vertex_handle v : edges[e])
-        mark(v, 1, static_cast<int>(curves.empty() ? e + 1 : curves[e]));
+        internal::set_vertex_indices(*v, 1, static_cast<int>(curves.empty() ? e + 1 : curves[e]));
     return number_of_regions;
   }
 
@@ -130,14 +120,7 @@ private:
     c->set_surface_patch_index(i, patch);
     neighbor->set_surface_patch_index(neighbor->index(c), patch);
     for(const Vertex_handle v : internal::facet_vertices(c, i))
-      mark(v, 2, patch);
-  }
-
-  template <typename T>
-  void mark(const Vertex_handle v, const int dimension, const T& index) const
-  {
-    v->set_dimension(dimension);
-    v->set_index(internal::mesh_index<std::decay_t<decltype(v->index())> >(index));
+      internal::set_vertex_indices(*v, 2, patch);
   }
 
   Tr& m_tr;

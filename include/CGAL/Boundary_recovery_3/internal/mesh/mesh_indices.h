@@ -44,6 +44,24 @@ struct Has_vertex_indices<Vertex, std::void_t<decltype(std::declval<Vertex&>().s
   : std::true_type
 { };
 
+// A mesh index that is made of another, or of a number. What cannot be made is the default one.
+template <typename Index, typename T>
+Index mesh_index(const T& value)
+{
+  if constexpr(std::is_constructible<Index, const T&>::value)
+    return Index(value);
+  else
+    return Index();
+}
+
+// A vertex that carries indices is on something of that dimension, which has that index.
+template <typename Vertex, typename T>
+void set_vertex_indices(Vertex& v, const int dimension, const T& index)
+{
+  v.set_dimension(dimension);
+  v.set_index(internal::mesh_index<std::decay_t<decltype(v.index())> >(index));
+}
+
 /*
  * A copy of the indices that a cell carries, so that another cell with the same vertices in the same order can have
  * them. If cells carry none, it is empty.

@@ -14,11 +14,11 @@
 
 #include <CGAL/Boundary_recovery_3/Cell_quality_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/distances_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Allowed_lengths_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Cell_shape_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Free_star_3.h>
 
-#include <algorithm>
 #include <vector>
 
 namespace CGAL {
@@ -51,7 +51,7 @@ public:
     const Coordinates_3 from = Mesh::coordinates(v), to = mean_of_corners();
     for(double step = 1; step > 0.4; step *= 0.5)
     {
-      const Coordinates_3 p = point_between(from, to, step);
+      const Coordinates_3 p = internal::point_between(from, to, step);
       for(Cell_corners_3& c : m_corners)
         c[3] = p;
       if(sum_of_roundness() > before && are_as_good_as_cells() && are_edges_in_size(v, p))
@@ -83,32 +83,24 @@ private:
   {
     Coordinates_3 sum = {{ 0, 0, 0 }};
     for(const Cell_corners_3& c : m_corners)
+    {
+      const Coordinates_3 p = internal::centroid(c);
       for(int i = 0; i < 3; ++i)
-        sum[i] += c[0][i] + c[1][i] + c[2][i] + c[3][i];
+        sum[i] += p[i];
+    }
     for(double& x : sum)
-      x /= 4 * static_cast<double>(m_corners.size());
+      x /= static_cast<double>(m_corners.size());
     return sum;
-  }
-
-  static Coordinates_3 point_between(const Coordinates_3& p, const Coordinates_3& q, const double t)
-  {
-    return {{ p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1]), p[2] + t * (q[2] - p[2]) }};
   }
 
   // Most stars have no bad cell, so that the cells as they are need not be looked at.
   bool are_as_good_as_cells() const
   {
-    double worst = 2, badness = 0;
-    for(const Cell_corners_3& c : m_corners)
-    {
-      const double quality = m_mesh.quality(c);
-      worst = (std::min)(worst, quality);
-      badness += m_mesh.badness(quality);
-    }
-    if(worst >= m_mesh.enough())
+    const auto after = m_mesh.account_of(m_corners);
+    if(after.worst >= m_mesh.enough())
       return true;
     const auto before = m_mesh.account_of(m_star.cells());
-    return worst >= before.worst && badness <= before.badness;
+    return after.worst >= before.worst && after.badness <= before.badness;
   }
 
   bool are_edges_in_size(const Vertex_handle v, const Coordinates_3& p)

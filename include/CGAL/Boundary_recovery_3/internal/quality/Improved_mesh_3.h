@@ -15,7 +15,6 @@
 #include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/distances_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Cell_replacement.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/Mark_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/forget_shape.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_indices.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Allowed_lengths_3.h>
@@ -25,7 +24,6 @@
 
 #include <algorithm>
 #include <array>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -97,7 +95,8 @@ public:
     return lack > 0 ? lack * lack : 0;
   }
 
-  // What cells, or tetrahedra that are none yet, are together: the quality of the worst one, and the sum of badness.
+  // What cells are together, maybe such that are none yet, given by vertices or corners: the quality of the worst one,
+  // and the sum of badness.
   struct Account
   {
     double worst = 2;
@@ -221,10 +220,7 @@ private:
     const Vertex_handle v = m_tr.tds().create_vertex();
     v->set_point(typename Tr::Point(p));
     if constexpr(Has_vertex_indices<typename Tr::Vertex>::value)
-    {
-      v->set_dimension(3);
-      v->set_index(internal::mesh_index<std::decay_t<decltype(v->index())> >(region));
-    }
+      internal::set_vertex_indices(*v, 3, region);
     if constexpr(Has_meshing_info<typename Tr::Vertex>::value)
     {
       v->set_meshing_info(size);

@@ -56,13 +56,13 @@ public:
     CGAL_precondition(m_mesh.ledger.points_on_constraints().empty());
     if(! m_conform.recover_edge(e, l_max) || ! split_points())
       return false;
-    remove_points((std::min)(recursion_level, max_recursion_level), 0);
+    remove_points(max_recursion_level, 0);
     return m_suppress.round_points(max_recursion_level, number_of_rounds);
   }
 
   // Removes free points of edges that are recovered: some of them, or as many as go without much effort.
-  void thin_out(const int max_recursion_level) { remove_points((std::min)(recursion_level, max_recursion_level), 100); }
-  void make_room(const int max_recursion_level) { remove_points((std::min)(recursion_level, max_recursion_level), 1); }
+  void thin_out(const int max_recursion_level) { remove_points(max_recursion_level, 100); }
+  void make_room(const int max_recursion_level) { remove_points(max_recursion_level, 1); }
 
   std::size_t number_of_transformations() const
   {
@@ -86,8 +86,9 @@ private:
   }
 
   // In rounds, as long as more than so many in a hundred go.
-  void remove_points(const int l_max, const std::size_t percentage)
+  void remove_points(const int max_recursion_level, const std::size_t percentage)
   {
+    const int l_max = (std::min)(recursion_level, max_recursion_level);
     const auto& points = m_mesh.ledger.free_points();
     while(m_mesh.context.go_further())
     {
