@@ -317,11 +317,10 @@ void test_small_dimensions()
 
 int main()
 {
-  typedef CGAL::Boundary_constrained_mesh_triangulation_3<K>::type     Ours;
-  typedef CGAL::Boundary_constrained_mesh_triangulation_3<Exact>::type Ours_exact;
+  typedef CGAL::Boundary_constrained_mesh_triangulation_3<K>::type Ours;
   test_scenes<Ours>();
 #ifndef BR3_TEST_EPICK_ONLY
-  test_scenes<Ours_exact>();
+  test_scenes<CGAL::Boundary_constrained_mesh_triangulation_3<Exact>::type>();
 #endif
   test_scenes<Over_remeshing_bases>();
   test_scenes<Over_mesh_bases>();
