@@ -78,6 +78,7 @@ class Programs:
         self.timeout = arguments.timeout
         self.recovery = os.path.join(arguments.programs, "benchmark_recovery")
         self.tetgen = os.path.join(arguments.programs, "benchmark_tetgen")
+        self.angles = os.path.join(arguments.programs, "benchmark_angles")
         if not os.access(self.recovery, os.X_OK):
             folder = os.path.join(ROOT, "build", "benchmark")
             sys.exit("there is no %s; build it:\n%s" % (self.recovery, BUILD % (ROOT, folder, folder, folder)))

@@ -308,8 +308,8 @@ void print_quality(std::ostream& os, const Cells& cells)
         p[i][k] = CGAL::to_double(c->vertex(i)->point()[k]);
     angles.add(p);
   }
-  os << ", \"tetrahedra\": " << cells.size() << ", \"smallest_angle\": " << angles.smallest()
-     << ", \"largest_angle\": " << angles.largest();
+  os << ", \"tetrahedra\": " << cells.size() << ", ";
+  write_json(os, angles);
 }
 
 // What the exact checker says: `exact`; `rounded`, if points on constraints are beside them but all is connected as it

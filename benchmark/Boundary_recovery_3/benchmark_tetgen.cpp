@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <iomanip>
 #include <iostream>
 #include <set>
 #include <string>
@@ -198,16 +199,15 @@ int main(int argc, char* argv[])
   for(const int v : on_edges)
     on_facets.erase(v);
   const std::size_t all = static_cast<std::size_t>(out.numberofpoints - in.numberofpoints);
-  const auto angles = angles_of(out);
-  std::printf("\n{\"seconds\": %.6f, \"peak_memory_mb\": %.3f, \"points\": %zu, \"points_on_edges\": %zu, "
-              "\"points_on_facets\": %zu, \"points_inside\": %zu, \"tetrahedra\": %d, \"smallest_angle\": %.9g, "
-              "\"largest_angle\": %.9g, "
-              "\"split_triangles\": %zu, ", seconds, memory, all, on_edges.size(), on_facets.size(),
-              all - on_edges.size() - on_facets.size(), out.numberoftetrahedra, angles.smallest(), angles.largest(),
-              number_of_split_triangles(surface, out));
+  std::cout << std::fixed << std::setprecision(6) << "\n{\"seconds\": " << seconds << ", \"peak_memory_mb\": " << memory
+            << std::defaultfloat << std::setprecision(9) << ", \"points\": " << all << ", \"points_on_edges\": "
+            << on_edges.size() << ", \"points_on_facets\": " << on_facets.size() << ", \"points_inside\": "
+            << all - on_edges.size() - on_facets.size() << ", \"tetrahedra\": " << out.numberoftetrahedra
+            << ", \"split_triangles\": " << number_of_split_triangles(surface, out) << ", ";
+  write_json(std::cout, angles_of(out)) << ", ";
   if(size > 0)
-    std::printf("\"share_in_size\": %.6f, ", share_of_edges_in_size(surface, out, size));
-  std::printf("\"vertices\": %d}\n", out.numberofpoints);
-  std::fflush(stdout);
+    std::cout << "\"share_in_size\": " << share_of_edges_in_size(surface, out, size) << ", ";
+  std::cout << "\"vertices\": " << out.numberofpoints << "}" << std::endl;
+  std::fflush(stdout); // TetGen's log
   std::_Exit(0); // TetGen's destructors take long, and there is nothing to keep
 }

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Measures mesh_surface beside TetGen and Gmsh's HXT: the time of each phase, memory, sizes and angles, with one size.
+"""Measures mesh_surface beside TetGen and Gmsh: the time of each phase, memory, sizes and angles, with one size.
 
 The size is the mean length of the surface's edges, or more where that would need more cells than --cells. TetGen gets
--pYq1.414 with the volume 0.14 size^3, Gmsh a size that is the same everywhere. --growth meshes one shape with smaller and
-smaller sizes. --aircraft meshes one surface around grid sources, as in Table 4 of the article. Each run is a process of
-its own; the shortest time of --runs counts, and the largest memory. README.md in this folder tells how to build the
-programs.
+-pYq1.414 with the volume 0.14 size^3, Gmsh a size that is the same everywhere, with both of its algorithms, Delaunay
+and HXT, and its optimization. --growth meshes one shape with smaller and smaller sizes. --aircraft meshes one surface
+around grid sources, as in Table 4 of the article. Each run is a process of its own; the shortest time of --runs counts,
+and the largest memory. README.md in this folder tells how to build the programs.
 """
 import json
 import math
@@ -24,6 +24,7 @@ BUILD = os.path.dirname(os.path.dirname(PROGRAMS))
 MESHER = os.path.join(BUILD, "examples", "Boundary_recovery_3", "mesh_surface")
 CELLS_PER_CUBE = 9  # of tetrahedra with edges of length h: cells in the volume h^3, about
 VOLUME_PER_CUBE = 0.14  # TetGen's limit of volumes that gives edges of such lengths
+ALGORITHMS_OF_GMSH = {"Gmsh Delaunay": 1, "Gmsh HXT": 10}  # Mesh.Algorithm3D
 LARGEST_OF_TETGEN = 1.5e6  # cells; more are ours only in --growth
 
 
@@ -86,7 +87,9 @@ def mesh_by_us(arguments, surface, options):
     row.update(outcome="ok", cells=report["number_of_tetrahedra"], points=report["number_of_points"],
                field_points=report["number_of_field_points"],
                share=report["number_of_edges_in_size"] / edges if edges else 1,
-               longest=report["max_length_by_size"], smallest_angle=report["min_dihedral_angle"])
+               longest=report["max_length_by_size"], smallest_angle=report["min_dihedral_angle"],
+               largest_angle=report["max_dihedral_angle"],
+               below=[report["tetrahedra_with_angle_below"][angle] for angle in ("5", "10", "15", "20")])
     return row
 
 
@@ -117,32 +120,44 @@ def mesh_by_tetgen(arguments, programs, surface, size):
                      "memory": found["peak_memory_mb"] * 2 ** 20})
     # a mesh that lacks triangles of the surface is told, not hidden
     return dict(best(rows), outcome=found["outcome"], cells=found["tetrahedra"], points=found["vertices"],
-                share=found["share_in_size"], smallest_angle=found["smallest_angle"])
+                share=found["share_in_size"], **angles_in(found))
 
 
-def mesh_by_gmsh(arguments, surface, size):
-    """Gmsh tells the seconds of HXT as a whole only. Its mesh is not looked at."""
+def angles_in(found):
+    return {"smallest_angle": found["smallest_angle"], "largest_angle": found["largest_angle"],
+            "below": found["cells_below_5_10_15_20"]}
+
+
+def mesh_by_gmsh(arguments, programs, surface, size, algorithm):
+    """HXT's time has its optimization in it, that of the other algorithm has not."""
     gmsh = shutil.which("gmsh")
     if gmsh is None or arguments.no_gmsh:
         return {"outcome": "skipped"}
     rows = []
     with tempfile.TemporaryDirectory(prefix="br3_") as folder:
-        number_of_triangles = write_for_gmsh(surface, size, folder)
+        mesh = os.path.join(folder, "out.mesh")
+        write_for_gmsh(surface, size, ALGORITHMS_OF_GMSH[algorithm], folder)
         for _ in range(arguments.runs):
             status, output, memory = run_measured([gmsh, os.path.join(folder, "in.geo"), "-3", "-nt", "1", "-v", "5",
-                                                   "-o", os.path.join(folder, "out.msh")], arguments.timeout)
+                                                   "-o", mesh], arguments.timeout)
             if status != 0:
                 return {"outcome": outcome_of(status)}
-            numbers = re.findall(r"(\d+) nodes (\d+) elements", output)
-            points, elements = (int(x) for x in numbers[-1]) if numbers else (0, 0)
-            if elements <= number_of_triangles:
-                return {"outcome": "no cells"}
-            rows.append({"total": number_after(r"Done meshing 3D \(Wall ([0-9.eE+-]+)s", output), "memory": memory})
-    return dict(best(rows), outcome="ok", points=points, cells=elements - number_of_triangles)
+            apart = number_or_0(r"Done optimizing mesh \(Wall ([0-9.eE+-]+)s", output)
+            rows.append({"improvement": apart + number_or_0(r"tOptimize\s+=\s+([0-9.eE+-]+)", output),
+                         "total": apart + number_after(r"Done meshing 3D \(Wall ([0-9.eE+-]+)s", output),
+                         "memory": memory})
+        status, output = run_measured([programs.angles, mesh], arguments.timeout)[:2]
+    if status != 0:
+        return {"outcome": "no cells"}
+    found = json.loads(output)
+    return dict(best(rows), outcome="ok", points=found["vertices"], cells=found["tetrahedra"], **angles_in(found))
 
 
-def write_for_gmsh(surface, size, folder):
-    """Returns the number of triangles."""
+def number_or_0(pattern, text):
+    return 0 if re.search(pattern, text) is None else number_after(pattern, text)
+
+
+def write_for_gmsh(surface, size, algorithm, folder):
     points, triangles = read_off(surface)
     with open(os.path.join(folder, "in.msh"), "w", encoding="utf-8") as file:
         file.write("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n%d\n" % len(points))
@@ -151,10 +166,9 @@ def write_for_gmsh(surface, size, folder):
         file.writelines("%d 2 2 1 1 %d %d %d\n" % (i + 1, *(v + 1 for v in t)) for i, t in enumerate(triangles))
         file.write("$EndElements\n")
     with open(os.path.join(folder, "in.geo"), "w", encoding="utf-8") as file:
-        file.write('Merge "in.msh";\nSurface Loop(1) = {1};\nVolume(1) = {1};\nMesh.Algorithm3D = 10;\n'
-                   "Mesh.MeshSizeExtendFromBoundary = 0;\nMesh.MeshSizeFromPoints = 0;\nMesh.Optimize = 0;\n"
-                   "Mesh.MeshSizeMin = %r;\nMesh.MeshSizeMax = %r;\n" % (size, size))
-    return len(triangles)
+        file.write('Merge "in.msh";\nSurface Loop(1) = {1};\nVolume(1) = {1};\nPhysical Volume(1) = {1};\n'
+                   "Mesh.Algorithm3D = %d;\nMesh.MeshSizeExtendFromBoundary = 0;\nMesh.MeshSizeFromPoints = 0;\n"
+                   "Mesh.Optimize = 1;\nMesh.MeshSizeMin = %r;\nMesh.MeshSizeMax = %r;\n" % (algorithm, size, size))
 
 
 def read_off(surface):
@@ -202,7 +216,7 @@ class Surface_files:
 
 
 def measure_all(arguments, programs, records, kind, model, surface, size, others):
-    for program in ("ours", "TetGen", "Gmsh HXT")[:3 if others == "all" else 2 if others else 1]:
+    for program in ["ours", "TetGen", *ALGORITHMS_OF_GMSH][:None if others == "all" else 2 if others else 1]:
         key = dict(kind=kind, model=model, program=program, size=size)
         if records.has(**key):
             continue
@@ -211,7 +225,7 @@ def measure_all(arguments, programs, records, kind, model, surface, size, others
         elif program == "TetGen":
             row = mesh_by_tetgen(arguments, programs, surface, size)
         else:
-            row = mesh_by_gmsh(arguments, surface, size)
+            row = mesh_by_gmsh(arguments, programs, surface, size, program)
         records.add(dict(key, **row))
         print("%s, size %.4g, %s: %s" % (model, size, program, row["outcome"]), file=sys.stderr, flush=True)
         if row["outcome"] == "invalid_input":
@@ -275,9 +289,9 @@ def measure_aircraft(arguments, programs, records):
         records.add(dict(key, scale=scale, **row))
 
 
-HEAD = "%-28s %-9s %9s %9s %9s %9s %11s %9s %10s %10s %7s %8s %7s" % (
+HEAD = "%-28s %-13s %9s %9s %9s %9s %11s %9s %10s %10s %7s %8s  %s" % (
     "surface", "program", "points", "cells", "recovery", "filling", "improvement", "total", "points/s", "cells/s",
-    "B/cell", "in size", "angle")
+    "B/cell", "in size", "angles; cells below 5, 10, 15, 20")
 
 
 def line_of(r):
@@ -285,24 +299,26 @@ def line_of(r):
         value = r.get(key)
         return "-" if value is None or value != value else form % value
 
-    begin = "%-28.28s %-9s " % (r["model"], r["program"])
+    begin = "%-28.28s %-13s " % (r["model"], r["program"])
     if "cells" not in r:
         return begin + r["outcome"]
     seconds = r.get("filling", float("nan"))
     rates = ["%.0f" % (r[k] / seconds) if seconds > 0 else "-" for k in ("points", "cells")]
-    return begin + "%9d %9d %9s %9s %11s %9s %10s %10s %7.0f %8s %7s%s" % (
+    return begin + "%9d %9d %9s %9s %11s %9s %10s %10s %7.0f %8s  %s; %s%s" % (
         r["points"], r["cells"], text("recovery", "%.3f"), text("filling", "%.3f"), text("improvement", "%.3f"),
-        text("total", "%.3f"), *rates, r["memory"] / r["cells"], text("share", "%.3f"), text("smallest_angle", "%.2f"),
+        text("total", "%.3f"), *rates, r["memory"] / r["cells"], text("share", "%.3f"),
+        text("smallest_angle", "%.2f") + " to " + text("largest_angle", "%.1f"), " ".join(map(str, r["below"])),
         "" if r["outcome"] == "ok" else "  " + r["outcome"])
 
 
 def print_ratios(rows):
     ours = {(r["model"], r["size"]): r for r in rows if r["program"] == "ours" and r["outcome"] == "ok"}
-    for peer in ("TetGen", "Gmsh HXT"):
+    for peer in ("TetGen", *ALGORITHMS_OF_GMSH):
         pairs = [(ours[r["model"], r["size"]], r) for r in rows if r["program"] == peer and r["outcome"] == "ok"
                  and (r["model"], r["size"]) in ours]
         for key in ("filling", "improvement", "total", "memory"):
-            some = [(x[key] / x["cells"]) / (y[key] / y["cells"]) for x, y in pairs if x.get(key, 0) > 0 and y.get(key, 0) > 0]
+            some = [(x[key] / x["cells"]) / (y[key] / y["cells"]) for x, y in pairs
+                    if x.get(key, 0) > 0 and y.get(key, 0) > 0]
             if some:
                 print("ours / %s on %d surfaces, %s per cell: %.3f (geometric mean)" % (peer, len(some), key,
                                                                                        geometric_mean(some)))
@@ -310,7 +326,8 @@ def print_ratios(rows):
 
 def print_summary(rows):
     print("seconds; points and cells per second of the filling; peak memory; share of the edges inside from 0.71 to 1.41 "
-          "times the size; smallest dihedral angle in degrees")
+          "times the size; smallest and largest dihedral angle in degrees, and the numbers of cells with one below 5, 10, "
+          "15 and 20")
     for kind in ("surface", "growth", "aircraft"):
         some = [r for r in rows if r["kind"] == kind]
         if not some:
