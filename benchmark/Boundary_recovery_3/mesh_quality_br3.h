@@ -21,8 +21,8 @@ inline Point cross(const Point& u, const Point& v)
   return {{ u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0] }};
 }
 
-// The smallest and the largest dihedral angle, in degrees, of the cells that were added, and how many cells have one below
-// 5, 10, 15 and 20 degrees.
+// The smallest and the largest dihedral angle, in degrees, of the cells that were added, and how many cells have one
+// below 5, 10, 15 and 20 degrees.
 class Dihedral_angles
 {
   double m_smallest = 180, m_largest = 0;

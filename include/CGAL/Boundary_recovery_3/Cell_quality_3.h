@@ -78,6 +78,9 @@ public:
     return sine_factor * std::sin(internal::possible_min_dihedral_angle(degrees));
   }
 
+  /// returns what sines of obtuse angles are multiplied by.
+  double obtuse_factor() const { return std::sqrt(m_squared_factors[1]); }
+
 private:
   static constexpr double sine_factor = 1.0606601717798212; // 1 / sin(largest_min_dihedral_angle) = 3 / sqrt(8)
   static constexpr double least_product = 1e-240; // below it, or above its inverse, numbers leave their range

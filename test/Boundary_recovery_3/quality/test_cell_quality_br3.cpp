@@ -8,6 +8,7 @@
 #include <CGAL/Boundary_recovery_3/Cell_quality_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Cell_angles_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Cell_shape_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/sure_roundness.h>
 
 #include <algorithm>
 #include <array>
@@ -109,6 +110,37 @@ void test_bounds()
   assert(dihedral.of_angle(-1) == 0 && volume_length.of_angle(-1) == 0);
 }
 
+// Cells that are round enough are good enough, and it is not asked for more than that.
+void test_sure_roundness()
+{
+  using BR3::internal::sure_roundness;
+  const double infinity = (std::numeric_limits<double>::infinity)();
+  const BR3::Dihedral_angle_quality_3 dihedral, plain(1);
+  const BR3::Volume_length_quality_3 volume_length;
+  std::mt19937 rng(4);
+  int number = 0;
+  for(int k = 0; k < 50000; ++k)
+  {
+    const Corners p = random_corners(rng);
+    const double least = br3_test::random_int(rng, 1000) * 0.001;
+    for(const auto& quality : { dihedral, plain })
+      if(volume_length(p) >= sure_roundness(quality, least))
+      {
+        ++number;
+        assert(quality(p) >= least);
+      }
+  }
+  assert(number > 5000);
+  for(const double degrees : { 10., 25., 40. })
+    assert(is_near(sure_roundness(plain, plain.of_angle(degrees)), volume_length.of_angle(degrees), 1e-8));
+  // the smallest angle decides, and then the largest one, of which 0.6 times the sine counts
+  assert(is_near(sure_roundness(dihedral, dihedral.of_angle(25)), volume_length.of_angle(25), 1e-8));
+  const double obtuse = pi - std::asin(std::sin(33 * pi / 180) / 0.6);
+  assert(is_near(sure_roundness(dihedral, dihedral.of_angle(33)), BR3::internal::largest_roundness(obtuse), 1e-8));
+  assert(sure_roundness(dihedral, 0.7) == infinity && sure_roundness(plain, 1.1) == infinity);
+  assert(sure_roundness(volume_length, 0.1) == infinity); // nothing is known of it
+}
+
 void test_extreme_cells()
 {
   const BR3::Dihedral_angle_quality_3 dihedral;
@@ -162,6 +194,7 @@ int main()
 {
   test_qualities();
   test_bounds();
+  test_sure_roundness();
   test_extreme_cells();
   test_angles();
   std::cout << "qualities are right" << std::endl;

@@ -169,6 +169,34 @@ void test_free_vertices()
   assert(number[0] > 50 && number[1] > 20);
 }
 
+// A vertex of very many cells is left alone: here, between two poles and the vertices of a polygon.
+bool is_free_inside_of_polygon(const int number_of_corners)
+{
+  Improvement_options options;
+  options.has_walls = false;
+  Improvement t(1, options, 30);
+  Tr& tr = t.scene.tr;
+  tr.clear();
+  const Vertex_handle v = tr.insert(Scene::Point(0, 0, 0));
+  for(const int z : { -1, 1 })
+    tr.insert(Scene::Point(0, 0, z));
+  for(int i = 0; i < number_of_corners; ++i)
+  {
+    const double angle = 2 * CGAL_PI * i / number_of_corners;
+    tr.insert(Scene::Point(std::cos(angle), std::sin(angle), 0));
+  }
+  for(const Cell_handle c : tr.finite_cell_handles())
+  {
+    c->set_subdomain_index(1);
+    t.scene.selection[c] = true;
+  }
+  assert(tr.degree(v) == std::size_t(number_of_corners) + 2);
+  const bool is_free = internal::Free_star_3<Mesh>(t.mesh).collect(v);
+  for(const Cell_handle c : tr.all_cell_handles())
+    assert(c->tds_data().is_clear());
+  return is_free;
+}
+
 struct Star_of_point
 {
   const std::vector<Best_point::Face>& faces;
@@ -537,6 +565,7 @@ int main()
   std::cout << number_of_centered_vertices << " centered" << std::endl;
   assert(number_of_centered_vertices > 50);
   test_free_vertices();
+  assert(is_free_inside_of_polygon(20) && ! is_free_inside_of_polygon(200));
   test_forgotten_shapes();
   test_best_points();
   test_contraction();

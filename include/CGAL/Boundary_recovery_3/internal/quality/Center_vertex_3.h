@@ -19,6 +19,8 @@
 #include <CGAL/Boundary_recovery_3/internal/filling/Cell_shape_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Free_star_3.h>
 
+#include <algorithm>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -70,11 +72,16 @@ private:
       m_corners.push_back({{ Mesh::coordinates(f[0]), Mesh::coordinates(f[1]), Mesh::coordinates(f[2]), p }});
   }
 
-  double sum_of_roundness() const
+  double sum_of_roundness()
   {
     double sum = 0;
+    m_least_roundness = std::numeric_limits<double>::infinity();
     for(const Cell_corners_3& c : m_corners)
-      sum += m_roundness(c);
+    {
+      const double q = m_roundness(c);
+      sum += q;
+      m_least_roundness = (std::min)(m_least_roundness, q);
+    }
     return sum;
   }
 
@@ -93,9 +100,11 @@ private:
     return sum;
   }
 
-  // Most stars have no bad cell, so that the cells as they are need not be looked at.
+  // Whether the cells of the corners are as good as those of the star. Most stars have none that is bad, or nearly so.
   bool are_as_good_as_cells() const
   {
+    if(m_least_roundness >= m_mesh.enough_roundness())
+      return true;
     const auto after = m_mesh.account_of(m_corners);
     if(after.worst >= m_mesh.enough())
       return true;
@@ -113,6 +122,7 @@ private:
   Volume_length_quality_3 m_roundness;
   Free_star_3<Mesh> m_star;
   std::vector<Cell_corners_3> m_corners;
+  double m_least_roundness = 0; // of the corners
   Allowed_places_3<typename Mesh::Triangulation> m_places;
 };
 

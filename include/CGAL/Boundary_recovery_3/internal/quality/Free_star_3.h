@@ -17,7 +17,7 @@
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 
 #include <array>
-#include <iterator>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -26,7 +26,8 @@ namespace internal {
 
 /*
  * The cells around a vertex that is free: it may be moved, or removed, since it is inside of a region and on no
- * constraint.
+ * constraint. Vertices of very many cells are left alone: what is tried of each neighbor with each cell would take too
+ * long.
  */
 template <typename Mesh>
 class Free_star_3
@@ -36,24 +37,26 @@ public:
   typedef typename Mesh::Cell_handle   Cell_handle;
   typedef std::array<Vertex_handle, 3> Face;
 
-  explicit Free_star_3(const Mesh& mesh) : m_mesh(mesh) { }
+  explicit Free_star_3(const Mesh& mesh) : m_mesh(mesh)
+  {
+    m_cells.reserve(max_number_of_cells + 3); // so that nothing throws while cells are marked
+    m_faces.reserve(max_number_of_cells + 3);
+  }
 
-  // Returns false if the vertex is not free.
+  // Returns false if the vertex is not free, or has too many cells.
   bool collect(const Vertex_handle v)
   {
-    if(is_on_constraint_by_dimension(v))
+    if(is_on_constraint_by_dimension(v) || ! m_mesh.domain().contains(v->cell()))
       return false;
     m_cells.clear();
     m_faces.clear();
-    m_mesh.triangulation().tds().incident_cells(v, std::back_inserter(m_cells));
+    push(v->cell());
+    bool is_free = true;
+    for(std::size_t k = 0; is_free && k < m_cells.size(); ++k)
+      is_free = m_cells.size() <= max_number_of_cells && go_on_from(m_cells[k], v);
     for(const Cell_handle c : m_cells)
-    {
-      const int i = c->index(v);
-      if(! m_mesh.domain().contains(c) || has_constraint(c, i))
-        return false;
-      m_faces.push_back(internal::facet_vertices(c, i));
-    }
-    return true;
+      c->tds_data().clear();
+    return is_free;
   }
 
   const std::vector<Cell_handle>& cells() const { return m_cells; }
@@ -81,18 +84,39 @@ private:
       return false;
   }
 
-  // Whether a facet or an edge at the vertex i of a cell is constrained.
-  bool has_constraint(const Cell_handle c, const int i) const
+  // Adds the face of a cell and its neighbors at the vertex. Returns false if something is constrained there.
+  bool go_on_from(const Cell_handle c, const Vertex_handle v)
   {
+    const int i = c->index(v);
     for(int k = 0; k < 4; ++k)
-      if(k != i && m_mesh.domain().is_wall(c, k))
-        return true;
-    if constexpr(Mesh::Domain::has_constrained_edges)
-      for(int k = 0; k < 4; ++k)
-        if(k != i && m_mesh.domain().is_constrained_edge(c->vertex(i), c->vertex(k)))
-          return true;
-    return false;
+      if(k != i)
+      {
+        if(m_mesh.domain().is_wall(c, k) || is_constrained_edge(v, c->vertex(k)))
+          return false;
+        push(c->neighbor(k));
+      }
+    m_faces.push_back(internal::facet_vertices(c, i));
+    return true;
   }
+
+  bool is_constrained_edge(const Vertex_handle u, const Vertex_handle v) const
+  {
+    if constexpr(Mesh::Domain::has_constrained_edges)
+      return m_mesh.domain().is_constrained_edge(u, v);
+    else
+      return false;
+  }
+
+  void push(const Cell_handle c)
+  {
+    if(! c->tds_data().is_clear())
+      return;
+    c->tds_data().mark_in_conflict();
+    m_cells.push_back(c);
+  }
+
+  // See "Tuning constants" in the manual.
+  static constexpr std::size_t max_number_of_cells = 200;
 
   const Mesh& m_mesh;
   std::vector<Cell_handle> m_cells;

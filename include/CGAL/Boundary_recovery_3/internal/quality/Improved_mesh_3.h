@@ -18,12 +18,14 @@
 #include <CGAL/Boundary_recovery_3/internal/mesh/forget_shape.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_indices.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Allowed_lengths_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/sure_roundness.h>
 #include <CGAL/Boundary_recovery_3/internal/util/bare_point.h>
 
 #include <CGAL/enum.h>
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -85,8 +87,12 @@ public:
   {
     m_enough = quality;
     m_inverse = 1 / quality;
+    m_enough_roundness = internal::sure_roundness(m_quality, quality);
   }
   double enough() const { return m_enough; }
+
+  // What Volume_length_quality_3 says of cells from this number on makes them good enough.
+  double enough_roundness() const { return m_enough_roundness; }
 
   // How bad a cell of this quality is: from 0, good enough, to 1, flat. The sum over all cells never rises.
   double badness(const double quality) const
@@ -251,6 +257,7 @@ private:
   std::vector<Tetrahedron> m_star;
   double m_enough = 1;
   double m_inverse = 1;
+  double m_enough_roundness = std::numeric_limits<double>::infinity();
   Allowed_lengths_3<Tr> m_lengths;
 };
 

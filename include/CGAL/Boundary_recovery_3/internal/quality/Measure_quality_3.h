@@ -23,6 +23,7 @@
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -84,17 +85,18 @@ private:
 
   void add_edges(const Cell_handle c, const Cell_corners_3& corners, const Cell_angles_3& angles)
   {
+    const std::array<double, 4> sizes = {{ size(c->vertex(0)), size(c->vertex(1)),
+                                           size(c->vertex(2)), size(c->vertex(3)) }};
     for(int k = 0; k < 6; ++k)
     {
       const int u = edges_of_cell[k][0], v = edges_of_cell[k][1];
-      const double size_u = size(c->vertex(u)), size_v = size(c->vertex(v));
-      if(! (size_u > 0 && size_v > 0))
+      if(! (sizes[u] > 0 && sizes[v] > 0))
         continue;
       const double part = part_of_inner_edge(c, k, angles);
-      const double mean = (size_u + size_v) / 2;
-      const double square = internal::squared_distance(corners[u], corners[v]) / (mean * mean);
+      const double sum = sizes[u] + sizes[v], square = internal::squared_distance(corners[u], corners[v]);
+      const double square_of_mean = sum * sum / 4;
       m_number_of_edges += part;
-      m_number_of_edges_in_size += square >= 0.5 && square <= 2 ? part : 0;
+      m_number_of_edges_in_size += square >= 0.5 * square_of_mean && square <= 2 * square_of_mean ? part : 0;
     }
   }
 
