@@ -116,7 +116,7 @@ private:
   }
 
   // See "Tuning constants" in the manual.
-  static constexpr std::size_t max_number_of_cells = 200;
+  static constexpr std::size_t max_number_of_cells = 100;
 
   const Mesh& m_mesh;
   std::vector<Cell_handle> m_cells;
