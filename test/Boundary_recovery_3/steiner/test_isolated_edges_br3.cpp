@@ -25,6 +25,7 @@
 #include <CGAL/Boundary_recovery_3/internal/operations/star_cavity.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Isolated_edge_recovery_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Recovery_by_points_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Remove_chain_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Suppress_free_point_3.h>
 
@@ -179,6 +180,38 @@ void test_suppression_of_one_point()
   assert(scene.ledger.points_on_constraints().size() == number);
 }
 
+// Points that go from chains leave parts of edges behind, no others come in their place, and those that stay do not
+// move.
+void test_points_that_go_from_chains()
+{
+  Scene scene(random_segments(30, 6));
+  internal::Recovery_by_points_3<Tr, Visitor> recover(scene.state, scene.ledger);
+  recover.look_up();
+  recover.recover_conforming(0);
+  assert(scene.is_conforming());
+  internal::Mesh_editor_3<Tr, Visitor> editor(scene.tr, scene.visitor);
+  internal::Steiner_mesh_3<Tr, Visitor> mesh(editor, scene.predicates, scene.constraints, scene.ledger, scene.context);
+  internal::Remove_chain_point_3<Tr, Visitor> remove(mesh);
+  const std::vector<Vertex_handle> before = scene.ledger.points_on_constraints();
+  std::size_t number_of_vertices = scene.tr.number_of_vertices();
+  for(const Vertex_handle s : before)
+  {
+    const std::size_t e = scene.ledger.carrier(s).index;
+    const std::size_t length = scene.ledger.vertices_on_edge(e).size();
+    const auto position = scene.ledger.positions()(s);
+    const bool is_gone = remove(s, 4);
+    assert(scene.ledger.is_on_constraint(s) != is_gone && scene.ledger.positions().contains(s) != is_gone);
+    assert(is_gone || scene.ledger.positions()(s) == position);
+    assert(scene.ledger.vertices_on_edge(e).size() == length - (is_gone ? 1 : 0));
+    number_of_vertices -= is_gone ? 1 : 0;
+    assert(scene.tr.number_of_vertices() == number_of_vertices);
+    assert(scene.is_valid() && scene.is_conforming() && scene.ledger.free_points().empty());
+  }
+  const std::size_t number = scene.ledger.points_on_constraints().size();
+  std::cout << before.size() << " points on chains, then " << number << std::endl;
+  assert(number > 0 && 10 * number < 9 * before.size());
+}
+
 // --- one by one -----------------------------------------------------------------------------------------------------
 
 bool recover_one_by_one(Scene& scene, const std::size_t max_number_at_once = 0)
@@ -250,6 +283,14 @@ void test_edge_that_fails(br3_test::Plc plc)
   assert(scene.cells() == cells && scene.ledger.points().empty());
 }
 
+// If no point went from its chain, nearly four would come off the edges for each one that was put on them, not three.
+void test_numbers_of_points(const Scene::Ledger& ledger)
+{
+  std::cout << ledger.number_of_constraint_points() << " points came to edges, " << ledger.number_of_free_points()
+            << " off edges" << std::endl;
+  assert(2 * ledger.number_of_free_points() < 7 * ledger.number_of_constraint_points());
+}
+
 // After each edge, with or without rounds. What came for the edges before is left alone, until room is made.
 void test_edge_after_edge(const br3_test::Plc& plc)
 {
@@ -269,6 +310,7 @@ void test_edge_after_edge(const br3_test::Plc& plc)
     assert(scene.is_valid() && scene.ledger.points_on_constraints().empty() && scene.ledger.positions().empty());
   }
   assert(! scene.ledger.free_points().empty() && recover.number_of_transformations() > 0);
+  test_numbers_of_points(scene.ledger);
   const auto& points = scene.ledger.free_points();
   const std::size_t number = points.size();
   recover.thin_out(4);
@@ -287,7 +329,7 @@ void test_one_by_one()
     for(std::size_t call = 1; call < number_of_calls; call += 1 + number_of_calls / 7)
       test_disturbance(plc, call, is_throwing);
   test_edge_that_fails(plc);
-  test_edge_after_edge(random_segments(12, 4));
+  test_edge_after_edge(random_segments(16, 4));
 }
 
 void test_recovery(const br3_test::Plc& plc)
@@ -302,6 +344,7 @@ int main()
   test_points_that_come_off_edges(random_segments(50, 1));
   test_points_that_come_off_edges(random_segments(60, 7));
   test_suppression_of_one_point();
+  test_points_that_go_from_chains();
   test_one_by_one();
   test_recovery(skew_lines(4));
   test_recovery(random_segments(12, 5));

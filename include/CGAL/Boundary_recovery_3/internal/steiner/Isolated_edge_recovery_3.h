@@ -13,6 +13,7 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/steiner/Conforming_recovery_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Remove_chain_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_splitting_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_suppression_3.h>
@@ -29,8 +30,8 @@ namespace Boundary_recovery_3 {
 namespace internal {
 
 /*
- * Recovers an edge of no constrained facet to the end: it becomes a chain, its points come off it, some of them go, and
- * the others get positions that the triangulation can store.
+ * Recovers an edge of no constrained facet to the end: it becomes a chain, which loses as many of its points as can go
+ * from it; the others come off it, some of them go, and the rest get positions that the triangulation can store.
  *
  * Where there are hundreds of such edges, this is done with one after the other. If all become chains first, the balls
  * of their points are cut up again and again before any point gets a position; in the end, there is no number in some
@@ -45,7 +46,7 @@ public:
   typedef Steiner_suppression_3<Tr, Visitor>   Suppression;
 
   explicit Isolated_edge_recovery_3(Mesh& mesh)
-    : m_mesh(mesh), m_conform(mesh), m_split(mesh), m_remove(mesh, mesh.constraints), m_suppress(mesh)
+    : m_mesh(mesh), m_conform(mesh), m_shorten(mesh), m_split(mesh), m_remove(mesh, mesh.constraints), m_suppress(mesh)
   { }
 
   // Returns whether e is a mesh edge then, and all free points of the ledger have such positions; if not, the mesh is
@@ -54,7 +55,10 @@ public:
   bool operator()(const std::size_t e, const int l_max, const int max_recursion_level, const int number_of_rounds)
   {
     CGAL_precondition(m_mesh.ledger.points_on_constraints().empty());
-    if(! m_conform.recover_edge(e, l_max) || ! split_points())
+    if(! m_conform.recover_edge(e, l_max))
+      return false;
+    shorten_chain(max_recursion_level);
+    if(! split_points())
       return false;
     remove_points(max_recursion_level, 0);
     return m_suppress.round_points(max_recursion_level, number_of_rounds);
@@ -66,11 +70,27 @@ public:
 
   std::size_t number_of_transformations() const
   {
-    return m_conform.number_of_transformations() + m_split.number_of_transformations()
-         + m_remove.number_of_transformations() + m_suppress.number_of_transformations();
+    return m_conform.number_of_transformations() + m_shorten.number_of_transformations()
+         + m_split.number_of_transformations() + m_remove.number_of_transformations()
+         + m_suppress.number_of_transformations();
   }
 
 private:
+  // Points that go from the chain need no others in their place, and leave more room for those that do. In rounds, as
+  // long as one goes.
+  void shorten_chain(const int max_recursion_level)
+  {
+    const int l_max = (std::min)(recursion_level, max_recursion_level);
+    const auto& points = m_mesh.ledger.points_on_constraints();
+    for(std::size_t before = 0; before != points.size(); )
+    {
+      before = points.size();
+      for(const Vertex_handle v : std::vector<Vertex_handle>(points))
+        if(m_mesh.context.go_further())
+          m_shorten(v, l_max);
+    }
+  }
+
   // Returns whether no point is on the edge any more.
   bool split_points()
   {
@@ -108,6 +128,7 @@ private:
 
   Mesh& m_mesh;
   Conforming_recovery_3<Tr, Visitor> m_conform;
+  Remove_chain_point_3<Tr, Visitor> m_shorten;
   Steiner_splitting_3<Tr, Visitor> m_split;
   Suppress_free_point_3<Tr, Visitor, typename Mesh::Constraints> m_remove;
   Suppression m_suppress;
