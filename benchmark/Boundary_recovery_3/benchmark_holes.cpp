@@ -60,7 +60,8 @@ struct Grid
       for(std::size_t b = 0; b < 3; ++b)
         if(a != b)
         {
-          Tetrahedron t = {{ v, v + strides[a], v + strides[a] + strides[b], v + strides[0] + strides[1] + strides[2] }};
+          const std::size_t w = v + strides[a];
+          Tetrahedron t = {{ v, w, w + strides[b], v + strides[0] + strides[1] + strides[2] }};
           if(b != (a + 1) % 3)
             std::swap(t[1], t[2]);
           tetrahedra.push_back(t);

@@ -62,7 +62,7 @@ double interpolated(const Function& function, const Mesh& old_mesh, const Result
 }
 //! [transfer]
 
-// How wrong the interpolation is: the most for the linear function, on the average (root mean square) for the smooth one.
+// How wrong the interpolation is: at most for the linear function, and as root mean square for the smooth one.
 struct Errors
 {
   double linear = 0, smooth = 0;

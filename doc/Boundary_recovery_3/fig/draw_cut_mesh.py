@@ -12,12 +12,12 @@ before_improvement.svg and after_improvement.svg are a part of it, without and w
   mesh_surface --no-improvement -o before.mesh && mesh_surface -o after.mesh
   draw_cut_mesh.py before.mesh before_improvement.svg 620 --cut 0,-1,0,0 --view -90,0 --around 0.6,0,0,1.2 --angles
 before_remeshing.svg, after_remeshing.svg and film_strip.svg are from benchmark_moving_body, the latter with fewer cells:
-  benchmark_moving_body 100000 15 fine_ && benchmark_moving_body 30000 36 coarse_
-  draw_cut_mesh.py fine_15_before.mesh before_remeshing.svg 620 SAME
-  draw_cut_mesh.py fine_15_after.mesh after_remeshing.svg 620 SAME
-where SAME is --cut 0,-1,0,0 --view -90,0 --window 1.8,0,-6,7,5 --references, and
-  draw_cut_mesh.py coarse_00_after.mesh film_strip.svg --cut 0,-1,0,0 --view -90,0 --window 1.5,0,-4,8,16 --references
-    --strip coarse_08_after.mesh coarse_18_after.mesh coarse_28_after.mesh
+  benchmark_moving_body 100000 8 fine_ && benchmark_moving_body 30000 15 coarse_
+  draw_cut_mesh.py fine_08_before.mesh before_remeshing.svg 620 SAME --window 1.7,0,-2.9,8,6.8
+  draw_cut_mesh.py fine_08_after.mesh after_remeshing.svg 620 SAME --window 1.7,0,-2.9,8,6.8
+  draw_cut_mesh.py coarse_00_after.mesh film_strip.svg SAME --window 1.4,0,-3.6,6.5,11
+    --strip coarse_04_after.mesh coarse_09_after.mesh coarse_15_after.mesh
+where SAME is --cut 0,-1,0,0 --view -90,0 --references.
 recovered_gear.svg is the default surface of recover_boundary:
   recover_boundary -o gear.mesh && draw_cut_mesh.py gear.mesh recovered_gear.svg
 recovered_schoenhardt.svg is the smallest surface of data/meshes that takes a point:
@@ -306,7 +306,7 @@ def draw(path_of_mesh, left, width, options):
 
     height = round((high[1] - low[1]) * scale + 2 * MARGIN)
     lines = ['<svg x="%d" width="%d" height="%d" stroke="#23313f" stroke-width="%g" stroke-linejoin="round">'
-             % (SCALE * left, SCALE * width, SCALE * height, SCALE * (0.7 if len(faces) < 1000 else 0.35))]
+             % (SCALE * left, SCALE * width, SCALE * height, SCALE * (0.7 if len(faces) < 1000 and not options.strip else 0.35))]
     if options.window:  # a margin on all sides
         lines[0] = lines[0].replace("<svg", '<svg viewBox="%d %d %d %d"' % (
             SCALE * MARGIN, SCALE * MARGIN, SCALE * (width - 2 * MARGIN), SCALE * (height - 2 * MARGIN)))
