@@ -496,7 +496,9 @@ int main()
   for(const double distance : { 0., 0.6, 2. })
   {
     test_old_places<Epick>(distance, 1, 0);
+#ifndef BR3_TEST_EPICK_ONLY
     test_old_places<Epeck>(distance, 1, 0);
+#endif
   }
   test_old_places<Epick>(0.6, 1e-150, 0);
   test_old_places<Epick>(0.6, 1, 1e5);
