@@ -1,7 +1,7 @@
 // A store leaves the pylon of a wing, as in [CZZ+17, Section 5.2.3]: the mesh of the air follows, and where cells have
 // become bad, holes are meshed anew. Arguments: about how many CELLS (default: 100000), how many STEPS (default: 36,
-// and not more, as the box ends there), and, for pictures, a PREFIX (default: none) of files that are to be written: the
-// mesh before and after each step, PREFIX01_before.mesh and so on.
+// and not more, as the box ends there), and, for pictures, a PREFIX (default: none) of files that are to be written:
+// the mesh before and after each step, PREFIX01_before.mesh and so on.
 // Prints a row for each remeshing, and sums. The exit status is 1 if anything failed or a mesh is not valid.
 
 #include "mesh_files_br3.h"

@@ -1,5 +1,5 @@
-// remesh_holes() over a kernel with exact constructions, and coordinates that no floating point number is; as a small test
-// of the whole with sanitizers, over the usual kernel.
+// remesh_holes() over a kernel with exact constructions, and coordinates that no floating point number is; with
+// sanitizers, as a small test of the whole, over the usual kernel.
 
 #undef NDEBUG // the checks are assertions, also in a Release build
 

@@ -31,8 +31,8 @@ namespace CGAL {
 namespace Boundary_recovery_3 {
 namespace internal {
 
-// How much is asked before the filling: what the mesh will be, with a few thousand questions to the size field at least;
-// the same with as many questions as there are cells; nothing.
+// How large the mesh will be, which is told before the filling: with a few thousand questions to the size field at
+// least; with as many questions as there are cells; or not at all.
 enum class Forecast_effort { usual, small, none };
 
 /*
