@@ -61,6 +61,14 @@ void test_incidences()
   std::mt19937 rng(5);
   Moved_grid grid(3);
   std::shuffle(grid.tetrahedra.begin(), grid.tetrahedra.end(), rng);
+  for(Tetrahedron& t : grid.tetrahedra) // their vertices in any order, but for the orientation
+    for(int k = 0; k < 3; ++k)
+    {
+      const std::size_t i = std::size_t(random_int(rng, 4)), u = t[(i + 1) % 4];
+      t[(i + 1) % 4] = t[(i + 2) % 4];
+      t[(i + 2) % 4] = t[(i + 3) % 4];
+      t[(i + 3) % 4] = u;
+    }
   grid.places.push_back({{ 9, 9, 9 }}); // a vertex without cells
   const Incidences incidences(grid.places.size(), grid.tetrahedra);
   assert(incidences.nonmanifold_facets().empty() && incidences.inconsistent_facets().empty());
