@@ -7,6 +7,7 @@ usage: generate_meshes.py FOLDER           write the files into FOLDER
 Coordinates are rounded to 4 digits, so that the files do not depend on the last bit of a sine. Every
 surface is checked before it is written: closed, consistently oriented, of the expected volume sign.
 """
+import itertools
 import math
 import os
 import sys
@@ -280,9 +281,98 @@ def wing():
     return s.check()
 
 
+def graded_lines(*places_and_distances):
+    """Positions from the first place to the last one, all places among them. Their distances are those that are asked
+    for at the places, and change linearly between them."""
+    lines = [places_and_distances[0][0]]
+    for (a, first), (b, last) in zip(places_and_distances, places_and_distances[1:]):
+        steps, growth = [0.0], (last - first) / (b - a)
+        while steps[-1] < b - a:
+            steps.append(steps[-1] + first + growth * steps[-1])
+        if len(steps) > 2 and steps[-1] - (b - a) > b - a - steps[-2]:
+            steps.pop()
+        lines += [a + step * ((b - a) / steps[-1]) for step in steps[1:-1]] + [b]
+    return lines
+
+
+def add_blocks(surface, lines, is_solid, shape, sign):
+    """The boundary of some of the blocks between three families of lines, which a map then gives its shape. So it is
+    watertight whatever the shape. It turns outwards if the sign is 1."""
+    def is_solid_block(block):
+        return all(0 <= b < len(line) - 1 for b, line in zip(block, lines)) and \
+            is_solid(*((line[b] + line[b + 1]) / 2 for b, line in zip(block, lines)))
+
+    def length(a, b):
+        return sum((c - d) ** 2 for c, d in zip(surface.points[a], surface.points[b]))
+
+    for block in itertools.product(*(range(len(line) - 1) for line in lines)):
+        for axis, step in itertools.product(range(3), (-1, 1)):
+            neighbor = tuple(b + step * (k == axis) for k, b in enumerate(block))
+            if not is_solid_block(block) or is_solid_block(neighbor):
+                continue
+            q = []
+            for i, j in ((0, 0), (1, 0), (1, 1), (0, 1)):
+                corner = list(block)
+                corner[axis] += step == 1
+                corner[(axis + 1) % 3] += i
+                corner[(axis + 2) % 3] += j
+                q.append(surface.point(*shape(*(line[c] for c, line in zip(corner, lines)))))
+            q = q if step == sign else q[::-1]
+            surface.quad(*q, diagonal=0 if length(q[0], q[2]) <= length(q[1], q[3]) else 1)
+
+
+def add_wing_with_pylon(surface, size, sign):
+    """A wing with the chord 3 and the span 6, swept back and blunt at its edges, and below it a pylon down to -0.75."""
+    front, back, width, bottom = 0.7, 2.3, 0.12, -0.75
+
+    def half_thickness(x):
+        return 0.0825 * (1 + min(1, min(x, 3 - x) / 0.6))
+
+    def narrowness(x):  # of the pylon, where it begins and ends
+        return 1 - 0.5 * max(0, 1 - min(abs(x - front), abs(x - back)) / 0.3)
+
+    def shape(x, y, z):  # z is 0 at the lower side of the wing, 1 at the upper one, -1 at the bottom
+        t, side, n = half_thickness(x), abs(y), narrowness(x)
+        side = side * n if side <= width else 3 - (3 - side) * ((3 - width * n) / (3 - width))
+        return (x + 0.08 * side * side, math.copysign(side, y),
+                t * (2 * z - 1) if z >= 0 else -t - z * (bottom + t))
+
+    lines = (graded_lines((0, 2 * size), (front, size), (back, size), (3, 2 * size)),
+             graded_lines((-3, 2 * size), (-width, size), (0, size), (width, size), (3, 2 * size)),
+             graded_lines((-1, size / 0.585), (0, size / 0.585)) + [1])
+    add_blocks(surface, lines, lambda x, y, z: z > 0 or (front < x < back and abs(y) < width), shape, sign)
+
+
+def add_store(surface, center, radius, size, sign):
+    """A cylinder along x, with half an ellipsoid at each end: a long box, of which the cubes at the ends become
+    spheres."""
+    def shape(x, y, z):
+        end = max(abs(x) - 1, 0)
+        d = [math.copysign(math.tan(math.pi / 4 * end), x), math.tan(math.pi / 4 * y), math.tan(math.pi / 4 * z)]
+        scale = radius / math.sqrt(sum(c * c for c in d))
+        along = 2 * radius * max(-1, min(1, x)) + scale * d[0] * (1.8 if x > 0 else 1.4)
+        return center[0] + along, center[1] + scale * d[1], center[2] + scale * d[2]
+
+    step, along = size / (radius * math.pi / 4), size / (2 * radius)
+    across = graded_lines((-1, step), (0, step), (1, step))
+    lines = (graded_lines((-2, step), (-1, step), (0, along), (1, step), (2, step)), across, across)
+    add_blocks(surface, lines, lambda x, y, z: True, shape, sign)
+
+
+def store():
+    """The air around a store below the pylon of a wing: two voids in a box. The points of the store are the last ones.
+    It is what benchmark_moving_body makes, as coarse as can be."""
+    s, size = Surface(), 0.25
+    box = [graded_lines((low, 6 * size), (high, 6 * size)) for low, high in ((-5, 8), (-5.5, 5.5), (-8, 3))]
+    add_blocks(s, box, lambda x, y, z: True, lambda x, y, z: (x, y, z), 1)
+    add_wing_with_pylon(s, size, -1)
+    add_store(s, (1.5, 0, -1.35), 0.4, size, -1)
+    return s.check()
+
+
 SURFACES = {"cube_br3.off": cube, "nested_cubes_br3.off": nested_cubes, "two_cubes_br3.off": two_cubes,
             "schoenhardt_br3.off": schoenhardt, "washer_br3.off": washer, "gear_br3.off": gear, "nut_br3.stl": nut,
-            "wing_br3.off": wing}
+            "wing_br3.off": wing, "store_br3.off": store}
 
 
 def main(arguments):

@@ -1,8 +1,10 @@
 // A store leaves the pylon of a wing, as in [CZZ+17, Section 5.2.3]: the mesh of the air follows, and where cells have
-// become bad, holes are meshed anew. Arguments: about how many CELLS (default: 100000), and how many STEPS (default:
-// 36, and not more, as the box ends there).
+// become bad, holes are meshed anew. Arguments: about how many CELLS (default: 100000), how many STEPS (default: 36,
+// and not more, as the box ends there), and, for pictures, a PREFIX (default: none) of files that are to be written:
+// the mesh before and after each step, PREFIX01_before.mesh and so on.
 // Prints a row for each remeshing, and sums. The exit status is 1 if anything failed or a mesh is not valid.
 
+#include "mesh_files_br3.h"
 #include "mesh_motion_br3.h"
 #include "moving_body_br3.h"
 #include "peak_memory_br3.h"
@@ -27,6 +29,7 @@
 using br3_benchmark::Account;
 using br3_benchmark::Kernel;
 using br3_benchmark::Mesh;
+using br3_benchmark::Mesh_files;
 using br3_benchmark::Point;
 using br3_benchmark::Scene;
 using br3_benchmark::Tetrahedron;
@@ -120,11 +123,14 @@ bool move(Mesh& mesh, const Scene& scene)
 }
 
 // Replaces bad cells. Where a hole ends, it may leave new ones, which are in the middle of the hole of another round.
-bool remesh(Mesh& mesh, const Scene& scene, const int step, Account& account)
+bool remesh(Mesh& mesh, const Scene& scene, const int step, const Mesh_files& files, Account& account)
 {
   double angle = mesh.smallest_angle();
   if(angle >= alarming_angle && mesh.has_positive_cells_only())
+  {
+    files.write(step, "after", mesh);
     return true;
+  }
   ++account.steps;
   for(int round = 0; round < 3 && (round == 0 || angle < alarming_angle); ++round)
   {
@@ -139,7 +145,10 @@ bool remesh(Mesh& mesh, const Scene& scene, const int step, Account& account)
       return false;
     }
     account.add(mesh.tetrahedra.size(), result);
+    if(round == 0)
+      files.write_before(step, mesh, result.old_cells, least_angle);
     mesh = new_mesh;
+    files.write_after(step, mesh, result.number_of_kept_cells);
     angle = new_angle;
   }
   account.smallest_angle = (std::min)(account.smallest_angle, angle);
@@ -148,9 +157,10 @@ bool remesh(Mesh& mesh, const Scene& scene, const int step, Account& account)
 
 // Moves the store step by step, and remeshes where that makes cells bad.
 bool run(Mesh& mesh, Scene& scene, const std::vector<Kernel::Point_3>& at_origin, const int number_of_steps,
-         Account& account)
+         const Mesh_files& files, Account& account)
 {
   CGAL::Real_timer timer;
+  files.write(0, "after", mesh);
   for(int step = 1; step <= number_of_steps; ++step)
   {
     place_store(scene, at_origin, step);
@@ -159,7 +169,7 @@ bool run(Mesh& mesh, Scene& scene, const std::vector<Kernel::Point_3>& at_origin
     timer.stop();
     if(! is_moved)
       std::cerr << "step " << step << ": the springs have no solution" << std::endl;
-    if(! is_moved || ! remesh(mesh, scene, step, account))
+    if(! is_moved || ! remesh(mesh, scene, step, files, account))
       return false;
   }
   std::cout << "moving the vertices took " << std::setprecision(1) << timer.time() << " s" << std::endl;
@@ -170,6 +180,8 @@ int main(int argc, char** argv)
 {
   const double number_of_cells = argc > 1 ? std::stod(argv[1]) : 1e5;
   const int number_of_steps = argc > 2 ? (std::min)(std::stoi(argv[2]), 36) : 36;
+
+  const Mesh_files files(argc > 3 ? argv[3] : "");
 
   Scene scene = make_scene(number_of_cells);
   const std::vector<Kernel::Point_3> at_origin = scene.points;
@@ -195,7 +207,7 @@ int main(int argc, char** argv)
 
   br3_benchmark::print_head();
   Account account;
-  const bool is_done = run(mesh, scene, at_origin, number_of_steps, account);
+  const bool is_done = run(mesh, scene, at_origin, number_of_steps, files, account);
   if(account.remeshings > 0)
     br3_benchmark::print_sums(account, seconds_per_cell);
   std::cout << "largest memory: " << br3_benchmark::peak_memory() << " MB" << std::endl;

@@ -51,13 +51,21 @@ struct Mesh
   std::vector<Tetrahedron> tetrahedra;
   std::vector<Triangle> facets; // those of the surface, in its order
 
+  double smallest_angle_of(const std::size_t cell) const
+  {
+    const Tetrahedron& t = tetrahedra[cell];
+    Dihedral_angles angles;
+    angles.add({{ coordinates(points[t[0]]), coordinates(points[t[1]]),
+                  coordinates(points[t[2]]), coordinates(points[t[3]]) }});
+    return angles.smallest();
+  }
+
   double smallest_angle() const
   {
-    Dihedral_angles angles;
-    for(const Tetrahedron& t : tetrahedra)
-      angles.add({{ coordinates(points[t[0]]), coordinates(points[t[1]]),
-                    coordinates(points[t[2]]), coordinates(points[t[3]]) }});
-    return angles.smallest();
+    double angle = 180;
+    for(std::size_t c = 0; c < tetrahedra.size(); ++c)
+      angle = (std::min)(angle, smallest_angle_of(c));
+    return angle;
   }
 
   double volume() const
@@ -68,12 +76,18 @@ struct Mesh
     return sum;
   }
 
+  bool is_positive(const std::size_t cell) const
+  {
+    const Tetrahedron& t = tetrahedra[cell];
+    return CGAL::orientation(points[t[0]], points[t[1]], points[t[2]], points[t[3]]) == CGAL::POSITIVE;
+  }
+
   bool has_positive_cells_only() const
   {
-    return std::all_of(tetrahedra.begin(), tetrahedra.end(), [&](const Tetrahedron& t)
-    {
-      return CGAL::orientation(points[t[0]], points[t[1]], points[t[2]], points[t[3]]) == CGAL::POSITIVE;
-    });
+    for(std::size_t c = 0; c < tetrahedra.size(); ++c)
+      if(! is_positive(c))
+        return false;
+    return true;
   }
 
   // Whether the surface, where its points are now, is the boundary of the mesh, and nothing else is.

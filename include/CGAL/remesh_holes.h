@@ -162,8 +162,9 @@ auto remesh_holes_of_ranges(const PointRange& points, const TetrahedronRange& te
  * \return the new mesh, where everything in it was before, and an account. It converts to `true` iff the status is
  *         `meshed`, which it also is if no cell is bad. Else the mesh is the old one: `invalid_input`: something is
  *         wrong with the arrays, or constrained facets intersect, or are turned inside out; it is told what. Or the
- *         size field has no size somewhere. `too_large`: new cells would not fit into the memory. `stopped`: by the
- *         visitor, or the time limit. `incomplete`: a hole could not be meshed, although it grew over all the mesh.
+ *         size field has no size somewhere. `too_large`: with a size field, new cells would not fit into the memory.
+ *         `stopped`: by the visitor, or the time limit. `incomplete`: a hole could not be meshed, although it grew over
+ *         all the mesh.
  */
 #ifdef DOXYGEN_RUNNING
 template <typename PointRange, typename TetrahedronRange, typename SizingField,

@@ -3,7 +3,7 @@
 Steiner points, the vertices that no boundary triangle has, as red dots if they are few.
 
 usage: draw_cut_mesh.py IN.mesh OUT.svg [WIDTH] [--cut X,Y,Z,D] [--view AZIMUTH,ELEVATION] [--around X,Y,Z,RADIUS]
-                        [--angles]
+                        [--window X,Y,Z,WIDTH,HEIGHT] [--angles | --references] [--strip IN.mesh...]
 
 meshed_wing.svg is the default surface of mesh_surface, cut along the middle of the wing:
   mesh_surface -o wing.mesh
@@ -11,6 +11,13 @@ meshed_wing.svg is the default surface of mesh_surface, cut along the middle of 
 before_improvement.svg and after_improvement.svg are a part of it, without and with step 7, in colours:
   mesh_surface --no-improvement -o before.mesh && mesh_surface -o after.mesh
   draw_cut_mesh.py before.mesh before_improvement.svg 620 --cut 0,-1,0,0 --view -90,0 --around 0.6,0,0,1.2 --angles
+before_remeshing.svg, after_remeshing.svg and film_strip.svg are from benchmark_moving_body, the latter with fewer cells:
+  benchmark_moving_body 100000 8 fine_ && benchmark_moving_body 30000 15 coarse_
+  draw_cut_mesh.py fine_08_before.mesh before_remeshing.svg 620 SAME --window 1.7,0,-2.9,8,6.8
+  draw_cut_mesh.py fine_08_after.mesh after_remeshing.svg 620 SAME --window 1.7,0,-2.9,8,6.8
+  draw_cut_mesh.py coarse_00_after.mesh film_strip.svg SAME --window 1.4,0,-3.6,6.5,11
+    --strip coarse_04_after.mesh coarse_09_after.mesh coarse_15_after.mesh
+where SAME is --cut 0,-1,0,0 --view -90,0 --references.
 recovered_gear.svg is the default surface of recover_boundary:
   recover_boundary -o gear.mesh && draw_cut_mesh.py gear.mesh recovered_gear.svg
 recovered_schoenhardt.svg is the smallest surface of data/meshes that takes a point:
@@ -18,25 +25,27 @@ recovered_schoenhardt.svg is the smallest surface of data/meshes that takes a po
 
 Without --cut, tetrahedra whose centroid lies to the right and to the front of the middle (larger x, smaller y) are left
 out; with it, those whose centroid p has (X,Y,Z) * p > D. Surfaces inside the outer one are drawn as a whole all the same.
---view tells from where the mesh is seen, in degrees, and --around draws only what is in a ball. With --angles, the colours
-of what the cut lays bare tell the smallest dihedral angle of the tetrahedron: from red, 0 degrees, over yellow to green,
-40 and more. What is hidden is left out of the file. Only Python's standard library is used.
+--view tells from where the mesh is seen, in degrees; --around draws only what is in a ball, --window only what is seen in
+a rectangle around a place. With --angles, the colours of what the cut lays bare tell the smallest dihedral angle of the
+tetrahedron: from red, 0 degrees, over yellow to green, 40 and more. With --references, tetrahedra with the reference 2 are
+green, those with 3 red. --strip draws further meshes to the right of the first one. What is hidden is left out of the file. Only Python's standard library is used.
 """
 import argparse
 import heapq
 import math
 import sys
 
-MARGIN, DOTS = 8, 50
+MARGIN, GAP, DOTS = 8, 4, 50
 BOUNDARY, INSIDE, LIGHT = (96, 141, 186), (240, 163, 74), (-0.35, -0.5, 0.79)
+REFERENCES = {2: (128, 190, 118), 3: (206, 52, 44)}
 SCALE = 2  # of the numbers in the file: integers are short
 
 
 def read_medit(path):
-    """Points, tetrahedra and boundary triangles."""
+    """Points, tetrahedra, their references, and boundary triangles."""
     with open(path) as file:
         tokens = iter(file.read().split())
-    points, tetrahedra, triangles = [], [], []
+    points, tetrahedra, references, triangles = [], [], {}, []
     for word in tokens:
         if word == "Vertices":
             for _ in range(int(next(tokens))):
@@ -46,8 +55,10 @@ def read_medit(path):
             size, target = (3, triangles) if word == "Triangles" else (4, tetrahedra)
             for _ in range(int(next(tokens))):
                 target.append(tuple(int(next(tokens)) - 1 for _ in range(size)))
-                next(tokens)
-    return points, tetrahedra, triangles
+                reference = int(next(tokens))
+                if size == 4:
+                    references[target[-1]] = reference
+    return points, tetrahedra, references, triangles
 
 
 def minus(p, q):
@@ -253,19 +264,39 @@ def path(corners):
     return text.replace(" -", "-").replace(",-", "-") + "z"
 
 
-def draw(points, tetrahedra, boundary, width, cut, view, around, has_angles):
-    seen = project(points, *view)
+def colour_of_cut(points, t, references, colours):
+    """That of a facet of a tetrahedron."""
+    if colours == "angles":
+        return colour_of_angle(smallest_angle(points, t))
+    return REFERENCES.get(references[t], INSIDE) if colours == "references" else INSIDE
+
+
+def seen_part(seen, faces, options):
+    """The lower left and the upper right corner of the picture, in the coordinates of the view."""
+    if options.window:
+        center = project([options.window[:3]], *options.view)[0]
+        return [[center[i] + sign * options.window[3 + i] / 2 for i in (0, 1)] for sign in (-1, 1)]
+    used = [seen[v] for f, _ in faces for v in f]
+    return [[f(p[i] for p in used) for i in (0, 1)] for f in (min, max)]
+
+
+def draw(path_of_mesh, left, width, options):
+    """The height of the picture, and its lines."""
+    points, tetrahedra, references, boundary = read_medit(path_of_mesh)
+    seen = project(points, *options.view)
     given = {v for t in boundary for v in t}
     is_boundary = {frozenset(t) for t in boundary}
     faces = []
-    for key, (f, t) in visible_skin(points, tetrahedra, boundary, cut).items():
+    for key, (f, t) in visible_skin(points, tetrahedra, boundary, options.cut).items():
         n = normal(seen, f)
+        around = options.around
         is_near = around is None or all(math.dist(points[v], around[:3]) < around[3] for v in f)
         if n and n[2] > 1e-6 and is_near:  # else it turns its back on the eye
-            inside = colour_of_angle(smallest_angle(points, t)) if has_angles else INSIDE
+            inside = colour_of_cut(points, t, references, options.colours)
             faces.append((f, colour(BOUNDARY if key in is_boundary else inside, normal(points, f))))
-    used = [seen[v] for f, _ in faces for v in f]
-    low, high = ([f(p[i] for p in used) for i in (0, 1)] for f in (min, max))
+    low, high = seen_part(seen, faces, options)
+    faces = [face for face in faces if all(min(seen[v][i] for v in face[0]) < high[i] and
+                                           max(seen[v][i] for v in face[0]) > low[i] for i in (0, 1))]
     scale = (width - 2 * MARGIN) / (high[0] - low[0])
     faces = [faces[k] for k in shown([[seen[v] for v in f] for f, _ in faces], low, 0.5 / scale)]
 
@@ -274,16 +305,30 @@ def draw(points, tetrahedra, boundary, width, cut, view, around, has_angles):
                 round(SCALE * (MARGIN + (high[1] - seen[v][1]) * scale)))
 
     height = round((high[1] - low[1]) * scale + 2 * MARGIN)
-    lines = ['<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 %d %d" stroke="#23313f" stroke-width="%g" '
-             'stroke-linejoin="round">' % (SCALE * width, SCALE * height, SCALE * (0.7 if len(faces) < 1000 else 0.35)),
-             '<rect width="100%" height="100%" fill="#fff" stroke="none"/>']
+    lines = ['<svg x="%d" width="%d" height="%d" stroke="#23313f" stroke-width="%g" stroke-linejoin="round">'
+             % (SCALE * left, SCALE * width, SCALE * height, SCALE * (0.7 if len(faces) < 1000 and not options.strip else 0.35))]
+    if options.window:  # a margin on all sides
+        lines[0] = lines[0].replace("<svg", '<svg viewBox="%d %d %d %d"' % (
+            SCALE * MARGIN, SCALE * MARGIN, SCALE * (width - 2 * MARGIN), SCALE * (height - 2 * MARGIN)))
     for i in back_to_front([[seen[v] for v in f] for f, _ in faces], 1e-4 * (high[0] - low[0])):
         f, fill = faces[i]
         lines.append('<path fill="%s" d="%s"/>' % (fill, path([corner(v) for v in f])))
     dots = sorted({v for f, _ in faces for v in f} - given)
     for v in dots if len(dots) <= DOTS else []:
         lines.append('<circle fill="#d0312d" cx="%d" cy="%d" r="%d"/>' % (*corner(v), SCALE * 5))
-    return "\n".join(lines + ["</svg>", ""])
+    return height, lines + ["</svg>"]
+
+
+def draw_strip(options):
+    meshes, left, parts, height = [options.mesh] + options.strip, 0, [], 0
+    width = round((options.width - GAP * (len(meshes) - 1)) / len(meshes))
+    for mesh in meshes:
+        height, lines = draw(mesh, left, width, options)
+        parts += lines
+        left += width + GAP
+    return "\n".join(['<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 %d %d">'
+                      % (SCALE * (left - GAP), SCALE * height),
+                      '<rect width="100%" height="100%" fill="#fff"/>'] + parts + ["</svg>", ""])
 
 
 def main():
@@ -298,10 +343,12 @@ def main():
     parser.add_argument("--cut", type=numbers)
     parser.add_argument("--view", type=numbers, default=(-62, 38))
     parser.add_argument("--around", type=numbers)
-    parser.add_argument("--angles", action="store_true")
+    parser.add_argument("--window", type=numbers)
+    parser.add_argument("--angles", action="store_const", dest="colours", const="angles")
+    parser.add_argument("--references", action="store_const", dest="colours", const="references")
+    parser.add_argument("--strip", nargs="+", default=[])
     options = parser.parse_args(arguments)
-    picture = draw(*read_medit(options.mesh), options.width, options.cut, options.view, options.around,
-                   options.angles)
+    picture = draw_strip(options)
     with open(options.picture, "w") as file:
         file.write(picture)
     return 0

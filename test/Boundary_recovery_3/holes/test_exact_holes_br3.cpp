@@ -1,4 +1,5 @@
-// remesh_holes() over a kernel with exact constructions, and coordinates that no floating point number is.
+// remesh_holes() over a kernel with exact constructions, and coordinates that no floating point number is; with
+// sanitizers, as a small test of the whole, over the usual kernel.
 
 #undef NDEBUG // the checks are assertions, also in a Release build
 
@@ -6,6 +7,7 @@
 #include "moved_grid_br3.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/property_map.h>
 #include <CGAL/remesh_holes.h>
 
@@ -19,9 +21,13 @@
 
 namespace parameters = CGAL::parameters;
 using br3_test::Moved_grid;
-typedef CGAL::Exact_predicates_exact_constructions_kernel Kernel;
-typedef Kernel::Point_3                                   Point;
-typedef CGAL::Hole_remeshing_result_3<Point>              Result;
+#ifdef BR3_TEST_EPICK_ONLY
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+#else
+typedef CGAL::Exact_predicates_exact_constructions_kernel   Kernel;
+#endif
+typedef Kernel::Point_3                                     Point;
+typedef CGAL::Hole_remeshing_result_3<Point>                Result;
 
 int main()
 {

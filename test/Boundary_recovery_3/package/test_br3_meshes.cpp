@@ -142,5 +142,6 @@ int main()
   test("washer_br3.off", 0, 0);
   test("gear_br3.off", 0, 10);
   test("wing_br3.off", 0, 10);
+  test("store_br3.off", 0, 10);
   return EXIT_SUCCESS;
 }

@@ -31,6 +31,10 @@ namespace CGAL {
 namespace Boundary_recovery_3 {
 namespace internal {
 
+// How large the mesh will be, which is told before the filling: with a few thousand questions to the size field at
+// least; with as many questions as there are cells; or not at all.
+enum class Forecast_effort { usual, small, none };
+
 /*
  * The work behind insert_field_points(): the forecast, then the filling, with an account of both.
  */
@@ -41,8 +45,9 @@ public:
   typedef typename Tr::Cell_handle     Cell_handle;
   typedef Field_points_result_3<Tr>    Result;
 
-  Field_point_insertion_3(Tr& tr, Domain& domain, const SizingField& size, Visitor& visitor)
-    : m_tr(tr), m_domain(domain), m_sizes(tr, size), m_context(visitor)
+  Field_point_insertion_3(Tr& tr, Domain& domain, const SizingField& size, Visitor& visitor,
+                          const Forecast_effort effort = Forecast_effort::usual)
+    : m_tr(tr), m_domain(domain), m_sizes(tr, size), m_context(visitor), m_effort(effort)
   { }
 
   Result operator()(const std::size_t max_number_of_vertices, const double maximum_running_time)
@@ -108,7 +113,7 @@ private:
     const double number_of_vertices = static_cast<double>(m_tr.number_of_vertices());
     m_result.forecast_of_cells = number_of_cells; // what is there at least
     m_result.forecast_of_vertices = number_of_vertices;
-    if(! m_sizes.ask_at_vertices(m_cells))
+    if(! m_sizes.ask_at_vertices(m_cells) || m_effort == Forecast_effort::none)
       return;
     m_result.forecast_of_cells = (std::max)(number_of_cells, cells_per_forecast_cell * number_of_regular_cells() +
                                                              cells_per_wall * static_cast<double>(number_of_walls()));
@@ -136,7 +141,8 @@ private:
       const auto corners = internal::corners(c);
       integral.add(corners, m_sizes.region(c), m_sizes.likely_size_inside(c, corners, integral.gradation()));
     }
-    const double number = integral((std::min)(least_number_of_questions + m_cells.size(), largest_number_of_questions));
+    const std::size_t least = m_effort == Forecast_effort::usual ? least_number_of_questions : 0;
+    const double number = integral((std::min)(least + m_cells.size(), largest_number_of_questions));
     return std::isnan(number) ? std::numeric_limits<double>::infinity() : number;
   }
 
@@ -146,7 +152,7 @@ private:
     const double more_vertices = m_result.forecast_of_vertices - static_cast<double>(m_tr.number_of_vertices());
     const double bytes = more_cells * sizeof(typename Tr::Cell) +
                          more_vertices * (sizeof(typename Tr::Vertex) + sizeof(typename Tr::Vertex_handle));
-    return bytes <= static_cast<double>(available_memory());
+    return bytes <= 0 || bytes <= static_cast<double>(available_memory());
   }
 
   void fill(const std::size_t max_number_of_vertices)
@@ -173,6 +179,7 @@ private:
   Domain& m_domain;
   Region_sizes_3<Tr, SizingField> m_sizes;
   Recovery_context<Visitor> m_context;
+  const Forecast_effort m_effort;
   Result m_result;
   std::vector<Cell_handle> m_cells; // of the domain, before points are inserted
 };

@@ -45,6 +45,8 @@ public:
   // Looks up the facets and edges of the caller. Those that are not there are appended to lists of positions.
   void find(std::vector<std::size_t>& lost_facets, std::vector<std::size_t>& lost_edges)
   {
+    if(! m_mesh.facets.empty())
+      m_is_named.assign(4 * m_mesh.tetrahedra.size(), false);
     for(std::size_t f = 0; f < m_mesh.facets.size(); ++f)
     {
       const std::size_t side = m_incidences.find(m_mesh.facets[f]);
@@ -52,9 +54,9 @@ public:
         lost_facets.push_back(f);
       else
       {
-        m_position_of_side.emplace(side, f); // the first one counts
+        name(side, f);
         if(m_incidences.opposite(side) != none)
-          m_position_of_side.emplace(m_incidences.opposite(side), f);
+          name(m_incidences.opposite(side), f);
       }
     }
     for(std::size_t e = 0; e < m_mesh.edges.size(); ++e)
@@ -78,7 +80,7 @@ public:
     return opposite == none || m_mesh.regions[opposite / 4] != m_mesh.regions[side / 4];
   }
 
-  bool is_constrained(const std::size_t side) const { return bounds_region(side) || position(side) != none; }
+  bool is_constrained(const std::size_t side) const { return bounds_region(side) || is_named(side); }
 
   bool has_edges() const { return ! m_mesh.edges.empty(); }
 
@@ -101,8 +103,18 @@ public:
   }
 
 private:
+  // The first position counts.
+  void name(const std::size_t side, const std::size_t f)
+  {
+    m_is_named[side] = true;
+    m_position_of_side.emplace(side, f);
+  }
+
+  bool is_named(const std::size_t side) const { return ! m_is_named.empty() && m_is_named[side]; }
+
   const Mesh& m_mesh;
   const Tetrahedra_incidences_3& m_incidences;
+  std::vector<bool> m_is_named; // of all sides, as most are not; empty if none is
   std::unordered_map<std::size_t, std::size_t> m_position_of_side; // for looking up only
   Simplex_index_3<std::size_t, 2> m_edges;
   std::vector<std::size_t> m_positions_of_edges;

@@ -315,11 +315,11 @@ private:
     if(m_options.size)
       return { [this, &hole](const Point_3& p, const int region)
                { return m_options.size(p, hole.surface.regions[static_cast<std::size_t>(region)]); },
-               m_options.grading };
+               m_options.grading, false };
     const auto old_sizes = std::make_shared<Old_sizes_3>(m_mesh, *m_incidences, m_is_bad,
                                                          m_hole_cells->cells(hole.number));
     return { [old_sizes](const Point_3& p, const int) { return (*old_sizes)(internal::coordinates_of(p)); },
-             double(Old_sizes_3::grading) };
+             double(Old_sizes_3::grading), true };
   }
 
   void improve_holes()
@@ -344,7 +344,7 @@ private:
   {
     Sew_holes_3<Kernel> sew_holes(m_mesh, *m_incidences, *m_hole_cells, m_result);
     for(const Hole& hole : m_holes)
-      sew_holes.keep_vertices(hole.surface);
+      sew_holes.expect(hole.surface, *hole.triangulation);
     sew_holes.copy();
     for(Hole& hole : m_holes)
     {

@@ -15,18 +15,20 @@
 #include <CGAL/Boundary_constrained_mesh_triangulation_3.h>
 #include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/Constrained_edge_map_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Field_point_insertion_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Selected_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Hole_surface_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Label_hole_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Quality_improvement_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
 #include <CGAL/Boundary_recovery_3/parameters.h>
 #include <CGAL/improve_mesh_quality.h>
-#include <CGAL/insert_field_points.h>
 #include <CGAL/recover_boundary.h>
 
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -50,6 +52,7 @@ struct Hole_sizes_3
 {
   std::function<double(const Point_3&, int)> size; // at a place in a region, with a local number
   double largest_grading;
+  bool are_old; // those of the old mesh: as many cells as there were will do
 
   double operator()(const Point_3& p, const int /* dimension */, const int region) const { return size(p, region); }
 
@@ -103,10 +106,14 @@ public:
     return true;
   }
 
+  // There may be thousands of holes: what is asked for a forecast would take more time than the filling.
   Filling fill(const Hole_sizes_3<Point_3>& sizes)
   {
-    return insert_field_points(m_tr, sizes, parameters::edge_is_constrained_map(m_edges)
-                                              .visitor(std::ref(m_visitor)));
+    auto domain = internal::selected_domain(m_tr, parameters::edge_is_constrained_map(m_edges));
+    typedef Field_point_insertion_3<Tr, decltype(domain), Hole_sizes_3<Point_3>, Hole_visitor_3> Insertion;
+    const Forecast_effort effort = sizes.are_old ? Forecast_effort::none : Forecast_effort::small;
+    return Insertion(m_tr, domain, sizes, m_visitor, effort)((std::numeric_limits<std::size_t>::max)(),
+                                                             std::numeric_limits<double>::infinity());
   }
 
   Improvement improve(const double min_dihedral_angle)
@@ -136,6 +143,10 @@ public:
   std::size_t number_of_steiner_points() const { return m_number_of_steiner_points; }
 
   const std::vector<Vertex_handle>& vertices() const { return m_vertices; }
+
+  // With those outside of the hole, too.
+  std::size_t number_of_vertices() const { return m_tr.number_of_vertices(); }
+  std::size_t number_of_cells() const { return m_tr.tds().number_of_cells(); }
 
   // Calls `work(c, region)` for the cells in the hole, with local numbers of regions.
   template <typename Work>

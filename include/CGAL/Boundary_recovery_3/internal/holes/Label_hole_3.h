@@ -59,23 +59,35 @@ public:
 private:
   static constexpr int unknown = -1;
 
-  // A cell is on the positive side of its facets, as `facet_vertices()` has them.
+  // A cell is on the positive side of its facets, as `facet_vertices()` has them. Each facet is looked up once.
   bool label_by_facets(const Cell_handle c, const std::vector<Facet>& facets,
                        const std::vector<std::array<int, 2> >& regions, std::vector<Cell_handle>& seeds)
   {
     for(int i = 0; i < 4; ++i)
     {
+      const Cell_handle n = c->neighbor(i);
+      if(n < c)
+        continue;
       const Facet f = internal::facet_vertices(c, i);
       const std::size_t k = m_index[f];
       c->set_surface_patch_index(i, k == m_index.none ? 0 : 1);
+      n->set_surface_patch_index(m_tr.mirror_index(c, i), k == m_index.none ? 0 : 1);
       if(k == m_index.none)
         continue;
-      const int region = regions[k][is_rotation(f, facets[k]) ? 0 : 1];
-      if(c->subdomain_index() != unknown && c->subdomain_index() != region)
+      const int side = is_rotation(f, facets[k]) ? 0 : 1;
+      if(! label(c, regions[k][side], seeds) || ! label(n, regions[k][1 - side], seeds))
         return false;
-      c->set_subdomain_index(region);
-      seeds.push_back(c);
     }
+    return true;
+  }
+
+  // Returns false if it has another region.
+  static bool label(const Cell_handle c, const int region, std::vector<Cell_handle>& seeds)
+  {
+    if(c->subdomain_index() != unknown && c->subdomain_index() != region)
+      return false;
+    c->set_subdomain_index(region);
+    seeds.push_back(c);
     return true;
   }
 

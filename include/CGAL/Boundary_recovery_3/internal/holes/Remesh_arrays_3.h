@@ -28,6 +28,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <type_traits>
@@ -139,8 +140,10 @@ private:
       parameters::get_parameter(m_np, internal_np::point_map));
     using boost::get;
     Mesh mesh;
+    mesh.points.reserve(static_cast<std::size_t>(std::distance(std::begin(points), std::end(points))));
     for(const auto& p : points)
       mesh.points.push_back(get(point_map, p));
+    mesh.tetrahedra.reserve(static_cast<std::size_t>(std::distance(std::begin(tetrahedra), std::end(tetrahedra))));
     for(const auto& t : tetrahedra)
       mesh.tetrahedra.push_back({{ std::size_t(t[0]), std::size_t(t[1]), std::size_t(t[2]), std::size_t(t[3]) }});
     mesh.regions.assign(mesh.tetrahedra.size(), 1);

@@ -51,16 +51,19 @@ public:
       m_is_kept(mesh.points.size(), false)
   { }
 
-  // First those that stay in some hole are named.
-  void keep_vertices(const Surface& surface)
+  // First the holes are named, since some vertices in them stay.
+  void expect(const Surface& surface, const Triangulation& triangulation)
   {
     for(const std::size_t v : surface.vertices)
       m_is_kept[v] = true;
+    m_number_of_new_vertices += triangulation.number_of_vertices();
+    m_number_of_new_cells += triangulation.number_of_cells();
   }
 
   // Then all is copied that is not in a hole.
   void copy()
   {
+    reserve();
     std::vector<char> has_cell(m_mesh.points.size(), false);
     for(std::size_t c = 0; c < m_mesh.tetrahedra.size(); ++c)
       for(const std::size_t v : m_mesh.tetrahedra[c])
@@ -108,6 +111,19 @@ public:
   }
 
 private:
+  // Enough, so that nothing is copied twice.
+  void reserve()
+  {
+    m_result.points.reserve(m_mesh.points.size() + m_number_of_new_vertices);
+    m_result.old_vertices.reserve(m_mesh.points.size() + m_number_of_new_vertices);
+    m_result.locations.reserve(m_number_of_new_vertices);
+    m_result.tetrahedra.reserve(m_mesh.tetrahedra.size() + m_number_of_new_cells);
+    m_result.regions.reserve(m_mesh.tetrahedra.size() + m_number_of_new_cells);
+    m_result.old_cells.reserve(m_mesh.tetrahedra.size() + m_number_of_new_cells);
+    m_result.facets.reserve(m_mesh.facets.size());
+    m_result.edges.reserve(m_mesh.edges.size());
+  }
+
   void copy_vertices(const std::vector<char>& has_cell)
   {
     m_new_number.assign(m_mesh.points.size(), m_result.no_index);
@@ -163,6 +179,8 @@ private:
   const Tetrahedra_incidences_3& m_incidences;
   const Hole_cells_3& m_hole_cells;
   Result& m_result;
+  std::size_t m_number_of_new_vertices = 0; // at most, as the next one
+  std::size_t m_number_of_new_cells = 0;
   std::vector<char> m_is_kept;           // of the old vertices
   std::vector<std::size_t> m_new_number; // of the old vertices
 };

@@ -114,12 +114,15 @@ private:
   // a facet without its smallest vertex
   struct Facet_at_vertex
   {
-    std::size_t u, v, side;
-    bool is_positive; // whether the order is that of `facet(side)`
+    std::size_t u, v;
+    std::size_t twice_side; // plus 1 if u and v are in the order of `facet(side)`
+
+    std::size_t side() const { return twice_side / 2; }
+    bool is_positive() const { return twice_side % 2 == 1; }
 
     bool operator<(const Facet_at_vertex& f) const
     {
-      return u != f.u ? u < f.u : v != f.v ? v < f.v : side < f.side;
+      return u != f.u ? u < f.u : v != f.v ? v < f.v : twice_side < f.twice_side;
     }
 
     bool is_same_facet(const Facet_at_vertex& f) const { return u == f.u && v == f.v; }
@@ -166,25 +169,42 @@ private:
     }
   }
 
-  // Those that have no smaller vertex. A cell with two of these has no such facet.
+  // Those that have no smaller vertex: at a cell with one smaller vertex, that opposite to it; with two, none.
   void collect_facets(const std::size_t v, std::vector<Facet_at_vertex>& facets) const
   {
     facets.clear();
     for(const std::size_t c : cells(v))
     {
       const Tetrahedron& t = m_tetrahedra[c];
-      if(std::count_if(t.begin(), t.end(), [v](const std::size_t u) { return u < v; }) > 1)
-        continue;
+      std::size_t number_of_smaller = 0, smaller = 0, own = 0;
       for(std::size_t i = 0; i < 4; ++i)
-        if(t[i] != v)
+        if(t[i] < v)
         {
-          Facet f = facet(4 * c + i);
-          if(*std::min_element(f.begin(), f.end()) != v)
-            continue;
-          std::rotate(f.begin(), std::find(f.begin(), f.end(), v), f.end());
-          facets.push_back({ (std::min)(f[1], f[2]), (std::max)(f[1], f[2]), 4 * c + i, f[1] < f[2] });
+          ++number_of_smaller;
+          smaller = i;
         }
+        else if(t[i] == v)
+          own = i;
+      if(number_of_smaller == 1)
+        facets.push_back(facet_at_vertex(c, smaller, own));
+      else if(number_of_smaller == 0)
+        for(std::size_t i = 0; i < 4; ++i)
+          if(i != own)
+            facets.push_back(facet_at_vertex(c, i, own));
     }
+  }
+
+  // That opposite to the vertex i of a cell, without its vertex `own`.
+  Facet_at_vertex facet_at_vertex(const std::size_t cell, const std::size_t i, const std::size_t own) const
+  {
+    // the two vertices that follow `own` in the order of the facet
+    static constexpr std::size_t others[4][4][2] = { { { 0, 0 }, { 3, 2 }, { 1, 3 }, { 2, 1 } },
+                                                     { { 2, 3 }, { 0, 0 }, { 3, 0 }, { 0, 2 } },
+                                                     { { 3, 1 }, { 0, 3 }, { 0, 0 }, { 1, 0 } },
+                                                     { { 1, 2 }, { 2, 0 }, { 0, 1 }, { 0, 0 } } };
+    const Tetrahedron& t = m_tetrahedra[cell];
+    const std::size_t p = t[others[i][own][0]], q = t[others[i][own][1]];
+    return { (std::min)(p, q), (std::max)(p, q), 2 * (4 * cell + i) + (p < q ? 1 : 0) };
   }
 
   void match(const std::vector<Facet_at_vertex>& facets, const std::size_t first, const std::size_t last)
@@ -194,11 +214,11 @@ private:
     const Facet_at_vertex& f = facets[first];
     const Facet_at_vertex& g = facets[first + 1];
     if(last - first > 2)
-      m_nonmanifold.emplace_back(f.side, g.side);
-    else if(f.is_positive == g.is_positive)
-      m_inconsistent.emplace_back(f.side, g.side);
-    m_opposite[f.side] = g.side;
-    m_opposite[g.side] = f.side;
+      m_nonmanifold.emplace_back(f.side(), g.side());
+    else if(f.is_positive() == g.is_positive())
+      m_inconsistent.emplace_back(f.side(), g.side());
+    m_opposite[f.side()] = g.side();
+    m_opposite[g.side()] = f.side();
   }
 
   const std::vector<Tetrahedron>& m_tetrahedra;
