@@ -17,6 +17,7 @@
 #include <CGAL/Boundary_recovery_3/internal/filling/Insert_field_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Region_sizes_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Remove_long_edge_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Unit_frame_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/tetrahedron_edges.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_indices.h>
@@ -233,12 +234,24 @@ private:
     {
       const int i = facet_towards(c, q);
       if(i < 0)
-        return c;
+        return is_in_box(c, q) ? c : Cell_handle();
       if(m_domain.is_wall(c, i))
         return Cell_handle();
       c = c->neighbor(i);
     }
     return Cell_handle();
+  }
+
+  // Nearly flat cells seem to contain points that are far away.
+  static bool is_in_box(const Cell_handle c, const Coordinates_3& q)
+  {
+    Axis_box_3 box;
+    for(const Coordinates_3& p : internal::corners(c))
+      box.add(p);
+    for(int i = 0; i < 3; ++i)
+      if(q[i] < box.lower[i] || q[i] > box.upper[i])
+        return false;
+    return true;
   }
 
   // The facet of a cell that has the point most clearly behind it; negative if the cell contains the point.
