@@ -73,6 +73,8 @@ public:
 
   void write_after(const int step, const Mesh& mesh, const std::size_t number_of_kept_cells) const
   {
+    if(m_prefix.empty())
+      return;
     std::vector<int> references(mesh.tetrahedra.size(), replaced);
     std::fill(references.begin(), references.begin() + std::ptrdiff_t(number_of_kept_cells), stays);
     write(step, "after", mesh, references);

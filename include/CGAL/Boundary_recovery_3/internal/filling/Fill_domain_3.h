@@ -248,10 +248,7 @@ private:
     Axis_box_3 box;
     for(const Coordinates_3& p : internal::corners(c))
       box.add(p);
-    for(int i = 0; i < 3; ++i)
-      if(q[i] < box.lower[i] || q[i] > box.upper[i])
-        return false;
-    return true;
+    return box.contains(q);
   }
 
   // The facet of a cell that has the point most clearly behind it; negative if the cell contains the point.

@@ -74,6 +74,14 @@ struct Axis_box_3
 
   bool is_empty() const { return ! (lower[0] <= upper[0]); }
 
+  bool contains(const Coordinates_3& p) const
+  {
+    for(int i = 0; i < 3; ++i)
+      if(p[i] < lower[i] || p[i] > upper[i])
+        return false;
+    return true;
+  }
+
   Coordinates_3 center() const
   {
     Coordinates_3 c = {{ 0, 0, 0 }};
