@@ -162,6 +162,17 @@ make_mesh_of_surface(Tr& tr, const FaceListGraph& surface, const SizingField& si
  *     \cgalParamType{`std::size_t`}
  *     \cgalParamDefault{no limit but that of the memory}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{number_of_subdomains}
+ *     \cgalParamDescription{into how many sub-domains the domain is divided, by METIS if `CGAL_METIS_ENABLED` is
+ *                           defined. They are filled, and improved, at the same time if `CGAL_LINKED_WITH_TBB` is
+ *                           defined and the number type of the kernel is a built-in one; so are the zones around
+ *                           their seams then. The mesh depends on this number, and not on the number of threads.
+ *                           There are at most as many as the domain has cells when it is divided}
+ *     \cgalParamType{`std::size_t`}
+ *     \cgalParamDefault{1: the domain is not divided}
+ *     \cgalParamExtra{If it is more, the size field and the quality are asked by several threads, the visitor by one of
+ *                     them at a time; it is not told which cells come and go.}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_running_time}
  *     \cgalParamDescription{the time in seconds, for all steps together, after which the work stops soon, with a valid
  *                           triangulation}

@@ -13,6 +13,7 @@
 #include "print_mesh.h"
 #include "program.h"
 #include "progress_bar.h"
+#include "thread_limit.h"
 #include "write_mesh_report.h"
 
 #include <CGAL/Boundary_constrained_mesh_triangulation_3.h>
@@ -50,9 +51,11 @@ Result mesh(Triangulation& tr, const Surface<Point>& surface, const Size& size, 
   const auto vertices = CGAL::parameters::maximum_number_of_vertices(options.maximum_number_of_vertices);
   const auto improve = CGAL::parameters::improve_quality(options.improve_quality && options.insert_field_points);
   const auto angle = CGAL::parameters::min_dihedral_angle(options.min_angle);
+  const auto subdomains = CGAL::parameters::number_of_subdomains(options.number_of_subdomains);
+  const Thread_limit limit(options.number_of_threads);
   return CGAL::make_boundary_constrained_mesh_3(tr, surface.points, surface.faces,
                                                 options.insert_field_points ? size : Size::unbounded(),
-                                                common, defects, vertices, improve, angle);
+                                                common, defects, vertices, improve, angle, subdomains);
 }
 
 // the regions, unless they are not known: only what is outside would be written otherwise

@@ -33,6 +33,9 @@ constexpr const char* meshing_usage =
   "                         the tetrahedra\n"
   "  --max-vertices N       mesh nothing if the mesh would have more vertices than that\n"
   "  --time-limit SECONDS   stop after that time, and write what there is if the surface is recovered by then\n"
+  "  --subdomains N         divide the inside into N parts, which are meshed at the same time; their seams are meshed\n"
+  "                         again. The mesh depends on N, but not on the number of threads\n"
+  "  --threads T            use at most T threads for the parts; default: as many as the machine has\n"
   "quality:\n"
   "  --min-angle DEGREES    improve tetrahedra with a dihedral angle below that one, default: 25; more is\n"
   "                         seldom possible\n"
@@ -73,6 +76,9 @@ struct Meshing_options
   bool has_min_angle = false;
   bool improve_quality = true;
   std::size_t maximum_number_of_vertices = (std::numeric_limits<std::size_t>::max)();
+  std::size_t number_of_subdomains = 1;
+  std::size_t number_of_threads = 0; // 0: as many as there are
+  bool has_threads = false;
 };
 
 class Meshing_command_line
@@ -108,6 +114,15 @@ private:
     }
     else if(option == "--no-improvement")
       m_options.improve_quality = false;
+    else if(option == "--subdomains")
+      m_options.number_of_subdomains =
+        static_cast<std::size_t>(number_after(option, Number_kind::integer, largest_number_of_subdomains));
+    else if(option == "--threads")
+    {
+      m_options.number_of_threads =
+        static_cast<std::size_t>(number_after(option, Number_kind::integer, largest_number_of_threads));
+      m_options.has_threads = true;
+    }
     else if(option == "--max-vertices")
       m_options.maximum_number_of_vertices =
         static_cast<std::size_t>(number_after(option, Number_kind::integer, largest_integer));
@@ -120,6 +135,10 @@ private:
   {
     if(m_options.has_grading && m_options.size > 0 && m_options.background.empty())
       refuse("--grading is for sizes from the surface or a background mesh only");
+    if(m_options.number_of_subdomains == 0)
+      refuse("--subdomains needs at least 1");
+    if(m_options.has_threads && (m_options.number_of_threads == 0 || m_options.number_of_subdomains == 1))
+      refuse("--threads needs at least 1, and --subdomains");
     if(m_options.min_angle > largest_angle)
       refuse("--min-angle needs an angle of at most 70.53 degrees: no tetrahedron has only larger ones");
     if(m_options.has_min_angle && (! m_options.improve_quality || ! m_options.insert_field_points))
@@ -127,6 +146,9 @@ private:
   }
 
   static constexpr double largest_angle = 70.53;
+
+  static constexpr double largest_number_of_subdomains = 1000000;
+  static constexpr double largest_number_of_threads = 100000;
 
   static constexpr double largest_integer = 9007199254740992; // 2^53: all integers up to here are numbers
 };

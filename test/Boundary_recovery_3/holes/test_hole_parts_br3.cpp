@@ -15,7 +15,7 @@
 #include <CGAL/Boundary_recovery_3/internal/holes/Locate_in_hole_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Moved_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Old_sizes_3.h>
-#include <CGAL/Boundary_recovery_3/internal/holes/Tetrahedra_incidences_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Tetrahedra_incidences_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>

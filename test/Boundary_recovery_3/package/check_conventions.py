@@ -67,6 +67,7 @@ FLOORS = [
     "quality",      # angles of cells, their improvement, and what is to be said about those that stay bad
     "Boundary_recovery_3/mesh_quality.h",
     "improve_mesh_quality.h",
+    "parallel",     # sub-domains that are filled and improved at the same time
     "meshing",      # all steps, one after the other
     "make_boundary_constrained_mesh_3.h",
     "Boundary_recovery_3/Hole_remeshing_result_3.h",

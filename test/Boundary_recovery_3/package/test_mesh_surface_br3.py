@@ -619,29 +619,45 @@ def test_time_limit():
     assert report['status'] == 'stopped' and report['recovery_status'] == 'recovered'
     result = read_mesh('limit.mesh')  # what there is by then
     assert len(result.tetrahedra) == report['number_of_tetrahedra'] > 0 and len(result.triangles) == 4800
-    volume = 0
-    for t in result.tetrahedra:
-        a, b, c, d = (result.points[v] for v in t)
-        u, v, w = ([x - y for x, y in zip(p, a)] for p in (b, c, d))
-        volume += (u[0] * (v[1] * w[2] - v[2] * w[1]) + u[1] * (v[2] * w[0] - v[0] * w[2])
-                   + u[2] * (v[0] * w[1] - v[1] * w[0]))
-    assert math.isclose(volume, 6, rel_tol=1e-9)
+    assert math.isclose(sum(volume_of(result, t) for t in result.tetrahedra) * 6, 6, rel_tol=1e-9)
     report = report_of(name, '--size', '1', '--time-limit', '60', status=MESHED)
     assert report['status'] == 'meshed'
+
+
+def test_subdomains():
+    name = write('subdomains.off', off_text(*box((0, 0, 0), (1, 2, 3))))
+    text = []
+    for threads in ('1', '2', '3'):
+        output = 'subdomains_%s.mesh' % threads
+        run(name, '--size', '0.2', '--subdomains', '5', '--threads', threads, '-o', output, status=MESHED)
+        text.append(read(output))
+    assert text[0] == text[1] == text[2]
+    result, report = mesh('subdomains', box((0, 0, 0), (1, 2, 3)), '--size', '0.2', '--subdomains', '5')
+    assert report['number_of_subdomains'] == 5 and len(result.triangles) == 12
+    assert 'decomposition' in [phase['name'] for phase in report['meshing_phases']]
+    assert math.isclose(sum(volume_of(result, t) for t in result.tetrahedra), 6, rel_tol=1e-9)
+
+
+def volume_of(mesh, tetrahedron):
+    a, b, c, d = (mesh.points[v] for v in tetrahedron)
+    u, v, w = ([x - y for x, y in zip(p, a)] for p in (b, c, d))
+    return (u[0] * (v[1] * w[2] - v[2] * w[1]) + u[1] * (v[2] * w[0] - v[0] * w[2])
+            + u[2] * (v[0] * w[1] - v[1] * w[0])) / 6
 
 
 def test_command_line():
     process = run('--help', status=MESHED)
     assert process.out.startswith('usage: mesh_surface') and process.err == ''
-    for option in ('-o --size --sources --background --grading --no-field-points --max-vertices --time-limit --min-angle '
-                   '--no-improvement --repair --tolerance --list-defects --report --timing --quiet --help').split():
+    for option in ('-o --size --sources --background --grading --no-field-points --max-vertices --time-limit --subdomains '
+                   '--threads --min-angle --no-improvement --repair --tolerance --list-defects --report --timing --quiet --help').split():
         assert '  %s ' % option in process.out, option
     surface = write('command_line.off', off_text(*tetrahedron()))
     for wrong in (['--unknown'], ['-x'], ['-o'], ['--report'], [surface], [''], ['--size'], ['--size', '0'], ['--size', '-1'],
                   ['--size', 'nan'], ['--size', 'inf'], ['--size', '1e999'], ['--size', '1m'], ['--size', ''],
                   ['--grading', '-1'], ['--grading', 'nan'], ['--grading', '0.3', '--size', '1'], ['--sources'],
                   ['--background'], ['--max-vertices', '-1'], ['--max-vertices', '1.5'], ['--max-vertices', '1e300'],
-                  ['--time-limit', 'soon'], ['--tolerance', '1'], ['--conforming'], ['--min-angle'],
+                  ['--time-limit', 'soon'], ['--subdomains', '0'], ['--subdomains', '1.5'], ['--threads', '2'],
+                  ['--subdomains', '2', '--threads', '0'], ['--threads'], ['--tolerance', '1'], ['--conforming'], ['--min-angle'],
                   ['--min-angle', '-1'], ['--min-angle', '70.6'], ['--min-angle', 'nan'], ['--no-improvement', '1'],
                   ['-o', 'out.stl'], ['-o', 'out']):
         check_file_error(surface, *wrong)

@@ -14,7 +14,7 @@
 
 #include <CGAL/Boundary_recovery_3/internal/holes/Constrained_sides_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Moved_mesh_3.h>
-#include <CGAL/Boundary_recovery_3/internal/holes/Tetrahedra_incidences_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Tetrahedra_incidences_3.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -18,7 +18,7 @@
 #include <CGAL/Boundary_recovery_3/internal/holes/Hole_triangulation_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Locate_in_hole_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Moved_mesh_3.h>
-#include <CGAL/Boundary_recovery_3/internal/holes/Tetrahedra_incidences_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Tetrahedra_incidences_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Cell_angles_3.h>
 
 #include <CGAL/Unique_hash_map.h>

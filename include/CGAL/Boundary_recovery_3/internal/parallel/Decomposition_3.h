@@ -138,11 +138,9 @@ private:
   // An edge has the smaller one of the weights at its ends.
   static void make_symmetric(Weighted_graph& graph)
   {
-    const std::size_t n = graph.node_weights.size();
-    const auto end_of = [&](const std::size_t u) { return u + 1 < n ? graph.edge_begin[u + 1] : graph.ends.size(); };
-    for(std::size_t u = 0; u < n; ++u)
-      for(std::size_t k = graph.edge_begin[u]; k < end_of(u); ++k)
-        for(std::size_t l = graph.edge_begin[graph.ends[k]]; l < end_of(graph.ends[k]); ++l)
+    for(std::size_t u = 0; u < graph.node_weights.size(); ++u)
+      for(std::size_t k = graph.edge_begin[u]; k < graph.edge_end(u); ++k)
+        for(std::size_t l = graph.edge_begin[graph.ends[k]]; l < graph.edge_end(graph.ends[k]); ++l)
           if(graph.ends[l] == u)
             graph.edge_weights[k] = graph.edge_weights[l] = (std::min)(graph.edge_weights[k], graph.edge_weights[l]);
   }

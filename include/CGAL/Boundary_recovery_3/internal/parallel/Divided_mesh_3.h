@@ -24,8 +24,8 @@ namespace Boundary_recovery_3 {
 namespace internal {
 
 /*
- * The cells of a domain as arrays, in parts: what sub-domains are taken from, and what comes back from them. There are no
- * handles in it, so parts can be worked on at the same time, or elsewhere.
+ * The cells of a domain as arrays, in parts: what sub-domains are taken from, and what comes back from them. There are
+ * no handles in it, so parts can be worked on at the same time, or elsewhere.
  */
 template <typename Tr>
 struct Divided_mesh_3
@@ -62,8 +62,8 @@ struct Divided_mesh_3
 };
 
 /*
- * What some cells of a divided mesh became. Vertices have the numbers that they had; new ones have those of vertices that
- * are gone, and then numbers from the number of vertices of the mesh on.
+ * What some cells of a divided mesh became. Vertices have the numbers that they had; new ones have those of vertices
+ * that are gone, and then numbers from the number of vertices of the mesh on.
  */
 template <typename Tr>
 struct Changed_part_3

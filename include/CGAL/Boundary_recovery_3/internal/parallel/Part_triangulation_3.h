@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/internal/holes/Tetrahedra_incidences_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Tetrahedra_incidences_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Divided_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
@@ -33,10 +33,10 @@ namespace internal {
  * A triangulation of some cells of a divided mesh, for one thread. What bounds the cells is a wall there, and its
  * vertices stay; those that no wall has, and that are on no constraint, are free.
  *
- * The cells may be any ones. Beyond each wall is an infinite cell; two of these are neighbors if the cells between their
- * walls turn around the same edge. So that the cells around a vertex are always connected by facets, there is a copy of
- * the vertex for each set of cells that are. It is no triangulation of a convex hull, but whoever stays inside does not
- * notice.
+ * The cells may be any ones. Beyond each wall is an infinite cell; two of these are neighbors if the cells between
+ * their walls turn around the same edge. So that the cells around a vertex are always connected by facets, there is a
+ * copy of the vertex for each set of cells that are. It is no triangulation of a convex hull, but whoever stays inside
+ * does not notice.
  */
 template <typename Tr>
 class Part_triangulation_3
@@ -143,7 +143,8 @@ private:
           if(opposite == none)
             continue;
           const Tetrahedron& t = tetrahedra[opposite / 4];
-          const std::size_t next = opposite / 4 * 4 + static_cast<std::size_t>(std::find(t.begin(), t.end(), v) - t.begin());
+          const std::size_t next = opposite / 4 * 4
+                                 + static_cast<std::size_t>(std::find(t.begin(), t.end(), v) - t.begin());
           if(copies[next] == none)
           {
             copies[next] = copy;
@@ -188,6 +189,7 @@ private:
           const auto f = internal::facet_vertices(c, i);
           const Cell_handle beyond = m_tr.tds().create_cell(f[1], f[0], f[2], infinite);
           m_tr.tds().set_adjacency(c, i, beyond, 3);
+          beyond->set_surface_patch_index(3, c->surface_patch_index(i)); // new cells take it from the other side
           infinite->set_cell(beyond);
           walls.emplace_back(c, i);
         }

@@ -29,8 +29,8 @@ namespace Boundary_recovery_3 {
 namespace internal {
 
 /*
- * Where parts of a mesh meet, zones of cells are taken out of them, to be worked on at the same time, since no cell is in
- * two of them. In three rounds, no seam is left:
+ * Where parts of a mesh meet, zones of cells are taken out of them, to be worked on at the same time, since no cell is
+ * in two of them. In three rounds, no seam is left:
  *  - around the vertices of two parts, for each two of them, without the cells at vertices of more parts;
  *  - the same for three;
  *  - around the vertices of four or more, as far as these are connected by edges.
@@ -45,7 +45,6 @@ public:
   typedef Divided_mesh_3<Tr>  Mesh;
   typedef typename Mesh::Part Part;
 
-  static constexpr std::size_t first_round = 2;
   static constexpr std::size_t last_round = 4;
 
   struct Zone
@@ -56,21 +55,33 @@ public:
 
   Seams_3(Mesh& mesh, const int number_of_layers) : m_mesh(mesh), m_number_of_layers(number_of_layers) { }
 
+  // The round is the number of the parts that meet: from 2 to `last_round`, which is for more of them, too.
   std::vector<Zone> take_out(const std::size_t round)
   {
     find_parts_of_vertices();
     m_zone_of_vertex.assign(m_mesh.vertices.size(), none);
-    if(round < last_round)
-      start_at_vertices_of(round);
+    if(round == last_round)
+      start_at_connected_vertices([this](const std::size_t v) { return number_of_parts(v) >= last_round; });
     else
-      start_at_crowded_vertices();
-    const std::size_t blocked = round < last_round ? round : std::size_t(-1);
-    m_zone_of_cell.clear();
+      start_at_vertices_of(round);
+    return zones(round == last_round ? std::size_t(-1) : round);
+  }
+
+  // The zones around the cells that are to be repaired.
+  template <typename IsToBeRepaired>
+  std::vector<Zone> take_out_around(const IsToBeRepaired& is_to_be_repaired)
+  {
+    m_sets.assign(1, std::vector<std::uint32_t>());
+    m_set_of_vertex.assign(m_mesh.vertices.size(), 0);
+    m_zone_of_vertex.assign(m_mesh.vertices.size(), none);
+    std::vector<char> is_marked(m_mesh.vertices.size(), false);
     for(const Part& part : m_mesh.parts)
-      m_zone_of_cell.emplace_back(part.size(), none);
-    for(int layer = 0; layer < m_number_of_layers; ++layer)
-      add_layer(blocked);
-    return zones();
+      for(const auto& c : part)
+        if(is_to_be_repaired(c))
+          for(const std::size_t v : c.vertices)
+            is_marked[v] = true;
+    start_at_connected_vertices([&](const std::size_t v) { return is_marked[v] != 0; });
+    return zones(0);
   }
 
 private:
@@ -108,22 +119,20 @@ private:
         m_zone_of_vertex[v] = m_set_of_vertex[v];
   }
 
-  void start_at_crowded_vertices()
+  template <typename IsStart>
+  void start_at_connected_vertices(const IsStart& is_start)
   {
-    const std::size_t n = m_mesh.vertices.size();
-    boost::disjoint_sets_with_storage<> components(n);
+    boost::disjoint_sets_with_storage<> components(m_mesh.vertices.size());
     for(const Part& part : m_mesh.parts)
       for(const auto& c : part)
         for(int i = 1; i < 4; ++i)
           for(int j = 0; j < i; ++j)
-            if(is_crowded(c.vertices[i]) && is_crowded(c.vertices[j]))
+            if(is_start(c.vertices[i]) && is_start(c.vertices[j]))
               components.union_set(c.vertices[i], c.vertices[j]);
-    for(std::size_t v = 0; v < n; ++v)
-      if(is_crowded(v))
+    for(std::size_t v = 0; v < m_mesh.vertices.size(); ++v)
+      if(is_start(v))
         m_zone_of_vertex[v] = static_cast<std::uint32_t>(components.find_set(v));
   }
-
-  bool is_crowded(const std::size_t v) const { return number_of_parts(v) >= last_round; }
 
   // The cells at the vertices of a zone come to it, then their vertices; the zone with the smallest number is first.
   // Cells at vertices of more than `blocked` parts stay.
@@ -154,9 +163,14 @@ private:
     return zone;
   }
 
-  // In the order of their first cells.
-  std::vector<Zone> zones()
+  // Of layers around the vertices that have one, in the order of their first cells.
+  std::vector<Zone> zones(const std::size_t blocked)
   {
+    m_zone_of_cell.clear();
+    for(const Part& part : m_mesh.parts)
+      m_zone_of_cell.emplace_back(part.size(), none);
+    for(int layer = 0; layer < m_number_of_layers; ++layer)
+      add_layer(blocked);
     std::vector<Zone> result;
     std::map<std::uint32_t, std::size_t> positions;
     for(std::size_t p = 0; p < m_mesh.parts.size(); ++p)

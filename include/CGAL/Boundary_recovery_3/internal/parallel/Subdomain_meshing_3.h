@@ -46,10 +46,10 @@ namespace Boundary_recovery_3 {
 namespace internal {
 
 /*
- * Steps 6 and 7 in sub-domains [CZZ+17, Section 5.2.2]: a coarse background mesh is divided into parts, which are filled
- * at the same time; then the zones around their seams are, so that nothing is left of these; and the same again for the
- * improvement. Nothing has to be recovered: sub-domains are made of cells, and their walls are facets of the background
- * mesh, which stay until it is the turn of the seams.
+ * Steps 6 and 7 in sub-domains [CZZ+17, Section 5.2.2]: a coarse background mesh is divided into parts, which are
+ * filled at the same time; then the zones around their seams are, so that nothing is left of these; and the same again
+ * for the improvement. Nothing has to be recovered: sub-domains are made of cells, and their walls are facets of the
+ * background mesh, which stay until it is the turn of the seams.
  *
  * The mesh depends on the number of sub-domains, but not on the number of threads.
  */
@@ -123,7 +123,8 @@ private:
 
     static bool is_seam(const Cell_handle c, const int i)
     {
-      return ! c->is_facet_on_surface(i) && c->neighbor(i)->subdomain_index() == typename Whole_domain::Subdomain_index();
+      typedef typename Whole_domain::Subdomain_index Region;
+      return ! c->is_facet_on_surface(i) && c->neighbor(i)->subdomain_index() == Region();
     }
   };
 
@@ -137,7 +138,10 @@ private:
   static constexpr int layers_to_be_filled = 3;
   static constexpr int layers_to_be_improved = 2;
 
-  static constexpr std::size_t number_of_rounds = Seams::last_round - Seams::first_round + 2; // the parts, then seams
+  static constexpr double angle_to_be_repaired = 20;
+  static constexpr int layers_to_be_repaired = 4;
+
+  static constexpr std::size_t number_of_rounds = Seams::last_round; // the parts, then seams
 
   // The sizes of the background mesh.
   struct Coarse_field
@@ -232,40 +236,56 @@ private:
     return Insertion(tr, domain, m_size, m_task_visitor, Forecast_effort::none)(max_number, m_recorder.seconds_left());
   }
 
+  // In the end, what is bad is improved again, without anything near it that has to stay.
   template <typename Quality>
   void improve_in_rounds(const Quality& quality, const double min_dihedral_angle)
   {
-    bool is_measured = false;
-    do_in_rounds(Meshing_phase::quality_improvement, layers_to_be_improved, [&](const std::size_t number_of_tasks, const auto& do_all)
+    const auto improve_all = [&](const std::size_t number_of_tasks, const auto& do_all)
     {
-      std::vector<Field_points_result_3<Tr> > results(number_of_tasks);
-      std::vector<Mesh_quality_3> qualities(number_of_tasks);
-      std::vector<Quality_improvement_counts> counts(number_of_tasks);
-      std::vector<char> is_stopped(number_of_tasks, false);
-      do_all([&](const std::size_t k, Tr& tr, Domain& domain)
-      {
-        results[k] = filled(tr, domain); // what is left beside zones of seams that met
-        if(! is_measured)
-          qualities[k] = Measure_quality_3<Tr, Domain>(tr, domain)([](const Cell_handle, const Cell_angles_3&) { });
-        Recovery_context<Task_visitor> context(m_task_visitor);
-        context.set_maximum_running_time(m_recorder.seconds_left());
-        Improve_domain_3<Tr, Domain, Quality, Task_visitor> improve_domain(tr, domain, quality, context);
-        improve_domain(min_dihedral_angle);
-        counts[k] = improve_domain.counts();
-        is_stopped[k] = context.is_stopped();
-      });
-      if(! is_measured)
-        m_result.improvement.before = internal::sum_of_qualities(qualities);
-      is_measured = true;
-      for(const auto& result : results)
-        note(result);
-      for(const auto& c : counts)
-        internal::add_counts(m_result.improvement.counts, c);
-      const bool is_any_stopped = std::count(is_stopped.begin(), is_stopped.end(), true) > 0;
-      if(is_any_stopped)
-        m_result.improvement.status = Meshing_status::stopped;
-      return ! is_any_stopped;
+      return improve_tasks(quality, min_dihedral_angle, number_of_tasks, do_all);
+    };
+    if(! do_in_rounds(Meshing_phase::quality_improvement, layers_to_be_improved, improve_all))
+      return;
+    const double enough = quality.of_angle((std::min)(angle_to_be_repaired, min_dihedral_angle));
+    std::vector<Task> tasks = Seams(m_mesh, layers_to_be_repaired).take_out_around([&](const auto& c)
+    {
+      const auto corner = [&](const int i) { return coordinates_of(m_mesh.vertices[c.vertices[i]].point); };
+      return quality({{ corner(0), corner(1), corner(2), corner(3) }}) < enough;
     });
+    do_round(tasks, improve_all);
+  }
+
+  template <typename Quality, typename DoAll>
+  bool improve_tasks(const Quality& quality, const double min_dihedral_angle, const std::size_t number_of_tasks,
+                     const DoAll& do_all)
+  {
+    const bool is_first = m_result.improvement.before.number_of_cells == 0;
+    std::vector<Field_points_result_3<Tr> > results(number_of_tasks);
+    std::vector<Mesh_quality_3> qualities(number_of_tasks);
+    std::vector<Quality_improvement_counts> counts(number_of_tasks);
+    std::vector<char> is_stopped(number_of_tasks, false);
+    do_all([&](const std::size_t k, Tr& tr, Domain& domain)
+    {
+      results[k] = filled(tr, domain); // what is left beside zones of seams that met
+      if(is_first)
+        qualities[k] = Measure_quality_3<Tr, Domain>(tr, domain)([](const Cell_handle, const Cell_angles_3&) { });
+      Recovery_context<Task_visitor> context(m_task_visitor);
+      context.set_maximum_running_time(m_recorder.seconds_left());
+      Improve_domain_3<Tr, Domain, Quality, Task_visitor> improve_domain(tr, domain, quality, context);
+      improve_domain(min_dihedral_angle);
+      counts[k] = improve_domain.counts();
+      is_stopped[k] = context.is_stopped();
+    });
+    if(is_first)
+      m_result.improvement.before = internal::sum_of_qualities(qualities);
+    for(const auto& result : results)
+      note(result);
+    for(const auto& c : counts)
+      internal::add_counts(m_result.improvement.counts, c);
+    const bool is_any_stopped = std::count(is_stopped.begin(), is_stopped.end(), true) > 0;
+    if(is_any_stopped || ! m_result.filling)
+      m_result.improvement.status = m_result.filling ? Meshing_status::stopped : m_result.filling.status;
+    return bool(m_result.improvement);
   }
 
   void measure(const double min_dihedral_angle)
@@ -277,25 +297,33 @@ private:
     m_result.improvement.certificate = explain.certificate();
   }
 
-  // `do_round` gets the number of tasks and a function that does its work on all of them; it returns whether to go on.
-  template <typename Round>
-  void do_in_rounds(const Meshing_phase phase, const int number_of_layers, const Round& do_round)
+  // `work` gets the number of tasks, and a function that does all of them; it returns whether to go on, and so does
+  // this.
+  template <typename Work>
+  bool do_in_rounds(const Meshing_phase phase, const int number_of_layers, const Work& work)
   {
-    for(std::size_t round = 0; round < number_of_rounds; ++round)
+    for(std::size_t round = 1; round <= number_of_rounds; ++round)
     {
-      std::vector<Task> tasks = round == 0 ? parts() : Seams(m_mesh, number_of_layers).take_out(round + 1);
-      std::vector<std::size_t> weights;
-      std::size_t total = 0;
-      for(const Task& task : tasks)
-      {
-        weights.push_back(task.cells.size());
-        total += weights.back();
-      }
-      m_task_visitor.begin(phase, round, number_of_rounds, total);
-      const bool goes_on = do_round(tasks.size(), [&](const auto& work) { do_tasks(tasks, weights, work); });
-      if(! goes_on)
-        break;
+      std::vector<Task> tasks = round == 1 ? parts() : Seams(m_mesh, number_of_layers).take_out(round);
+      m_task_visitor.begin(phase, round - 1, number_of_rounds, weight(tasks));
+      if(! do_round(tasks, work))
+        return false;
     }
+    return true;
+  }
+
+  template <typename Work>
+  bool do_round(std::vector<Task>& tasks, const Work& work)
+  {
+    return work(tasks.size(), [&](const auto& do_task) { this->do_tasks(tasks, do_task); });
+  }
+
+  static std::size_t weight(const std::vector<Task>& tasks)
+  {
+    std::size_t sum = 0;
+    for(const Task& task : tasks)
+      sum += task.cells.size();
+    return sum;
   }
 
   std::vector<Task> parts()
@@ -311,8 +339,11 @@ private:
   }
 
   template <typename Work>
-  void do_tasks(std::vector<Task>& tasks, const std::vector<std::size_t>& weights, const Work& work)
+  void do_tasks(std::vector<Task>& tasks, const Work& work)
   {
+    std::vector<std::size_t> weights;
+    for(const Task& task : tasks)
+      weights.push_back(task.cells.size());
     std::vector<Changed_part_3<Tr> > changes(tasks.size());
     internal::for_each_task(weights, [&](const std::size_t k)
     {

@@ -16,8 +16,6 @@
 #include <metis.h>
 #endif
 
-#include <CGAL/assertions.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
@@ -44,6 +42,13 @@ struct Weighted_graph
     edge_weights.push_back(weight);
   }
 
+  std::size_t edge_end(const std::size_t node) const
+  {
+    return node + 1 < edge_begin.size() ? edge_begin[node + 1] : ends.size();
+  }
+
+  double weight() const { return std::accumulate(node_weights.begin(), node_weights.end(), 0.); }
+
   std::vector<double>      node_weights;
   std::vector<std::size_t> edge_begin; // of each node
   std::vector<std::size_t> ends;
@@ -52,42 +57,81 @@ struct Weighted_graph
 
 #ifdef CGAL_METIS_ENABLED
 
-/*
- * Returns the part, from 0 on, of each node, so that parts have about the same weight and few edges between them. It is
- * METIS that finds them, with a seed that does not change. Some parts may be empty.
- */
-inline std::vector<std::size_t> partition_graph(const Weighted_graph& graph, const std::size_t number_of_parts)
+// The part of each node, by METIS, with a seed that does not change.
+inline std::vector<std::size_t> parts_by_metis(const Weighted_graph& graph, const std::size_t number_of_parts)
 {
-  const std::size_t n = graph.node_weights.size();
-  std::vector<idx_t> part(n, 0);
-  if(number_of_parts > 1 && n > 1)
-  {
-    // integers whose sum does not overflow
-    const double total = std::accumulate(graph.node_weights.begin(), graph.node_weights.end(), 0.);
-    const double scale = 1e8 / (std::max)(total, 1.);
-    std::vector<idx_t> weights, begin(graph.edge_begin.begin(), graph.edge_begin.end()),
-                       ends(graph.ends.begin(), graph.ends.end()),
-                       edge_weights(graph.edge_weights.begin(), graph.edge_weights.end());
-    for(const double w : graph.node_weights)
-      weights.push_back(1 + static_cast<idx_t>(scale * w));
-    begin.push_back(static_cast<idx_t>(ends.size()));
-    idx_t options[METIS_NOPTIONS];
-    METIS_SetDefaultOptions(options);
-    options[METIS_OPTION_SEED] = 0;
-    options[METIS_OPTION_UFACTOR] = 30; // parts are at most 3 % heavier than the mean
-    idx_t number_of_nodes = static_cast<idx_t>(n), number_of_constraints = 1, cut = 0,
-          parts = static_cast<idx_t>((std::min)(number_of_parts, n));
-    const int status = METIS_PartGraphKway(&number_of_nodes, &number_of_constraints, begin.data(), ends.data(),
-                                           weights.data(), nullptr, edge_weights.data(), &parts, nullptr, nullptr,
-                                           options, &cut, part.data());
-    if(status == METIS_ERROR_MEMORY)
-      throw std::bad_alloc();
-    CGAL_assertion(status == METIS_OK);
-  }
+  // integers whose sum does not overflow
+  const double scale = 1e8 / (std::max)(graph.weight(), 1.);
+  std::vector<idx_t> weights, part(graph.node_weights.size()),
+                     begin(graph.edge_begin.begin(), graph.edge_begin.end()),
+                     ends(graph.ends.begin(), graph.ends.end()),
+                     edge_weights(graph.edge_weights.begin(), graph.edge_weights.end());
+  for(const double w : graph.node_weights)
+    weights.push_back(1 + static_cast<idx_t>(scale * w));
+  begin.push_back(static_cast<idx_t>(ends.size()));
+  idx_t options[METIS_NOPTIONS];
+  METIS_SetDefaultOptions(options);
+  options[METIS_OPTION_SEED] = 0;
+  idx_t number_of_nodes = static_cast<idx_t>(part.size()), number_of_constraints = 1, cut = 0,
+        parts = static_cast<idx_t>(number_of_parts);
+  const int status = METIS_PartGraphKway(&number_of_nodes, &number_of_constraints, begin.data(), ends.data(),
+                                         weights.data(), nullptr, edge_weights.data(), &parts, nullptr, nullptr,
+                                         options, &cut, part.data());
+  if(status != METIS_OK) // the graph is one that METIS takes, so it is memory that is lacking
+    throw std::bad_alloc();
   return std::vector<std::size_t>(part.begin(), part.end());
 }
 
+#else
+
+// The part of each node: they are taken in breadth-first order, until a part is heavy enough.
+inline std::vector<std::size_t> parts_by_search(const Weighted_graph& graph, const std::size_t number_of_parts)
+{
+  const std::size_t n = graph.node_weights.size();
+  const double weight_of_part = graph.weight() / static_cast<double>(number_of_parts);
+  std::vector<std::size_t> part(n, number_of_parts), queue;
+  double done = 0;
+  std::size_t first = 0;
+  for(std::size_t root = 0; root < n; ++root)
+  {
+    if(part[root] == number_of_parts)
+    {
+      part[root] = 0;
+      queue.push_back(root);
+    }
+    for( ; first < queue.size(); ++first)
+    {
+      const std::size_t u = queue[first];
+      part[u] = (std::min)(number_of_parts - 1, static_cast<std::size_t>(done / weight_of_part));
+      done += graph.node_weights[u];
+      for(std::size_t k = graph.edge_begin[u]; k < graph.edge_end(u); ++k)
+        if(part[graph.ends[k]] == number_of_parts)
+        {
+          part[graph.ends[k]] = 0; // it is in the queue
+          queue.push_back(graph.ends[k]);
+        }
+    }
+  }
+  return part;
+}
+
 #endif // CGAL_METIS_ENABLED
+
+/*
+ * Returns the part, from 0 on, of each node, so that parts have about the same weight and few edges between them, as
+ * few as METIS finds, if it is linked. There may be fewer parts.
+ */
+inline std::vector<std::size_t> partition_graph(const Weighted_graph& graph, const std::size_t number_of_parts)
+{
+  const std::size_t number = (std::min)(number_of_parts, graph.node_weights.size());
+  if(number < 2)
+    return std::vector<std::size_t>(graph.node_weights.size(), 0);
+#ifdef CGAL_METIS_ENABLED
+  return internal::parts_by_metis(graph, number);
+#else
+  return internal::parts_by_search(graph, number);
+#endif
+}
 
 } // namespace internal
 } // namespace Boundary_recovery_3

@@ -1,0 +1,28 @@
+#ifndef BOUNDARY_RECOVERY_3_PROGRAM_THREAD_LIMIT_H
+#define BOUNDARY_RECOVERY_3_PROGRAM_THREAD_LIMIT_H
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
+#include <cstddef>
+#include <limits>
+
+// As long as this lives, there are not more threads than that; 0: no limit. Without the TBB there is one anyway.
+class Thread_limit
+{
+public:
+#ifdef CGAL_LINKED_WITH_TBB
+  explicit Thread_limit(const std::size_t number)
+    : m_control(tbb::global_control::max_allowed_parallelism,
+                number > 0 ? number : (std::numeric_limits<std::size_t>::max)())
+  { }
+
+private:
+  tbb::global_control m_control;
+#else
+  explicit Thread_limit(const std::size_t) { }
+#endif
+};
+
+#endif // BOUNDARY_RECOVERY_3_PROGRAM_THREAD_LIMIT_H
