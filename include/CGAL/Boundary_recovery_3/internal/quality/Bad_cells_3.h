@@ -86,10 +86,19 @@ public:
   bool has_changed(const Bad_cell& c) const
   {
     for(int i = 0; i < 4; ++i)
-      if(m_last_change.is_defined(c.cell->vertex(i)) && m_last_change[c.cell->vertex(i)] >= c.visit)
+      if(has_changed(c.cell->vertex(i), c.visit))
         return true;
     return false;
   }
+
+  // Whether a cell around the vertex changed since this visit, or in it.
+  bool has_changed(const Vertex_handle v, const std::size_t visit) const
+  {
+    return m_last_change.is_defined(v) && m_last_change[v] >= visit;
+  }
+
+  // The number of the visit that goes on.
+  std::size_t visit() const { return m_visit; }
 
   // Begins a round: the cells to be worked through, the worst one first; there is none left here. In equal meshes, the
   // order is the same.

@@ -22,6 +22,7 @@
 #include <CGAL/Boundary_recovery_3/internal/quality/Insert_into_bad_cell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Reconnect_bad_cell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Smooth_vertex_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Vain_attempts_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 
 #include <algorithm>
@@ -52,8 +53,8 @@ public:
 
   Improve_domain_3(Tr& tr, Domain& domain, const Quality& quality, Recovery_context<Visitor>& context)
     : m_quality(quality), m_context(context), m_mesh(tr, domain, quality, context.visitor()), m_bad_cells(m_mesh),
-      m_flip(m_mesh), m_contract(m_mesh), m_smooth(m_mesh, quality), m_insert(m_mesh, quality), m_reconnect(m_mesh),
-      m_center(m_mesh)
+      m_vain_contractions(m_bad_cells), m_vain_smoothings(m_bad_cells), m_flip(m_mesh), m_contract(m_mesh),
+      m_smooth(m_mesh, quality), m_insert(m_mesh, quality), m_reconnect(m_mesh), m_center(m_mesh)
   { }
 
   // The dihedral angle, in degrees, that no cell is to be below. To be set before cells are added.
@@ -111,7 +112,12 @@ private:
   static constexpr std::size_t visits_per_report = 2048;
   static constexpr std::size_t expected_number_of_visits = 3; // of each cell that is bad at first
 
-  void set_enough(const double degrees) { m_mesh.set_enough(m_quality.of_angle(degrees)); }
+  void set_enough(const double degrees)
+  {
+    m_mesh.set_enough(m_quality.of_angle(degrees));
+    m_vain_contractions.clear();
+    m_vain_smoothings.clear();
+  }
 
   void improve(const int max_number, const bool reconnects)
   {
@@ -187,11 +193,18 @@ private:
     double gain = 0;
     int best = -1;
     for(int i = 0; i < 4; ++i)
-      if(m_contract.find(c->vertex(i), gain))
+    {
+      const Vertex_handle v = c->vertex(i);
+      if(m_vain_contractions.contains(v))
+        continue;
+      if(m_contract.find(v, gain))
       {
         gain = m_contract.gain();
         best = i;
       }
+      else if(gain == 0)
+        m_vain_contractions.add(v);
+    }
     if(best < 0 || ! m_contract.find(c->vertex(best), 0) || ! m_contract.apply())
       return false;
     ++m_counts.number_of_removed_vertices;
@@ -204,12 +217,19 @@ private:
   {
     bool is_changed = false;
     for(int i = 0; i < 4 && m_mesh.quality(c) < m_mesh.enough(); ++i)
-      if(m_smooth(c->vertex(i)))
+    {
+      const Vertex_handle v = c->vertex(i);
+      if(m_vain_smoothings.contains(v))
+        continue;
+      if(m_smooth(v))
       {
         is_changed = true;
         ++m_counts.number_of_moved_vertices;
         m_bad_cells.push_changed(m_smooth.cells());
       }
+      else
+        m_vain_smoothings.add(v);
+    }
     return is_changed;
   }
 
@@ -258,6 +278,7 @@ private:
   Recovery_context<Visitor>& m_context;
   Mesh m_mesh;
   Bad_cells_3<Mesh> m_bad_cells;
+  Vain_attempts_3<Mesh> m_vain_contractions, m_vain_smoothings;
   Flip_bad_cell_3<Mesh> m_flip;
   Contract_bad_edge_3<Mesh> m_contract;
   Smooth_vertex_3<Mesh> m_smooth;
