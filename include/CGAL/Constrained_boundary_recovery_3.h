@@ -55,6 +55,7 @@ public:
   typedef typename Tr::Vertex_handle Vertex_handle;       ///< the vertex handle of the triangulation
   typedef Boundary_recovery_3::Recovery_phase Phase;      ///< the phases
   typedef Boundary_recovery_3::Recovery_mode Mode;        ///< the modes
+  typedef Boundary_recovery_3::Recovery_effort Effort;    ///< what may be given up
   typedef Boundary_recovery_3::Phase_report Phase_report; ///< the counts of a phase
   typedef Boundary_recovery_3::Recursion_level_report Recursion_level_report; ///< the counts of a pass
 
@@ -172,6 +173,10 @@ public:
     m_max_recursion_level = l_max;
   }
 
+  /// sets what is given up, time or points; `Effort::more_time` by default. It chooses the phases of
+  /// `recover_by_flips()`, and how much the phases of Steiner points do.
+  void set_effort(const Effort effort) { m_effort = effort; }
+
   /// sets the time after which the recovery stops, in seconds from the construction of this object; no limit by
   /// default.
   void set_maximum_running_time(const double seconds) { m_context.set_maximum_running_time(seconds); }
@@ -201,8 +206,11 @@ public:
       return true; // nothing is going to change, so there is nothing to recount
     remove_plainly();
     recover_edges_brc1();
-    recover_edges_brc3();
-    reconnect_edges();
+    if(m_effort == Effort::more_time)
+    {
+      recover_edges_brc3();
+      reconnect_edges();
+    }
     recover_facets_brc2();
     recover_facets_brc4();
     reconnect_facets();
@@ -245,7 +253,11 @@ public:
   /// constraints; if not, the triangulation is as it was before, also if the visitor or the kernel throws.
   ///
   /// \pre the constraints do not intersect, no other vertex is on them, and no Steiner point is on a constraint.
-  bool recover_by_points(const Mode mode) { return m_points(mode, m_max_recursion_level); }
+  bool recover_by_points(const Mode mode)
+  {
+    return m_points(mode, m_max_recursion_level, Recovery_by_points::max_number_of_edges_at_once,
+                    mode == Mode::flips_only ? Effort::more_time : m_effort);
+  }
 
   /// is the first half of the main procedure of [CZZ+17, Section 4]: lost edges become chains of mesh edges, lost
   /// facets unions of mesh facets, by Steiner points on them.
@@ -275,7 +287,7 @@ public:
   /// can. Returns whether the others have positions that the triangulation can store.
   ///
   /// \pre no Steiner point is on a constraint
-  bool suppress_steiner_points() { return m_points.suppress_points(m_max_recursion_level); }
+  bool suppress_steiner_points() { return m_points.suppress_points(m_max_recursion_level, m_effort); }
 
   /// looks up every constraint again: only this tells what was recovered.
   void recount() { m_points.recount(); }
@@ -343,6 +355,7 @@ private:
   Recovery_by_flips m_flips{ m_state };
   Recovery_by_points m_points{ m_state, m_ledger };
   int m_max_recursion_level = default_max_recursion_level;
+  Effort m_effort = Effort::more_time;
 };
 
 } // namespace CGAL

@@ -65,8 +65,8 @@ namespace CGAL {
  * \param points the points
  * \param triangles the triangles, each three indices of points
  * \param np an optional sequence of named parameters among the ones listed below. Those that only this package has,
- *        `recovery_mode`, `max_recursion_level`, `constrained_edges`, `list_defects` and `maximum_number_of_defects`,
- *        start a chain; several chains are passed one after the other.
+ *        `recovery_mode`, `effort`, `max_recursion_level`, `constrained_edges`, `list_defects` and
+ *        `maximum_number_of_defects`, start a chain; several chains are passed one after the other.
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{recovery_mode}
@@ -75,6 +75,12 @@ namespace CGAL {
  *     \cgalParamDefault{`Recovery_mode::constrained`}
  *     \cgalParamExtra{If Steiner points cannot recover all, because the kernel has no numbers for their positions, or
  *                     because time is up, the triangulation is given back as the flips left it.}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{effort}
+ *     \cgalParamDescription{what the recovery gives up, time or points}
+ *     \cgalParamType{`CGAL::Boundary_recovery_3::Recovery_effort`}
+ *     \cgalParamDefault{`Recovery_effort::more_time`}
+ *     \cgalParamExtra{In the mode `flips_only`, it has no effect.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{max_recursion_level}
  *     \cgalParamDescription{the recursion level that is never exceeded; 0: no recursion}

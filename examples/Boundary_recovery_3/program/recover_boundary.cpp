@@ -29,10 +29,11 @@ Result recover(Triangulation& tr, const Surface<Point>& surface, const Recovery_
 {
   const auto common = CGAL::parameters::visitor(std::ref(progress)).maximum_running_time(options.time_limit);
   const auto mode = CGAL::parameters::recovery_mode(options.mode);
+  const auto effort = CGAL::parameters::effort(options.effort);
   const auto defects = CGAL::parameters::list_defects(options.list_defects);
   if(options.max_recursion_level < 0)
-    return CGAL::recover_boundary(tr, surface.points, surface.faces, common, mode, defects);
-  return CGAL::recover_boundary(tr, surface.points, surface.faces, common, mode, defects,
+    return CGAL::recover_boundary(tr, surface.points, surface.faces, common, mode, effort, defects);
+  return CGAL::recover_boundary(tr, surface.points, surface.faces, common, mode, effort, defects,
                                 CGAL::parameters::max_recursion_level(options.max_recursion_level));
 }
 

@@ -20,6 +20,7 @@ constexpr const char* recovery_usage =
   "  --conforming               points may stay on the surface: each triangle is a union of faces\n"
   "  --flips-only               leave no added point\n"
   "  --keep-exterior            write the tetrahedra outside the domain, too, as region 0\n"
+  "  --effort WHAT              what may be given up: more-time (the default) or more-points\n"
   "  --max-recursion-level N    never recurse deeper than N when flipping\n"
   "  --list-defects             look for intersections before anything else, and mesh nothing if there are any\n"
   "  --time-limit SECONDS       stop after that time and write what there is\n"
@@ -36,6 +37,7 @@ struct Recovery_options
 {
   CGAL::Boundary_recovery_3::Recovery_mode mode = CGAL::Boundary_recovery_3::Recovery_mode::constrained;
   bool has_mode = false;
+  CGAL::Boundary_recovery_3::Recovery_effort effort = CGAL::Boundary_recovery_3::Recovery_effort::more_time;
   int max_recursion_level = -1;     // -1: the default of the library
   bool keep_exterior = false;
   bool table = false;
@@ -60,6 +62,8 @@ private:
       set_mode(Recovery_mode::conforming);
     else if(option == "--flips-only")
       set_mode(Recovery_mode::flips_only);
+    else if(option == "--effort")
+      set_effort(value_after(option));
     else if(option == "--max-recursion-level")
       m_options.max_recursion_level = static_cast<int>(number_after(option, Number_kind::integer, 1000));
     else if(option == "--keep-exterior")
@@ -69,6 +73,16 @@ private:
     else
       return false;
     return true;
+  }
+
+  void set_effort(const std::string& name)
+  {
+    using CGAL::Boundary_recovery_3::Recovery_effort;
+
+    if(name == "more-time" || name == "more-points")
+      m_options.effort = name == "more-time" ? Recovery_effort::more_time : Recovery_effort::more_points;
+    else if(! name.empty())
+      refuse("--effort needs more-time or more-points, not " + name);
   }
 
   void set_mode(const CGAL::Boundary_recovery_3::Recovery_mode mode)

@@ -32,6 +32,15 @@ enum class Recovery_mode
 };
 
 /// \ingroup PkgBoundaryRecovery3Classes
+/// what a boundary recovery may give up for the other: time, or Steiner points. The mode `flips_only`, where no point
+/// may be left, and the constraints that are recovered are the same for all of them.
+enum class Recovery_effort
+{
+  more_time,  ///< time is given up: all is tried so that few points are needed, and few of them are left
+  more_points ///< points are given up: what needs much time for the last few of them is left out
+};
+
+/// \ingroup PkgBoundaryRecovery3Classes
 /// how a boundary recovery ended.
 enum class Recovery_status
 {

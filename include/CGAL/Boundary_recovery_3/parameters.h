@@ -25,6 +25,7 @@ namespace internal {
 
 enum recovery_mode_t             { recovery_mode };
 enum max_recursion_level_t       { max_recursion_level };
+enum effort_t                    { effort };
 enum constrained_edges_t         { constrained_edges };
 enum list_defects_t              { list_defects };
 enum maximum_number_of_defects_t { maximum_number_of_defects };
@@ -83,6 +84,15 @@ Named_function_parameters<K, Boundary_recovery_3::internal::max_recursion_level_
 max_recursion_level(const K& k)
 {
   return Named_function_parameters<K, Boundary_recovery_3::internal::max_recursion_level_t>(k);
+}
+
+/// \ingroup PkgBoundaryRecovery3Functions
+/// what the recovery gives up, time or points: a value of `CGAL::Boundary_recovery_3::Recovery_effort`.
+template <typename K>
+Named_function_parameters<K, Boundary_recovery_3::internal::effort_t>
+effort(const K& k)
+{
+  return Named_function_parameters<K, Boundary_recovery_3::internal::effort_t>(k);
 }
 
 /// \ingroup PkgBoundaryRecovery3Functions

@@ -25,16 +25,19 @@ from program_tests import *
 def test_command_line():
     process = run('--help', status=RECOVERED)
     assert process.out.startswith('usage: recover_boundary') and process.err == ''
-    for option in ('-o --repair --tolerance --conforming --flips-only --keep-exterior --max-recursion-level --time-limit '
-                   '--report --quiet').split():
+    for option in ('-o --repair --tolerance --conforming --flips-only --keep-exterior --effort --max-recursion-level '
+                   '--time-limit --report --quiet').split():
         assert option in process.out
     surface = write('command_line.off', off_text(*tetrahedron()))
     for wrong in (['--unknown'], ['-x'], ['-o'], ['--report'], ['--time-limit'], ['--time-limit', 'soon'],
                   ['--time-limit', '-1'], ['--time-limit', 'nan'], ['--time-limit', '3s'],
                   ['--max-recursion-level', '1.5'], ['--max-recursion-level', '-2'], [surface], [''],
+                  ['--effort'], ['--effort', 'none'],
                   ['--tolerance', '1'], ['--repair', '--tolerance', '-1'], ['--repair', '--tolerance', 'nan'],
                   ['--conforming', '--flips-only'], ['-o', 'out.stl'], ['-o', 'out']):
         check_file_error(surface, *wrong)
+    for effort in ('more-time', 'more-points'):
+        run(surface, '--effort', effort, status=RECOVERED)
     run(surface, '--max-recursion-level', '2', '--time-limit', '60', '--flips-only', '--flips-only', status=RECOVERED)
 
 

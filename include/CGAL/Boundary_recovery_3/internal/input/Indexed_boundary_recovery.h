@@ -37,6 +37,7 @@ namespace internal {
 struct Recovery_options
 {
   Recovery_mode mode = Recovery_mode::constrained;
+  Recovery_effort effort = Recovery_effort::more_time;
   int max_recursion_level = -1;                                               // negative: the default of the driver
   double maximum_running_time = std::numeric_limits<double>::infinity();      // seconds
   bool list_defects = false;
@@ -213,6 +214,8 @@ private:
     Recovery recovery(m_tr, m_context);
     if(m_options.max_recursion_level >= 0)
       recovery.set_max_recursion_level(m_options.max_recursion_level);
+    if(m_options.mode != Recovery_mode::flips_only)
+      recovery.set_effort(m_options.effort);
     insert_constraints(recovery);
     examine_after_work([this, &recovery] { return indices_of_missing(recovery); });
     const bool is_recovered = m_context.is_stopped() ? is_nothing_lost(recovery)

@@ -41,6 +41,7 @@ Recovery_options recovery_options(const NamedParameters& np)
   using parameters::get_parameter;
   Recovery_options options;
   options.mode = choose_parameter(get_parameter(np, internal::recovery_mode), Recovery_mode::constrained);
+  options.effort = choose_parameter(get_parameter(np, internal::effort), options.effort);
   options.max_recursion_level = choose_parameter(get_parameter(np, internal::max_recursion_level), -1);
   options.maximum_running_time = choose_parameter(get_parameter(np, internal_np::maximum_running_time),
                                                   std::numeric_limits<double>::infinity());

@@ -85,7 +85,8 @@ public:
   // the visitor or the kernel throws, the mesh is as it was before. If the mode is `constrained`, and more than
   // `max_number_at_once` edges of no facet are lost, these are recovered one by one.
   bool operator()(const Mode mode, const int max_recursion_level,
-                  const std::size_t max_number_at_once = max_number_of_edges_at_once)
+                  const std::size_t max_number_at_once = max_number_of_edges_at_once,
+                  const Recovery_effort effort = Recovery_effort::more_time)
   {
     CGAL_precondition(m_ledger.points_on_constraints().empty());
     if(m_state.is_nothing_lost())
@@ -94,7 +95,7 @@ public:
        || ! m_state.context.go_further())
       return false;
     try {
-      try_points(mode, max_recursion_level, max_number_at_once);
+      try_points(mode, max_recursion_level, effort, max_number_at_once);
     } catch(...) {
       look_up();
       throw;
@@ -152,11 +153,11 @@ public:
 
   // The postprocessing [CZZ+17, Section 4.3]: free points are removed, as far as possible. Returns whether the others
   // have positions that the triangulation can store.
-  bool suppress_points(const int max_recursion_level)
+  bool suppress_points(const int max_recursion_level, const Recovery_effort effort)
   {
     CGAL_precondition(m_ledger.points_on_constraints().empty());
     Steiner_suppression_3<Tr, Visitor> suppress(m_mesh);
-    m_state.run(Phase::steiner_suppression, [&] { suppress(max_recursion_level); });
+    m_state.run(Phase::steiner_suppression, [&] { suppress(max_recursion_level, effort); });
     const bool is_storable = suppress.round_points(max_recursion_level); // also if the recovery was stopped before
     m_state.number_of_transformations += suppress.number_of_transformations();
     for(const Vertex_handle v : m_ledger.free_points())
@@ -179,7 +180,8 @@ private:
   static constexpr std::size_t least_number_to_thin_out = 170;
 
   // Steiner points for all that is lost, with several recursion levels of the flips in between.
-  void try_points(const Mode mode, const int max_recursion_level, std::size_t max_number_at_once)
+  void try_points(const Mode mode, const int max_recursion_level, const Recovery_effort effort,
+                  std::size_t max_number_at_once)
   {
     for(const int l_max : recursion_levels)
     {
@@ -195,7 +197,7 @@ private:
             recover_isolated_edges(max_recursion_level, max_number_at_once);
         });
         is_conforming = m_state.is_nothing_lost();
-        if(! is_conforming || ! finish_points(mode, max_recursion_level))
+        if(! is_conforming || ! finish_points(mode, max_recursion_level, effort))
           return false;
         recount(); // the visitor may still throw
         return true;
@@ -313,11 +315,11 @@ private:
   }
 
   // Makes of the points on constraints what the mode wants. Returns whether this was possible.
-  bool finish_points(const Mode mode, const int max_recursion_level)
+  bool finish_points(const Mode mode, const int max_recursion_level, const Recovery_effort effort)
   {
     if(mode == Mode::conforming)
       return round_points();
-    return split_points() && suppress_points(max_recursion_level)
+    return split_points() && suppress_points(max_recursion_level, effort)
         && (mode == Mode::constrained || m_ledger.free_points().empty());
   }
 

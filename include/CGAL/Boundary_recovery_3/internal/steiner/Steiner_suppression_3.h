@@ -62,10 +62,14 @@ public:
   { }
 
   // Removes as many points as it can. The recursion level of the flips is low first, for most points need no more.
-  void operator()(const int max_recursion_level)
+  // Where points may be given up for time, that is all: high levels and larger cavities are for the last few.
+  void operator()(const int max_recursion_level, const Recovery_effort effort)
   {
     const int low = (std::min)(low_recursion_level, max_recursion_level);
+    m_suppress.set_effort(effort);
     remove_points(ALL_POINTS, low);
+    if(effort == Recovery_effort::more_points)
+      return;
     if(max_recursion_level > low)
       remove_points(POINTS_OF_DOMAIN, max_recursion_level);
     while(change_cavities())

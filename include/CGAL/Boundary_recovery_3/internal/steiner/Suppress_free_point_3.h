@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/Move_into_kernel_3.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/Remove_vertex_3.h>
@@ -48,6 +49,9 @@ public:
       m_reduce_ball(mesh.editor, mesh.predicates, constraints), m_move_into_kernel(mesh.predicates, mesh.positions)
   { }
 
+  // Where points may be given up for time, no more than the ball itself is tried.
+  void set_effort(const Recovery_effort effort) { m_effort = effort; }
+
   // Returns whether v is gone. If it is on the hull, it is not.
   bool remove(const Vertex_handle v, const int l_max)
   {
@@ -60,8 +64,8 @@ public:
     };
     if(try_to_remove(m_ball) || m_reduce_ball(v, l_max, m_mesh.context, try_to_remove))
       return true;
-    return m_mesh.context.go_further() && internal::collect_ball(m_mesh.tr, v, m_ball)
-        && m_remove.find_with_layer(m_ball, v) && drop(v);
+    return m_effort == Recovery_effort::more_time && m_mesh.context.go_further()
+        && internal::collect_ball(m_mesh.tr, v, m_ball) && m_remove.find_with_layer(m_ball, v) && drop(v);
   }
 
   // Moves v to the deepest point of the kernel of its ball, from where more may be possible, if that can be stored.
@@ -95,6 +99,7 @@ private:
   Remove_vertex_3<Tr, Visitor, Constraints> m_remove;
   Reduce_ball_3<Tr, Visitor, Constraints> m_reduce_ball;
   Move_into_kernel_3<Tr> m_move_into_kernel;
+  Recovery_effort m_effort = Recovery_effort::more_time;
   std::vector<Cell_handle> m_ball;
 };
 
