@@ -85,7 +85,7 @@ public:
     : Command_line(argc, argv, options), m_options(options)
   { }
 
-private:
+protected:
   bool parse_own_option(const std::string& option) override
   {
     if(option == "--size")
@@ -126,6 +126,7 @@ private:
       refuse("--min-angle is for tetrahedra that are improved only");
   }
 
+private:
   static constexpr double largest_angle = 70.53;
 
   static constexpr double largest_integer = 9007199254740992; // 2^53: all integers up to here are numbers
