@@ -1,9 +1,9 @@
 // Meshes the regions that a surface bounds, each by itself, with the processes of MPI on one or more machines.
 // `mesh_surface_mpi --help` tells the options.
 //
-// Every rank reads the surface, recovers its boundary and divides it: that is done faster than the result could be sent,
-// and all have the same one. Rank 0 hands out the regions. A mesh stays where it was made, in the memory or in the folder
-// of --work; what all ranks are told is only how many points each has, from which the numbers of all points follow.
+// Every rank reads the surface, recovers its boundary and divides it, and all have the same result. Rank 0 hands out
+// the regions. A mesh stays where it was made, in the memory or in the folder of --work; what all ranks are told is
+// only how many points each has, from which the numbers of all points follow.
 
 #include <CGAL/make_boundary_constrained_mesh_3.h>
 
@@ -48,7 +48,7 @@ typedef CGAL::Boundary_constrained_mesh_result_3<Triangulation>       Result;
 typedef Mesh_size<Triangulation>                                      Size;
 typedef Subdomain_mesh<Point>                                         Mesh;
 
-// The regions of the triangulation. Unless all that the surface has is in it, this throws, as it must not happen then.
+// the regions of the triangulation
 Domain<Point> make_domain(const Triangulation& tr, const Result& result)
 {
   Domain<Point> domain = Domain_builder<Triangulation>(tr)(result.recovery, result.recovery.surface_facets(),
@@ -109,6 +109,7 @@ private:
   {
     const int is_done_here = is_done;
     int is_done_everywhere = 0;
+    wait_for_all(m_world);
     MPI_Allreduce(&is_done_here, &is_done_everywhere, 1, MPI_INT, MPI_MIN, m_world);
     return is_done_everywhere != 0;
   }
@@ -260,8 +261,8 @@ private:
       if(m_store.is_used() && (is_for_first ? is_first() : owner == m_world.rank()))
       {
         if(! m_store.load(i, bytes))
-          throw std::runtime_error("the result of sub-domain " + std::to_string(i + 1) + " is not in " + m_options.work +
-                                   " any more");
+          throw std::runtime_error("the result of sub-domain " + std::to_string(i + 1) + " is not in " +
+                                   m_options.work + " any more");
       }
       else if(! m_store.is_used() && owner == m_world.rank())
         bytes = m_meshes.at(i);
@@ -312,7 +313,10 @@ private:
   bool write_pieces(const Divided_mesh<Point>& whole, const std::string& file)
   {
     const std::filesystem::path path(file);
-    const auto name_of = [&](const std::size_t i) { return path.stem().string() + '_' + std::to_string(i + 1) + ".vtu"; };
+    const auto name_of = [&](const std::size_t i)
+    {
+      return path.stem().string() + '_' + std::to_string(i + 1) + ".vtu";
+    };
     bool are_written = true;
     for_each_mesh(false, [&](const std::size_t i, const Mesh& mesh)
     {
@@ -426,8 +430,8 @@ int main(int argc, char* argv[])
   const boost::mpi::communicator world;
   Mpi_options options;
   Mpi_command_line command_line(argc, argv, options);
-  const std::string name = world.rank() == 0 ? "mesh_surface_mpi" : "mesh_surface_mpi, rank " + std::to_string(world.rank());
-  Program<Point> program(name, options);
+  const std::string rank = (world.rank() == 0) ? "" : ", rank " + std::to_string(world.rank());
+  Program<Point> program("mesh_surface_mpi" + rank, options);
   if(! command_line.parse())
     return world.rank() == 0 ? program.fail(command_line.message()) : int(usage_or_file_error);
   if(options.help)

@@ -16,8 +16,8 @@
 constexpr const char* mpi_usage =
   "usage: mpirun -n RANKS mesh_surface_mpi [INPUT] [options]\n"
   "Meshes the regions that a triangulated surface bounds, each by itself, with several processes on one or more\n"
-  "machines. A triangle between two regions stays as it is, so that their meshes fit together. The mesh is the same for\n"
-  "any number of ranks, bit for bit. All ranks read INPUT, and all the files that options name.\n"
+  "machines. A triangle between two regions stays as it is, so that their meshes fit together. The mesh is the same\n"
+  "for any number of ranks, bit for bit. All ranks read INPUT, and all the files that options name.\n"
   "It takes the options of mesh_surface, but --time-limit, and these:\n"
   "  --work FOLDER          keep what is finished in that folder, which all ranks see: after a run that failed, the\n"
   "                         next one with the same input and options meshes only what is missing\n"
@@ -25,7 +25,7 @@ constexpr const char* mpi_usage =
   "                         writes what it meshed, and no rank has all of it in memory\n"
   "  --max-vertices N       the limit is that of each sub-domain\n"
   "  --pieces               in .msh files, tell Gmsh which tetrahedra are of which part\n"
-  "  --report FILE.json     tells for each sub-domain what it took, for benchmark/Boundary_recovery_3/scaling_model.py\n"
+  "  --report FILE.json     tells for each sub-domain what it took\n"
   "exit status: as that of mesh_surface; 3 if a sub-domain could not be meshed.\n";
 
 // What the user of `mesh_surface_mpi` asks for.

@@ -133,7 +133,7 @@ private:
   }
 };
 
-// The mesh of a sub-domain. Its first points are those of the sub-domain, which everybody has: only the others are kept.
+// The mesh of a sub-domain. Its first points are those of the sub-domain, which all has: the others are kept here.
 template <typename Point>
 struct Subdomain_mesh
 {
@@ -222,8 +222,8 @@ public:
     whole.number_of_field_points += mesh.points.size() - mesh.number_of_steiner_points;
   }
 
-  // A sub-domain as a piece of the whole, and the number of each of its points there. A triangle between two sub-domains
-  // is in the first one only; triangles that bound nothing are in the first of all.
+  // A sub-domain as a piece of the whole, and the number of each of its points there. A triangle between two of them is
+  // in the first one only; triangles that bound nothing are in the first of all.
   Domain<Point> piece(const std::size_t i, const Subdomain_mesh<Point>& mesh, const Domain<Point>& surface_domain,
                       const std::vector<Sides>& sides, std::vector<std::uint64_t>& numbers) const
   {

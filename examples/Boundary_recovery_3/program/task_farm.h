@@ -47,7 +47,19 @@ inline volatile sig_atomic_t& is_terminated()
 
 extern "C" inline void note_termination(int) { is_terminated() = 1; }
 
+inline void pause() { std::this_thread::sleep_for(std::chrono::milliseconds(1)); }
+
 } // namespace task_farm_internal
+
+// Waits for all ranks. MPI's own waiting takes a core, which a rank that works may need.
+inline void wait_for_all(const boost::mpi::communicator& world)
+{
+  MPI_Request request = MPI_REQUEST_NULL;
+  MPI_Ibarrier(world, &request);
+  int is_done = 0;
+  while(MPI_Test(&request, &is_done, MPI_STATUS_IGNORE) == MPI_SUCCESS && ! is_done)
+    task_farm_internal::pause();
+}
 
 // Rank 0 hands out tasks, the heaviest ones first, and works as well: its tasks run in a thread beside the one that
 // talks to the others. Which rank does a task, and when, depends on how fast they are; results must not depend on that.
@@ -70,8 +82,8 @@ class Task_farm
 public:
   explicit Task_farm(const Communicator& world) : m_world(world) { }
 
-  // does the tasks, and returns what is told of each of them, on all ranks. `work(task)` returns a report. If it throws,
-  // or if a rank dies, rank 0 says which task that was, and all ranks end at once.
+  // does the tasks, and returns what is told of each of them, on all ranks. `work(task)` returns a report. If it
+  // throws, or if a rank dies, rank 0 says which task that was, and all ranks end at once.
   template <typename Work>
   std::vector<Task_report> operator()(const std::vector<double>& weights, const Work& work)
   {
@@ -81,14 +93,13 @@ public:
       lead(weights, work);
     else
       follow(work);
+    wait_for_all(m_world);
     const int n = static_cast<int>(m_reports.size() * sizeof(Task_report));
     MPI_Bcast(m_reports.data(), n, MPI_BYTE, 0, m_world);
     return m_reports;
   }
 
 private:
-  static void pause() { std::this_thread::sleep_for(std::chrono::milliseconds(1)); }
-
   void exchange_processes()
   {
     char name[MPI_MAX_PROCESSOR_NAME] = {};
@@ -149,7 +160,7 @@ private:
       if(task_farm_internal::is_terminated())
         tell_who_is_gone();
       if(is_idle)
-        pause();
+        task_farm_internal::pause();
     }
     sigaction(SIGTERM, &previous, nullptr);
   }
@@ -207,8 +218,7 @@ private:
           std::cerr << " sub-domain " << m_under_way[r] + 1 << " on rank " << r << ';';
       std::cerr << std::endl;
     }
-    std::cerr << "mesh_surface_mpi: what is finished is in the folder of --work, if there is one, and is not meshed again"
-              << std::endl;
+    std::cerr << "mesh_surface_mpi: with --work, what is finished is not meshed again" << std::endl;
     ::_exit(3); // a thread works still
   }
 
@@ -219,8 +229,8 @@ private:
     while(true)
     {
       MPI_Send(&report, sizeof(report), MPI_BYTE, 0, tag_of_reports, m_world);
-      while(! m_world.iprobe(0, tag_of_tasks)) // MPI's own waiting takes a core
-        pause();
+      while(! m_world.iprobe(0, tag_of_tasks))
+        task_farm_internal::pause();
       Task task = Task_report::no_task;
       MPI_Recv(&task, 1, MPI_UINT64_T, 0, tag_of_tasks, m_world, MPI_STATUS_IGNORE);
       if(task == Task_report::no_task)

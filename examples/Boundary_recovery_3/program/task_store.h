@@ -19,11 +19,11 @@
 // What is known of the results of tasks on a disk that several processes see. A result has a file of its own. The key
 // stands for all that the results depend on: what was stored with another one does not count, and stays.
 //
-// A file is written under another name, and gets its own when all of it is on the disk: who is killed, or finds the disk
-// full, leaves nothing that looks like a result. What is read is checked nevertheless: disks and people damage files.
+// A file is written under another name, and gets its own when all of it is on the disk: who is killed, or finds the
+// disk full, leaves nothing that looks like a result. What is read is checked nevertheless: files get damaged.
 class Task_store
 {
-  static constexpr std::uint64_t magic = 0x31306b7361743362u; // "b3task01" in the memory of most machines: with a version
+  static constexpr std::uint64_t magic = 0x31306b7361743362u; // with the version of the format
   static constexpr std::size_t size_of_header = 5 * sizeof(std::uint64_t);
 
   std::string m_folder; // empty: nothing is stored
@@ -146,8 +146,8 @@ private:
     return true;
   }
 
-  // The new name is in the folder: after a power failure, it must be there as well. Where folders cannot be synchronized,
-  // the result would be missing then, never wrong.
+  // After a power failure, the new name must be in the folder as well. Where folders cannot be synchronized, the result
+  // would be missing then, never wrong.
   void keep_name() const
   {
     const int descriptor = ::open(m_folder.c_str(), O_RDONLY | O_DIRECTORY);

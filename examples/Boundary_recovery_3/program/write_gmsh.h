@@ -60,7 +60,8 @@ public:
   void operator()()
   {
     int number_of_surfaces = 0;
-    add_entities(2, m_sides, [&](const std::size_t i) { return m_part_sides[i]; }, m_domain.triangles, [&](const Sides& sides)
+    add_entities(2, m_sides, [&](const std::size_t i) { return m_part_sides[i]; },
+                 m_domain.triangles, [&](const Sides& sides)
                  { return Name{ ++number_of_surfaces, name_of_surface(sides) }; });
     add_entities(3, m_domain.regions, [&](const std::size_t i) { return is_divided() ? Sides{{ m_parts[i], m_parts[i] }}
                                                                                      : Sides{{ 0, 0 }}; },

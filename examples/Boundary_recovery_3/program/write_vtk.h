@@ -62,7 +62,7 @@ void write_vtk(Output_buffer& os, const Domain<Point>& domain)
   cells.for_each([&](const auto&, int, int, const std::size_t patch) { os << patch << '\n'; });
 }
 
-// What a piece of a mesh tells besides: the number of the piece, from 1, and for each point its number in the whole mesh.
+// What a piece of a mesh tells besides: its number, from 1, and for each point the number in the whole mesh.
 struct Vtu_piece
 {
   int part = 0;

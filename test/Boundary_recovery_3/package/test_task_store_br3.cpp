@@ -1,11 +1,14 @@
 // The results that `mesh_surface_mpi` keeps on the disk: a file that is not whole, or of another run, is never taken.
-// `test_task_store_br3 FOLDER` only saves a result of a megabyte there, for tests of disks that are full.
 
 #undef NDEBUG
 #include <cassert>
 
 #include "task_store.h"
 
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <csignal>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -14,7 +17,6 @@
 #include <iterator>
 #include <stdexcept>
 #include <string>
-#include <unistd.h>
 
 const std::uint64_t key = 0x0123456789abcdefu;
 
@@ -122,9 +124,20 @@ void test_what_cannot_be_written(const std::string& folder)
   const Task_store store(folder, key);
   std::filesystem::create_directories(store.file_of(1) + "/in_the_way"); // so that it cannot get its name
   assert(message_of([&] { store.save(1, some_result(9)); }).find("cannot write " + store.file_of(1)) == 0);
-  assert(number_of_files(folder) == 2); // nothing unfinished is left
   Bytes loaded;
   assert(! store.load(1, loaded));
+
+  rlimit limit = {};
+  getrlimit(RLIMIT_FSIZE, &limit);
+  const rlimit previous = limit;
+  limit.rlim_cur = 1000; // a disk that becomes full
+  std::signal(SIGXFSZ, SIG_IGN);
+  setrlimit(RLIMIT_FSIZE, &limit);
+  const std::string message = message_of([&] { store.save(2, some_result(2000)); });
+  setrlimit(RLIMIT_FSIZE, &previous);
+  assert(message.find("cannot write " + store.file_of(2)) == 0);
+  assert(! store.load(2, loaded));
+  assert(number_of_files(folder) == 2); // nothing unfinished is left
 }
 
 // arrays that announce more than there is
@@ -149,17 +162,8 @@ void test_byte_reader()
   }
 }
 
-int save_a_megabyte(const std::string& folder)
+int main()
 {
-  const std::string message = message_of([&] { Task_store(folder, key).save(0, some_result(1 << 20)); });
-  std::cout << (message.empty() ? "saved" : message) << std::endl;
-  return message.empty() ? 0 : 1;
-}
-
-int main(int argc, char* argv[])
-{
-  if(argc > 1)
-    return save_a_megabyte(argv[1]);
   const std::string root =
     (std::filesystem::temp_directory_path() / ("task_store_br3_" + std::to_string(::getpid()))).string();
   int number = 0;
