@@ -179,7 +179,7 @@ def main():
     parser.add_argument("--file-system", type=float, default=1e11, help="bytes per second that all ranks write")
     parser.add_argument("--cells", type=float, default=1e9)
     parser.add_argument("--subdomains", type=int, nargs="+", default=[242, 4096, 32768])
-    parser.add_argument("--division", type=float, default=3e-5, help="seconds of the division per triangle of the surface")
+    parser.add_argument("--division", type=float, default=5.3e-5, help="seconds of the division per triangle of the surface")
     parser.add_argument("--free-division", action="store_true", help="draw as well what it would be without that time")
     options = parser.parse_args()
     machine = Machine(options)
