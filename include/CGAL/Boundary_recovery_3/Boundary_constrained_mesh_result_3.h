@@ -31,6 +31,7 @@ enum class Meshing_phase
 {
   domain_marking,         ///< step 5: what is outside, and the regions of the domain
   forecast,               ///< the number of cells is estimated from the size field
+  decomposition,          ///< the domain is divided into sub-domains, if these are asked for
   field_point_insertion,  ///< step 6
   quality_improvement     ///< step 7
 };
@@ -138,6 +139,7 @@ inline const char* to_string(const Meshing_phase phase)
   {
     case Meshing_phase::domain_marking:        return "domain_marking";
     case Meshing_phase::forecast:              return "forecast";
+    case Meshing_phase::decomposition:         return "decomposition";
     case Meshing_phase::field_point_insertion: return "field_point_insertion";
     case Meshing_phase::quality_improvement:   return "quality_improvement";
   }

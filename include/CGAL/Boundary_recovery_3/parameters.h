@@ -36,6 +36,7 @@ enum improve_quality_t           { improve_quality };
 enum cell_region_map_t           { cell_region_map };
 enum constrained_facets_t        { constrained_facets };
 enum number_of_layers_t          { number_of_layers };
+enum number_of_subdomains_t      { number_of_subdomains };
 
 // A pack with all the parameters of both packs; those of the second win.
 template <typename NP, typename T, typename Tag>
@@ -181,6 +182,15 @@ Named_function_parameters<K, Boundary_recovery_3::internal::number_of_layers_t>
 number_of_layers(const K& k)
 {
   return Named_function_parameters<K, Boundary_recovery_3::internal::number_of_layers_t>(k);
+}
+
+/// \ingroup PkgBoundaryRecovery3Functions
+/// into how many sub-domains a domain is divided, which are meshed at the same time, an integer.
+template <typename K>
+Named_function_parameters<K, Boundary_recovery_3::internal::number_of_subdomains_t>
+number_of_subdomains(const K& k)
+{
+  return Named_function_parameters<K, Boundary_recovery_3::internal::number_of_subdomains_t>(k);
 }
 
 } // namespace parameters

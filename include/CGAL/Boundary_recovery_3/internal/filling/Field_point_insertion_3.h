@@ -53,20 +53,18 @@ public:
   Result operator()(const std::size_t max_number_of_vertices, const double maximum_running_time)
   {
     m_context.set_maximum_running_time(maximum_running_time);
+    if(m_tr.dimension() == 3 && is_possible(max_number_of_vertices))
+      run(Meshing_phase::field_point_insertion, [&] { fill(max_number_of_vertices); });
+    return finish();
+  }
+
+  // The forecast, and whether that many cells are possible, without the filling.
+  Result forecast_only(const std::size_t max_number_of_vertices, const double maximum_running_time)
+  {
+    m_context.set_maximum_running_time(maximum_running_time);
     if(m_tr.dimension() == 3)
-    {
-      run(Meshing_phase::forecast, [this] { forecast(); });
-      if(! m_sizes.is_valid())
-        refuse_size();
-      else if(! m_context.go_further())
-        m_result.status = Meshing_status::stopped;
-      else if(m_result.forecast_of_vertices > static_cast<double>(max_number_of_vertices) || ! is_enough_memory())
-        m_result.status = Meshing_status::too_large;
-      else
-        run(Meshing_phase::field_point_insertion, [&] { fill(max_number_of_vertices); });
-    }
-    m_result.seconds = m_context.seconds();
-    return std::move(m_result);
+      is_possible(max_number_of_vertices);
+    return finish();
   }
 
 private:
@@ -77,6 +75,26 @@ private:
   static constexpr double cells_per_surface_vertex = 2;
   static constexpr std::size_t least_number_of_questions = 2000;
   static constexpr std::size_t largest_number_of_questions = 40000;
+
+  bool is_possible(const std::size_t max_number_of_vertices)
+  {
+    run(Meshing_phase::forecast, [this] { forecast(); });
+    if(! m_sizes.is_valid())
+      refuse_size();
+    else if(! m_context.go_further())
+      m_result.status = Meshing_status::stopped;
+    else if(m_result.forecast_of_vertices > static_cast<double>(max_number_of_vertices) || ! is_enough_memory())
+      m_result.status = Meshing_status::too_large;
+    else
+      return true;
+    return false;
+  }
+
+  Result finish()
+  {
+    m_result.seconds = m_context.seconds();
+    return std::move(m_result);
+  }
 
   template <typename Work>
   void run(const Meshing_phase phase, const Work& work)

@@ -100,6 +100,7 @@ private:
   static constexpr double longest_undivided_edge = 1.95;
   static constexpr double smallest_distance_on_edge = 0.4;
   static constexpr double largest_wall = 0.5;            // beside a long edge, as a part of its length
+  static constexpr double largest_seam = 2;
   static constexpr int max_number_of_rounds = 4;
   static constexpr std::size_t vertices_per_edge = 8;    // that is tried, where many cells have to be long
   static constexpr std::size_t least_number_of_edges = 8000;
@@ -291,12 +292,24 @@ private:
     if(! (size > 0)) // there is none
       return false;
     const Point_3 p(coordinates[0], coordinates[1], coordinates[2]);
-    const bool is_good = m_cavity.find(p, c, min_distance * size) && is_star_good();
+    const bool is_good = m_cavity.find(p, c, min_distance * size) && ! is_at_large_seam(size) && is_star_good();
     if(is_good)
       insert(p, size);
     else
       m_cavity.clear(true);
     return is_good;
+  }
+
+  // Whether the cavity is at a facet that somebody will take away, and that is much too large. Points there would make
+  // flat cells, which nobody would get rid of then.
+  bool is_at_large_seam(const double size) const
+  {
+    if constexpr(Domain::has_seams)
+      for(const Cell_handle c : m_cavity.cells())
+        for(int i = 0; i < 4; ++i)
+          if(m_domain.is_seam(c, i) && internal::longest_edge_of_facet(internal::corners(c), i) > largest_seam * size)
+            return true;
+    return false;
   }
 
   double worst_quality_of_cavity() const

@@ -42,6 +42,9 @@ public:
   static constexpr bool has_constrained_edges =
     ! std::is_same<Edge_is_constrained_map, Static_boolean_property_map<Edge, false> >::value;
 
+  // Whether there can be walls that are to be taken away later.
+  static constexpr bool has_seams = false;
+
   // Whether there can be cells in the regions of the domain that are not selected.
   static constexpr bool has_selection =
     ! std::is_same<Cell_is_selected_map, Static_boolean_property_map<Cell_handle, true> >::value;

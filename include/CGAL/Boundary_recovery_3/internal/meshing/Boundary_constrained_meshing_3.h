@@ -19,6 +19,7 @@
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mark_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/meshing/Hold_recovered_vertices_3.h>
 #include <CGAL/Boundary_recovery_3/internal/meshing/Meshing_recorder_3.h>
+#include <CGAL/Boundary_recovery_3/internal/parallel/Subdomain_meshing_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/visitor_of.h>
 #include <CGAL/improve_mesh_quality.h>
@@ -166,20 +167,64 @@ private:
   template <typename SizingField, typename Recorder>
   void fill_and_improve(const SizingField& size, Recorder& recorder, Result& result)
   {
-    fill(size, recorder, result);
-    result.status = result.improvement.status = result.filling.status;
-    using parameters::get_parameter;
-    if(result.filling && parameters::choose_parameter(get_parameter(m_np, internal::improve_quality), true))
-      improve(recorder, result);
+    if constexpr(parameters::is_default_parameter<NamedParameters, number_of_subdomains_t>::value)
+      mesh(size, recorder, result);
+    else
+      mesh_in_subdomains(size, recorder, result);
   }
 
   template <typename Recorder>
-  void improve(Recorder& recorder, Result& result)
+  void fill_and_improve(const Sizes_from_surface&, Recorder& recorder, Result& result)
   {
+    const double grading = get(internal::grading, 0.2);
+    if(grading >= 0 && grading < std::numeric_limits<double>::infinity())
+      fill_and_improve(Surface_sizing_field_3<Tr>(m_tr, grading, result.constrained_edges), recorder, result);
+    else
+      refuse_grading(grading, result);
+  }
+
+  template <typename SizingField, typename Recorder>
+  void mesh(const SizingField& size, Recorder& recorder, Result& result)
+  {
+    result.filling = insert_field_points(m_tr, size, parameters_of_step(recorder, result));
+    result.status = result.improvement.status = result.filling.status;
+    if(! result.filling || ! get(internal::improve_quality, true))
+      return;
     Hold_recovered_vertices_3<Tr> hold(m_tr, result.recovery);
     result.improvement = improve_mesh_quality(m_tr, parameters_of_step(recorder, result));
     result.status = result.improvement.status;
     hold.forget_lost_steiner_vertices();
+  }
+
+  template <typename SizingField, typename Recorder>
+  void mesh_in_subdomains(const SizingField& size, Recorder& recorder, Result& result)
+  {
+    const std::size_t number = static_cast<std::size_t>(get(internal::number_of_subdomains, 1));
+    if(number < 2)
+      return mesh(size, recorder, result);
+    const std::size_t max_number_of_vertices = static_cast<std::size_t>(
+      get(internal::maximum_number_of_vertices, (std::numeric_limits<std::size_t>::max)()));
+    const double min_dihedral_angle = get(internal::min_dihedral_angle, default_min_dihedral_angle);
+    const bool improves = get(internal::improve_quality, true);
+    Hold_recovered_vertices_3<Tr> hold(m_tr, result.recovery);
+    Subdomain_meshing_3<Tr, SizingField, Recorder>(m_tr, size, recorder, result)(
+      number, max_number_of_vertices, [&](auto& meshing)
+    {
+      if(improves)
+        meshing.improve(get(internal::cell_quality, Dihedral_angle_quality_3()), min_dihedral_angle);
+      else
+        meshing.finish();
+    });
+    hold.forget_lost_steiner_vertices();
+    if(! result.filling)
+      result.improvement.status = result.filling.status;
+    result.status = result.improvement.status;
+  }
+
+  template <typename Tag, typename Default>
+  auto get(const Tag tag, const Default& default_value) const
+  {
+    return parameters::choose_parameter(parameters::get_parameter(m_np, tag), default_value);
   }
 
   // Those of the caller, with the time that is left.
@@ -189,22 +234,6 @@ private:
     return internal::merge_all(
       m_np, parameters::visitor(std::ref(recorder)), parameters::maximum_running_time(recorder.seconds_left()),
       parameters::edge_is_constrained_map(Constrained_edge_map_3<Tr>(result.constrained_edges)));
-  }
-
-  template <typename SizingField, typename Recorder>
-  void fill(const SizingField& size, Recorder& recorder, Result& result)
-  {
-    result.filling = insert_field_points(m_tr, size, parameters_of_step(recorder, result));
-  }
-
-  template <typename Recorder>
-  void fill(const Sizes_from_surface&, Recorder& recorder, Result& result)
-  {
-    const double grading = parameters::choose_parameter(parameters::get_parameter(m_np, internal::grading), 0.2);
-    if(grading >= 0 && grading < std::numeric_limits<double>::infinity())
-      fill(Surface_sizing_field_3<Tr>(m_tr, grading, result.constrained_edges), recorder, result);
-    else
-      refuse_grading(grading, result);
   }
 
   // It is no size, but what would make all of them.

@@ -1,0 +1,71 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_PARALLEL_FOR_EACH_TASK_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_PARALLEL_FOR_EACH_TASK_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/tags.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+#endif
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+#ifdef CGAL_LINKED_WITH_TBB
+
+// Each thread takes the next task when it is ready, so not more of them are under way than there are threads.
+template <typename Work>
+void for_each_in_order(const std::vector<std::size_t>& order, const Work& work, Parallel_tag)
+{
+  std::atomic<std::size_t> next(0);
+  const std::size_t concurrency = static_cast<std::size_t>((std::max)(1, tbb::this_task_arena::max_concurrency()));
+  tbb::parallel_for(std::size_t(0), (std::min)(concurrency, order.size()), [&](std::size_t)
+  {
+    for(std::size_t k = next++; k < order.size(); k = next++)
+      work(order[k]);
+  });
+}
+
+#endif // CGAL_LINKED_WITH_TBB
+
+template <typename Work>
+void for_each_in_order(const std::vector<std::size_t>& order, const Work& work, Sequential_tag)
+{
+  for(const std::size_t task : order)
+    work(task);
+}
+
+// Does the tasks with these weights, the heaviest one first, at the same time if the tag and the TBB allow for that.
+template <typename Work, typename ConcurrencyTag>
+void for_each_task(const std::vector<std::size_t>& weights, const Work& work, const ConcurrencyTag tag)
+{
+  std::vector<std::size_t> order(weights.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(),
+                   [&](const std::size_t x, const std::size_t y) { return weights[x] > weights[y]; });
+  internal::for_each_in_order(order, work, tag);
+}
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_PARALLEL_FOR_EACH_TASK_H
