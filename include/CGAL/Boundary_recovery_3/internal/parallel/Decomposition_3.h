@@ -54,7 +54,7 @@ public:
       if(domain.contains(c))
         m_cells.push_back(c);
     Region_sizes_3<Tr, SizingField>(m_tr, size).ask_at_vertices(m_cells);
-    const std::vector<std::size_t> parts = internal::partition_graph(dual_graph(size, domain), number_of_parts);
+    const std::vector<std::size_t> parts = partition_graph(dual_graph(size, domain), number_of_parts);
 
     Unique_hash_map<Vertex_handle, std::size_t> numbers; // for looking up only
     mesh.parts.resize(number_of_parts);
