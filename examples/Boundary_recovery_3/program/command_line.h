@@ -61,6 +61,9 @@ protected:
   // takes an option that only this program has; returns `false` if it has no such option
   virtual bool parse_own_option(const std::string& option) = 0;
 
+  // whether the program writes files of that kind, besides what all of them do
+  virtual bool is_own_format(const std::string& /* extension */) { return false; }
+
   // refuses options that do not go together
   virtual void check_combination() { }
 
@@ -138,7 +141,8 @@ private:
   void parse_output(const std::string& option)
   {
     const std::string file = value_after(option);
-    if(m_message.empty() && ! is_output_format(read_surface_internal::lower_case_extension(file)))
+    const std::string extension = read_surface_internal::lower_case_extension(file);
+    if(m_message.empty() && ! is_output_format(extension) && ! is_own_format(extension))
       refuse("unknown output format: " + file + " (known are " + known_output_formats + ')');
     m_options.outputs.push_back(file);
   }

@@ -19,14 +19,15 @@ class Side_finder
   typedef std::array<Point_number, 3> Triangle;
 
   const Domain<Point>& m_domain;
+  const std::vector<int>& m_regions;     // of the tetrahedra; or other numbers that tell them apart
   std::vector<std::size_t> m_begin;      // for each point, where its triangles begin in the list
   std::vector<std::size_t> m_triangles;  // sorted by their smallest point
   std::vector<Sides> m_sides;
   std::vector<int> m_number_of_sides;
 
 public:
-  explicit Side_finder(const Domain<Point>& domain)
-    : m_domain(domain), m_begin(domain.points.size() + 1, 0), m_triangles(domain.triangles.size()),
+  Side_finder(const Domain<Point>& domain, const std::vector<int>& regions)
+    : m_domain(domain), m_regions(regions), m_begin(domain.points.size() + 1, 0), m_triangles(domain.triangles.size()),
       m_sides(domain.triangles.size(), Sides{{ 0, 0 }}), m_number_of_sides(domain.triangles.size(), 0)
   { }
 
@@ -38,7 +39,7 @@ public:
       for(int i = 0; i < 4; ++i)
       {
         const auto& v = m_domain.tetrahedra[t];
-        add_side(sorted({{ v[(i + 1) % 4], v[(i + 2) % 4], v[(i + 3) % 4] }}), m_domain.regions[t]);
+        add_side(sorted({{ v[(i + 1) % 4], v[(i + 2) % 4], v[(i + 3) % 4] }}), m_regions[t]);
       }
     for(Sides& sides : m_sides)
       std::sort(sides.begin(), sides.end());
@@ -78,9 +79,15 @@ private:
 };
 
 template <typename Point>
+std::vector<Sides> find_sides(const Domain<Point>& domain, const std::vector<int>& regions)
+{
+  return Side_finder<Point>(domain, regions)();
+}
+
+template <typename Point>
 std::vector<Sides> find_sides(const Domain<Point>& domain)
 {
-  return Side_finder<Point>(domain)();
+  return find_sides(domain, domain.regions);
 }
 
 #endif // BOUNDARY_RECOVERY_3_PROGRAM_DOMAIN_SIDES_H

@@ -91,7 +91,7 @@ public:
     : Command_line(argc, argv, options), m_options(options)
   { }
 
-private:
+protected:
   bool parse_own_option(const std::string& option) override
   {
     if(option == "--size")
@@ -145,6 +145,7 @@ private:
       refuse("--min-angle is for tetrahedra that are improved only");
   }
 
+private:
   static constexpr double largest_angle = 70.53;
 
   static constexpr double largest_number_of_subdomains = 1000000;

@@ -62,6 +62,9 @@ public:
 
   int fail() const { return fail(m_message); }
 
+  // what `fail()` prints
+  const std::string& message() const { return m_message; }
+
   // The same file may have several names, by links. The only copy of what is read must not become a mesh of it.
   bool keeps_inputs(const std::vector<std::string>& inputs)
   {

@@ -8,6 +8,7 @@
 #include "write_vtk.h"
 
 #include <string>
+#include <vector>
 
 constexpr const char* known_output_formats = ".mesh, .msh, .vtu, .vtk";
 
@@ -16,15 +17,17 @@ inline bool is_output_format(const std::string& extension)
   return extension == ".mesh" || extension == ".msh" || extension == ".vtu" || extension == ".vtk";
 }
 
-// writes the domain in the format that the extension names; returns `false` if that fails
+// writes the domain in the format that the extension names; returns `false` if that fails. The parts of the tetrahedra,
+// if they are given, are in .msh files only.
 template <typename Point>
-bool write_domain(const std::string& file, const std::string& extension, const Domain<Point>& domain)
+bool write_domain(const std::string& file, const std::string& extension, const Domain<Point>& domain,
+                  const std::vector<int>& parts = { })
 {
   Output_buffer os(file);
   if(extension == ".mesh")
     write_medit(os, domain);
   else if(extension == ".msh")
-    Gmsh_writer<Point>(os, domain)();
+    Gmsh_writer<Point>(os, domain, parts)();
   else if(extension == ".vtu")
     Vtu_writer<Point>(os, domain)();
   else

@@ -17,6 +17,9 @@
 // Writes Gmsh's format 4.1, as text. Each region is a volume, and all the triangles with the same regions on both sides
 // are a surface; each of them is a physical group with a name, so that a solver can put its conditions there. Were each
 // triangle a surface of its own, there would be thousands of them: its number in the input is data, named `patch`.
+//
+// If the parts of a mesh are given, the entities are divided by them, as Gmsh does it: what has the tetrahedra or the
+// triangles is an entity for each part, or for each two parts that meet; it has the whole one as its parent.
 template <typename Point>
 class Gmsh_writer
 {
@@ -32,32 +35,44 @@ class Gmsh_writer
     : public Name
   {
     int dimension;
-    std::vector<std::size_t> simplices; // triangles or tetrahedra, in ascending order
+    Sides parts;     // on its sides, the smaller one first; of a volume, its part twice
+    std::vector<std::size_t> simplices; // triangles or tetrahedra, in ascending order; of a parent, the first one
     CGAL::Bbox_3 box;
+    std::size_t parent;                 // its position; that of itself if it is one
   };
 
   Output_buffer& m_os;
   const Domain<Point>& m_domain;
-  const std::vector<Sides> m_sides;
-  std::vector<Entity> m_entities;         // surfaces, then volumes
+  const std::vector<int> m_parts;         // of each tetrahedron, from 1; empty: the mesh is not divided
+  const std::vector<Sides> m_sides, m_part_sides;
+  std::vector<Entity> m_parents;          // surfaces, then volumes
+  std::vector<Entity> m_entities;         // the same; or if the mesh is divided, what they are divided into
   std::vector<std::size_t> m_owners;      // of each point, the first entity that has it
 
 public:
-  Gmsh_writer(Output_buffer& os, const Domain<Point>& domain)
-    : m_os(os), m_domain(domain), m_sides(find_sides(domain)), m_owners(domain.points.size(), std::size_t(-1))
+  explicit Gmsh_writer(Output_buffer& os, const Domain<Point>& domain, const std::vector<int>& parts = { })
+    : m_os(os), m_domain(domain), m_parts(parts), m_sides(find_sides(domain)),
+      m_part_sides(parts.empty() ? std::vector<Sides>(domain.triangles.size(), Sides{{ 0, 0 }})
+                                 : find_sides(domain, parts)),
+      m_owners(domain.points.size(), std::size_t(-1))
   { }
 
   void operator()()
   {
     int number_of_surfaces = 0;
-    add_entities(2, m_sides, m_domain.triangles, [&](const Sides& sides)
+    add_entities(2, m_sides, [&](const std::size_t i) { return m_part_sides[i]; },
+                 m_domain.triangles, [&](const Sides& sides)
                  { return Name{ ++number_of_surfaces, name_of_surface(sides) }; });
-    add_entities(3, m_domain.regions, m_domain.tetrahedra, [&](const int region)
+    add_entities(3, m_domain.regions, [&](const std::size_t i) { return is_divided() ? Sides{{ m_parts[i], m_parts[i] }}
+                                                                                     : Sides{{ 0, 0 }}; },
+                 m_domain.tetrahedra, [&](const int region)
                  { return region == 0 ? Name{ m_domain.number_of_regions + 1, "outside" }
                                       : Name{ region, "region_" + std::to_string(region) }; });
     m_os << "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n";
     write_names();
     write_entities();
+    if(is_divided())
+      write_partitioned_entities();
     write_nodes();
     write_elements();
     write_patches();
@@ -72,16 +87,29 @@ private:
     return sides[0] == 0 ? "boundary_of_region_" + second : "interface_of_regions_" + first + "_and_" + second;
   }
 
-  // an entity for each value that simplices have, in ascending order
-  template <typename Value, typename Simplices, typename Naming>
-  void add_entities(const int dimension, const std::vector<Value>& values, const Simplices& simplices,
-                    const Naming& name)
+  bool is_divided() const { return ! m_parts.empty(); }
+
+  // a parent for each value that simplices have, and an entity for each of its parts, in ascending order
+  template <typename Value, typename Parts, typename Simplices, typename Naming>
+  void add_entities(const int dimension, const std::vector<Value>& values, const Parts& parts,
+                    const Simplices& simplices, const Naming& name)
   {
-    std::map<Value, std::vector<std::size_t> > simplices_of;
+    std::map<std::pair<Value, Sides>, std::vector<std::size_t> > simplices_of;
     for(std::size_t i = 0; i < values.size(); ++i)
-      simplices_of[values[i]].push_back(i);
+      simplices_of[std::make_pair(values[i], parts(i))].push_back(i);
+    const std::size_t first = m_entities.size();
+    int largest_tag = 0;
+    const Value* previous = nullptr;
     for(auto& entry : simplices_of)
     {
+      const Value& value = entry.first.first;
+      if(previous == nullptr || *previous != value)
+      {
+        m_parents.push_back({ name(value), dimension, Sides{{ 0, 0 }}, { entry.second.front() }, CGAL::Bbox_3(),
+                              m_parents.size() });
+        largest_tag = (std::max)(largest_tag, m_parents.back().tag);
+      }
+      previous = &value;
       CGAL::Bbox_3 box;
       for(const std::size_t i : entry.second)
         for(const Point_number v : simplices[i])
@@ -89,50 +117,82 @@ private:
           box += m_domain.points[v].bbox();
           m_owners[v] = (std::min)(m_owners[v], m_entities.size());
         }
-      m_entities.push_back({ name(entry.first), dimension, std::move(entry.second), box });
+      m_parents.back().box += box;
+      m_entities.push_back({ m_parents.back(), dimension, entry.first.second, std::move(entry.second), box,
+                             m_parents.size() - 1 });
     }
+    for(std::size_t e = first; is_divided() && e < m_entities.size(); ++e)
+      m_entities[e].tag = ++largest_tag;
   }
 
-  std::size_t number_of_entities(const int dimension) const
+  static std::size_t number_of_entities(const std::vector<Entity>& entities, const int dimension)
   {
-    return static_cast<std::size_t>(std::count_if(m_entities.begin(), m_entities.end(), [&](const Entity& entity)
+    return static_cast<std::size_t>(std::count_if(entities.begin(), entities.end(), [&](const Entity& entity)
                                                   { return entity.dimension == dimension; }));
   }
 
   void write_names()
   {
-    m_os << "$PhysicalNames\n" << m_entities.size() << '\n';
-    for(const Entity& entity : m_entities)
+    m_os << "$PhysicalNames\n" << m_parents.size() << '\n';
+    for(const Entity& entity : m_parents)
       m_os << entity.dimension << ' ' << entity.tag << " \"" << entity.name << "\"\n";
     m_os << "$EndPhysicalNames\n";
   }
 
   void write_entities()
   {
-    m_os << "$Entities\n0 0 " << number_of_entities(2) << ' ' << number_of_entities(3) << '\n';
-    for(const Entity& entity : m_entities)
+    m_os << "$Entities\n0 0 " << number_of_entities(m_parents, 2) << ' ' << number_of_entities(m_parents, 3) << '\n';
+    for(const Entity& entity : m_parents)
     {
       m_os << entity.tag;
-      for(int i = 0; i < 3; ++i)
-        m_os << ' ' << entity.box.min(i);
-      for(int i = 0; i < 3; ++i)
-        m_os << ' ' << entity.box.max(i);
-      m_os << " 1 " << entity.tag;
-      write_boundary(entity);
+      write_box_and_boundary(entity, m_parents);
     }
     m_os << "$EndEntities\n";
   }
 
+  void write_partitioned_entities()
+  {
+    m_os << "$PartitionedEntities\n" << *std::max_element(m_parts.begin(), m_parts.end()) << "\n0\n0 0 "
+         << number_of_entities(m_entities, 2) << ' ' << number_of_entities(m_entities, 3) << '\n';
+    for(const Entity& entity : m_entities)
+    {
+      m_os << entity.tag << ' ' << entity.dimension << ' ' << m_parents[entity.parent].tag;
+      write_parts(entity.parts);
+      write_box_and_boundary(entity, m_entities);
+    }
+    m_os << "$EndPartitionedEntities\n";
+  }
+
+  // Outside there is no part. A triangle that bounds nothing is in the first one, as every entity has to be in one.
+  void write_parts(const Sides& parts)
+  {
+    if(parts[0] == 0 || parts[0] == parts[1])
+      m_os << " 1 " << (std::max)(parts[1], 1);
+    else
+      m_os << " 2 " << parts[0] << ' ' << parts[1];
+  }
+
+  void write_box_and_boundary(const Entity& entity, const std::vector<Entity>& entities)
+  {
+    for(int i = 0; i < 3; ++i)
+      m_os << ' ' << entity.box.min(i);
+    for(int i = 0; i < 3; ++i)
+      m_os << ' ' << entity.box.max(i);
+    m_os << " 1 " << m_parents[entity.parent].tag;
+    write_boundary(entity, entities);
+  }
+
   // of a volume, the surfaces that are not inside of it; of a surface nothing, since no curves are told apart
-  void write_boundary(const Entity& volume)
+  void write_boundary(const Entity& volume, const std::vector<Entity>& entities)
   {
     std::vector<int> tags;
-    for(const Entity& surface : m_entities)
+    for(const Entity& surface : entities)
       if(volume.dimension == 3 && surface.dimension == 2)
       {
-        const int region = m_domain.regions[volume.simplices[0]];
+        const int region = m_domain.regions[volume.simplices[0]], part = volume.parts[0];
         const Sides& sides = m_sides[surface.simplices[0]];
-        if(sides[0] != sides[1] && (sides[0] == region || sides[1] == region))
+        if(sides[0] != sides[1] && (sides[0] == region || sides[1] == region) &&
+           (surface.parts[0] == part || surface.parts[1] == part))
           tags.push_back(surface.tag);
       }
     m_os << ' ' << tags.size();

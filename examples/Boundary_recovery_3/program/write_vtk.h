@@ -62,6 +62,19 @@ void write_vtk(Output_buffer& os, const Domain<Point>& domain)
   cells.for_each([&](const auto&, int, int, const std::size_t patch) { os << patch << '\n'; });
 }
 
+// What a piece of a mesh tells besides: its number, from 1, and for each point the number in the whole mesh.
+struct Vtu_piece
+{
+  int part = 0;
+  std::vector<std::uint64_t> numbers;
+};
+
+inline const char* vtk_byte_order()
+{
+  const std::uint16_t one = 1;
+  return *reinterpret_cast<const unsigned char*>(&one) == 1 ? "LittleEndian" : "BigEndian";
+}
+
 // Writes VTK's XML format: the numbers are raw bytes at the end of the file.
 template <typename Point>
 class Vtu_writer
@@ -71,19 +84,25 @@ class Vtu_writer
   Output_buffer& m_os;
   const Domain<Point>& m_domain;
   Vtk_cells<Point> m_cells;
+  const Vtu_piece* m_piece; // null: it is the whole mesh
   Length m_offset = 0;
 
 public:
-  Vtu_writer(Output_buffer& os, const Domain<Point>& domain) : m_os(os), m_domain(domain), m_cells(domain) { }
+  Vtu_writer(Output_buffer& os, const Domain<Point>& domain, const Vtu_piece* piece = nullptr)
+    : m_os(os), m_domain(domain), m_cells(domain), m_piece(piece)
+  { }
 
   void operator()()
   {
     m_os << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\""
-         << (is_little_endian() ? "LittleEndian" : "BigEndian") << "\" header_type=\"UInt64\">\n<UnstructuredGrid>\n"
-         << "<Piece NumberOfPoints=\"" << m_domain.points.size() << "\" NumberOfCells=\"" << m_cells.size() << "\">\n"
-         << "<CellData Scalars=\"region\">\n";
+         << vtk_byte_order() << "\" header_type=\"UInt64\">\n<UnstructuredGrid>\n"
+         << "<Piece NumberOfPoints=\"" << m_domain.points.size() << "\" NumberOfCells=\"" << m_cells.size() << "\">\n";
+    announce_numbers();
+    m_os << "<CellData Scalars=\"region\">\n";
     announce("Int32", "region", 4 * m_cells.size());
     announce("Int64", "patch", 8 * m_cells.size());
+    if(m_piece != nullptr)
+      announce("Int32", "part", 4 * m_cells.size());
     m_os << "</CellData>\n<Points>\n";
     announce("Float64", "Points", 24 * m_domain.points.size(), 3);
     m_os << "</Points>\n<Cells>\n";
@@ -91,6 +110,7 @@ public:
     announce("Int64", "offsets", 8 * m_cells.size());
     announce("UInt8", "types", m_cells.size());
     m_os << "</Cells>\n</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_";
+    write_numbers();
     write_cell_data();
     write_points();
     write_cells();
@@ -98,17 +118,29 @@ public:
   }
 
 private:
-  static bool is_little_endian()
-  {
-    const std::uint16_t one = 1;
-    return *reinterpret_cast<const unsigned char*>(&one) == 1;
-  }
-
   void announce(const std::string& type, const std::string& name, const Length length, const int components = 1)
   {
     m_os << "<DataArray type=\"" << type << "\" Name=\"" << name << "\" NumberOfComponents=\"" << components
          << "\" format=\"appended\" offset=\"" << m_offset << "\"/>\n";
     m_offset += sizeof(Length) + length;
+  }
+
+  void announce_numbers()
+  {
+    if(m_piece == nullptr)
+      return;
+    m_os << "<PointData GlobalIds=\"global_id\">\n";
+    announce("Int64", "global_id", 8 * m_domain.points.size());
+    m_os << "</PointData>\n";
+  }
+
+  void write_numbers()
+  {
+    if(m_piece == nullptr)
+      return;
+    m_os.put_bytes(Length(8 * m_domain.points.size()));
+    for(const std::uint64_t number : m_piece->numbers)
+      m_os.put_bytes(std::int64_t(number));
   }
 
   void write_cell_data()
@@ -117,6 +149,10 @@ private:
     m_cells.for_each([&](const auto&, int, const int region, std::size_t) { m_os.put_bytes(std::int32_t(region)); });
     m_os.put_bytes(Length(8 * m_cells.size()));
     m_cells.for_each([&](const auto&, int, int, const std::size_t patch) { m_os.put_bytes(std::int64_t(patch)); });
+    if(m_piece == nullptr)
+      return;
+    m_os.put_bytes(Length(4 * m_cells.size()));
+    m_cells.for_each([&](const auto&, int, int, std::size_t) { m_os.put_bytes(std::int32_t(m_piece->part)); });
   }
 
   void write_points()
@@ -146,5 +182,34 @@ private:
     m_cells.for_each([&](const auto&, const int type, int, std::size_t) { m_os.put_bytes(std::uint8_t(type)); });
   }
 };
+
+// a file name as the value of an attribute
+inline std::string xml_text(const std::string& text)
+{
+  std::string result;
+  for(const char c : text)
+    switch(c)
+    {
+      case '&':  result += "&amp;"; break;
+      case '<':  result += "&lt;"; break;
+      case '"':  result += "&quot;"; break;
+      default:   result += c;
+    }
+  return result;
+}
+
+// writes what ParaView opens: the names of the pieces, which are beside the file, and what they have
+inline void write_pvtu(Output_buffer& os, const std::vector<std::string>& pieces)
+{
+  os << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PUnstructuredGrid\" version=\"1.0\" byte_order=\"" << vtk_byte_order()
+     << "\" header_type=\"UInt64\">\n<PUnstructuredGrid GhostLevel=\"0\">\n"
+     << "<PPointData GlobalIds=\"global_id\">\n<PDataArray type=\"Int64\" Name=\"global_id\"/>\n</PPointData>\n"
+     << "<PCellData Scalars=\"region\">\n<PDataArray type=\"Int32\" Name=\"region\"/>\n"
+     << "<PDataArray type=\"Int64\" Name=\"patch\"/>\n<PDataArray type=\"Int32\" Name=\"part\"/>\n</PCellData>\n"
+     << "<PPoints>\n<PDataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\"/>\n</PPoints>\n";
+  for(const std::string& piece : pieces)
+    os << "<Piece Source=\"" << xml_text(piece) << "\"/>\n";
+  os << "</PUnstructuredGrid>\n</VTKFile>\n";
+}
 
 #endif // BOUNDARY_RECOVERY_3_PROGRAM_WRITE_VTK_H

@@ -1,0 +1,361 @@
+#!/usr/bin/env python3
+"""Runs the program mesh_surface_mpi with several ranks on this machine: the mesh, its pieces, and what may go wrong.
+
+usage: test_mesh_surface_mpi_br3.py PROGRAM MPIEXEC
+
+Every mesh is read back by parsers of program_tests.py and checked with
+exact rational arithmetic. Gmsh and VTK read the pieces, too, where they are installed.
+"""
+import glob
+import hashlib
+import itertools
+import json
+import os
+import re
+import resource
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+sys.dont_write_bytecode = True  # the folder of the sources stays as it is
+from program_tests import box, check_tetrahedra, join, off_text, read_mesh, signed_volume
+
+PROGRAM, MPIEXEC = sys.argv[1:]
+ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT='1', OMPI_ALLOW_RUN_AS_ROOT_CONFIRM='1')
+MESHED, FILE_ERROR, INVALID_INPUT, FAILED = 0, 1, 2, 3
+
+
+def boxes():
+    """six boxes in a larger one, a sheet in the first of them, and a triangle that bounds nothing"""
+    inner = [box((2 * i, 2 * j, 0), (2 * i + 1, 2 * j + 1, 1)) for i, j in itertools.product(range(3), range(2))]
+    sheets = ([(0.2, 0.2, 0.2), (0.4, 0.2, 0.2), (0.2, 0.5, 0.2), (9, 9, 9), (10, 9, 9), (9, 10, 9)],
+              [(0, 1, 2), (3, 4, 5)])
+    return join(*inner, box((-1, -1, -1), (6, 4, 2)), sheets)
+
+
+def row_of_boxes():
+    """eight boxes that do not touch: sub-domains of the same size"""
+    return join(*[box((2 * i, 0, 0), (2 * i + 1, 1, 1)) for i in range(8)])
+
+
+def write(name, surface):
+    with open(name, 'w') as file:
+        file.write(off_text(*surface))
+    return name
+
+
+def command(ranks, *arguments, before=()):
+    return [MPIEXEC, '-n', str(ranks), '--oversubscribe', *before, PROGRAM, *arguments]
+
+
+def run(ranks, *arguments, status=MESHED):
+    process = subprocess.run(command(ranks, *arguments), capture_output=True, text=True, timeout=300, env=ENVIRONMENT,
+                             stdin=subprocess.DEVNULL)
+    assert process.returncode == status, process
+    return process.stdout, process.stderr
+
+
+def report_of(ranks, *arguments):
+    run(ranks, *arguments, '--quiet', '--report', 'report.json')
+    with open('report.json') as file:
+        return json.load(file)
+
+
+def bytes_of(*names):
+    return [open(name, 'rb').read() for name in names]
+
+
+def hashes(folder):
+    """of all the files that a run wrote"""
+    return {name: hashlib.sha256(open(os.path.join(folder, name), 'rb').read()).hexdigest()
+            for name in sorted(os.listdir(folder))}
+
+
+# ---------------------------------------------------------------- the mesh
+
+def test_ranks_do_not_change_the_mesh():
+    surface = boxes()
+    write('boxes.off', surface)
+    results = []
+    for ranks in 1, 2, 3, 4:
+        for work in (), ('--work', 'work_%d' % ranks):
+            folder = 'ranks_%d_%d' % (ranks, len(work))
+            os.mkdir(folder)
+            outputs = [a for e in ('mesh', 'pvtu', 'msh') for a in ('-o', os.path.join(folder, 'm.' + e))]
+            report = report_of(ranks, 'boxes.off', '--size', '0.5', '--pieces', *outputs, *work)
+            assert report['number_of_ranks'] == ranks == len(report['peak_memory_of_ranks'])
+            assert len(report['subdomains']) == 7 and report['number_of_stored_subdomains'] == 0
+            results.append(hashes(folder))
+            assert results[-1] == results[0] and len(results[0]) == 3 + 7
+    mesh = read_mesh('ranks_1_0/m.mesh')
+    check_tetrahedra(mesh)
+    check_surface(mesh, surface)
+    assert sorted(set(mesh.regions)) == list(range(1, 8))
+    assert signed_volume(mesh.points, mesh.tetrahedra) == 6 * 7 * 5 * 3
+    assert report['number_of_tetrahedra'] == len(mesh.tetrahedra)
+
+
+def check_surface(mesh, surface):
+    """points and triangles are those of the surface; each facet has two sides, or is a triangle"""
+    points, faces = surface
+    assert mesh.points[:len(points)] == [tuple(map(float, p)) for p in points]
+    assert mesh.triangles == [tuple(f) for f in faces] and mesh.patches == list(range(1, len(faces) + 1))
+    sides = {}
+    for t, region in zip(mesh.tetrahedra, mesh.regions):
+        for facet in itertools.combinations(sorted(t), 3):
+            sides.setdefault(facet, []).append(region)
+    triangles = set(tuple(sorted(t)) for t in mesh.triangles)
+    for facet, regions in sides.items():
+        assert len(regions) == 2 or facet in triangles
+        assert len(set(regions)) == 1 or facet in triangles
+
+
+def test_work_is_shared():
+    write('row.off', row_of_boxes())
+    report = report_of(2, 'row.off', '--size', '0.12')
+    assert set(s['rank'] for s in report['subdomains']) == {0, 1}
+
+
+# ---------------------------------------------------------------- other readers
+
+VTK_READER = """
+import json, sys
+from vtkmodules.vtkIOXML import vtkXMLPUnstructuredGridReader
+if len(sys.argv) > 1:
+    reader = vtkXMLPUnstructuredGridReader()
+    reader.SetFileName(sys.argv[1])
+    reader.Update()
+    grid = reader.GetOutput()
+    values = lambda array: [array.GetValue(i) for i in range(array.GetNumberOfValues())]
+    ids, data = values(grid.GetPointData().GetGlobalIds()), grid.GetCellData()
+    cells = [grid.GetCell(c) for c in range(grid.GetNumberOfCells())]
+    json.dump([[[ids[i], grid.GetPoint(i)] for i in range(grid.GetNumberOfPoints())],
+               [[grid.GetCell(c).GetPointId(k) for k in range(grid.GetCell(c).GetNumberOfPoints())]
+                for c in range(grid.GetNumberOfCells())],
+               ids] + [values(data.GetArray(name)) for name in ('region', 'patch', 'part')], sys.stdout)
+"""
+
+
+def test_pieces_with_vtk():
+    python = next((p for p in ('/usr/bin/python3', sys.executable)
+                   if subprocess.run([p, '-c', VTK_READER], capture_output=True).returncode == 0), None)
+    if python is None:
+        print('skipped: VTK is not installed')
+        return
+    write('boxes.off', boxes())
+    run(2, 'boxes.off', '--size', '0.6', '--quiet', '-o', 'm.pvtu', '-o', 'm.mesh')
+    mesh = read_mesh('m.mesh')
+    points, cells, ids, regions, patches, parts = json.loads(
+        subprocess.run([python, '-c', VTK_READER, 'm.pvtu'], capture_output=True, check=True).stdout)
+    assert set(ids) == set(range(len(mesh.points)))
+    assert all(tuple(p) == mesh.points[i] for i, p in points)
+    cells = [tuple(ids[v] for v in c) for c in cells]
+    tetrahedra = [(c, r) for c, r in zip(cells, regions) if len(c) == 4]
+    assert sorted(tetrahedra) == sorted(zip(mesh.tetrahedra, mesh.regions))
+    triangles = [(c, p) for c, p in zip(cells, patches) if len(c) == 3]
+    assert sorted(triangles) == sorted(zip(mesh.triangles, mesh.patches))
+    assert all(r == p for c, r, p in zip(cells, regions, parts) if len(c) == 4) and set(parts) == set(range(1, 8))
+
+
+def numbers(text, section):
+    lines = text.split('$' + section + '\n')[1].split('\n$End')[0].split('\n')
+    return [[float(x) for x in line.split()] for line in lines]
+
+
+def elements_of(text):
+    """the simplices of a .msh file, with the points that the file says and the entity of each"""
+    points, simplices = {}, []
+    lines = numbers(text, 'Nodes')
+    i = 1
+    while i < len(lines):
+        n = int(lines[i][3])
+        for k in range(n):
+            points[int(lines[i + 1 + k][0])] = tuple(lines[i + 1 + n + k])
+        i += 1 + 2 * n
+    lines = numbers(text, 'Elements')
+    i = 1
+    while i < len(lines):
+        dimension, tag, _, n = map(int, lines[i])
+        simplices += [(dimension, tag, tuple(points[int(v)] for v in e[1:])) for e in lines[i + 1:i + 1 + n]]
+        i += 1 + n
+    return simplices
+
+
+def parts_of(text):
+    """of each partitioned entity, by dimension and tag: its parent, and its parts"""
+    lines = numbers(text, 'PartitionedEntities')
+    entities = {}
+    surfaces, volumes = map(int, lines[2][2:])
+    for i, line in enumerate(lines[3:]):
+        n = int(line[3])
+        entities[3 if i >= surfaces else 2, int(line[0])] = (int(line[1]), int(line[2])), tuple(map(int, line[4:4 + n]))
+    assert len(entities) == surfaces + volumes
+    return int(lines[0][0]), entities
+
+
+def test_parts_with_gmsh():
+    write('boxes.off', boxes())
+    run(2, 'boxes.off', '--size', '0.6', '--quiet', '--pieces', '-o', 'm.msh', '-o', 'm.mesh')
+    mesh = read_mesh('m.mesh')
+    text = open('m.msh').read()
+    check_parts(mesh, text)
+    if not shutil.which('gmsh'):
+        print('skipped: gmsh is not installed')
+        return
+    process = subprocess.run(['gmsh', '-v', '4', '-check', 'm.msh'], capture_output=True, text=True, timeout=300,
+                             stdin=subprocess.DEVNULL)
+    said = process.stdout + process.stderr
+    assert process.returncode == 0 and 'Error' not in said and '7 partitions' in said, process
+    assert '%d elements' % (len(mesh.tetrahedra) + len(mesh.triangles)) in said, said
+    gmsh = subprocess.run(['gmsh', '-v', '2', '-0', '-save_all', 'm.msh', '-o', 'again.msh'], capture_output=True,
+                          timeout=300, stdin=subprocess.DEVNULL)
+    assert gmsh.returncode == 0, gmsh
+    check_parts(mesh, open('again.msh').read())
+
+
+def in_order(tetrahedra):
+    """Gmsh writes 16 digits, and may begin with another vertex"""
+    return sorted((sorted(tuple(round(x, 12) + 0. for x in p) for p in points), part) for points, part in tetrahedra)
+
+
+def check_parts(mesh, text):
+    count, entities = parts_of(text)
+    assert count == 7
+    found = []
+    for dimension, tag, points in elements_of(text):
+        parent, parts = entities[dimension, tag]
+        if dimension == 3:
+            assert parent[0] == 3 and parts == (parent[1],)  # here each region is a part
+            found.append((points, parts[0]))
+    assert in_order(found) == in_order([(tuple(mesh.points[v] for v in t), r)
+                                        for t, r in zip(mesh.tetrahedra, mesh.regions)])
+    interfaces = sorted(parts for (dimension, _), (_, parts) in entities.items() if dimension == 2 and len(parts) == 2)
+    assert len(interfaces) == 6 and len(set(interfaces)) == 6  # each of the small boxes touches the large one
+
+
+# ---------------------------------------------------------------- what may go wrong
+
+IGNORE_LIMIT = 'sh', '-c', 'trap "" XFSZ; exec "$@"', 'sh'  # of the length of files: then it is like a full disk
+
+
+def start(ranks, *arguments, before=()):
+    return subprocess.Popen(command(ranks, *arguments, before=before), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                            env=ENVIRONMENT, stdin=subprocess.DEVNULL)
+
+
+def processes_below(parent):
+    """the ranks, in their order, as mpirun starts them one after the other"""
+    children = open('/proc/%d/task/%d/children' % (parent, parent)).read().split()
+    return [int(c) for c in children if os.path.basename(PROGRAM) in open('/proc/%s/cmdline' % c).read()]
+
+
+def parts_in(folder):
+    return glob.glob(os.path.join(folder, '*.part'))
+
+
+def wait_for_parts(process, folder, count):
+    deadline = time.time() + 200
+    while len(parts_in(folder)) < count:
+        assert process.poll() is None and time.time() < deadline, process.communicate()
+        time.sleep(0.01)
+
+
+def test_killed_rank():
+    write('row.off', row_of_boxes())
+    arguments = 'row.off', '--size', '0.06', '--quiet', '--work', 'work', '-o', 'm.mesh'
+    process = start(2, *arguments)
+    wait_for_parts(process, 'work', 2)
+    os.kill(processes_below(process.pid)[1], signal.SIGKILL)
+    begin = time.time()
+    _, said = process.communicate(timeout=60)
+    assert time.time() - begin < 10
+    assert process.returncode != 0 and not os.path.exists('m.mesh')
+    found = re.search(r'rank 1 was ended from outside while it meshed sub-domain (\d+)', said)
+    assert found and 1 <= int(found.group(1)) <= 8, said
+    finished = len(parts_in('work'))
+    assert 2 <= finished < 8
+    assert not any(name.endswith('_%d.part' % (int(found.group(1)) - 1)) for name in parts_in('work'))
+    report = report_of(2, *arguments)
+    assert report['number_of_stored_subdomains'] == finished  # the others, and only these, were meshed again
+    first = bytes_of('m.mesh')
+    assert report_of(1, *arguments)['number_of_stored_subdomains'] == 8 and bytes_of('m.mesh') == first
+    run(1, 'row.off', '--size', '0.06', '--quiet', '-o', 'other.mesh')
+    assert bytes_of('other.mesh') == first
+    # other sizes, or a damaged file, are not taken for what is there
+    damaged = sorted(parts_in('work'))[3]
+    with open(damaged, 'r+b') as file:
+        file.truncate(os.path.getsize(damaged) - 1)
+    assert report_of(2, *arguments)['number_of_stored_subdomains'] == 7 and bytes_of('m.mesh') == first
+    assert report_of(1, 'row.off', '--size', '0.5', '--work', 'work')['number_of_stored_subdomains'] == 0
+
+
+def test_rank_without_memory():
+    write('row.off', row_of_boxes())
+    process = start(2, 'row.off', '--size', '0.06', '--quiet', '--work', 'work', '-o', 'm.mesh')
+    wait_for_parts(process, 'work', 2)
+    victim = processes_below(process.pid)[1]
+    used = int(open('/proc/%d/statm' % victim).read().split()[0]) * resource.getpagesize()
+    resource.prlimit(victim, resource.RLIMIT_AS, (used, used))
+    _, said = process.communicate(timeout=120)
+    assert process.returncode != 0
+    assert re.search(r'sub-domain \d failed on rank 1: ', said), said
+    assert not os.path.exists('m.mesh')
+
+
+def test_different_inputs():
+    for name, shift in ('a.off', 0), ('b.off', 0.5):
+        write(name, box((shift, 0, 0), (1 + shift, 1, 1)))
+    arguments = '--quiet', '-o', 'm.mesh', '--work', 'work'
+    process = subprocess.run([MPIEXEC, '--oversubscribe', '-n', '1', PROGRAM, 'a.off', *arguments,
+                              ':', '-n', '1', PROGRAM, 'b.off', *arguments],
+                             capture_output=True, text=True, timeout=100, env=ENVIRONMENT, stdin=subprocess.DEVNULL)
+    message = 'rank 1 has another surface, or other sizes or options, than rank 0'
+    assert process.returncode == FILE_ERROR and process.stderr.count(message) == 2, process
+    assert not os.path.exists('m.mesh') and not os.path.exists('work')
+
+
+def test_full_disk():
+    """of the work, by a limit of the length of files; of the output, by a device that is always full"""
+    write('row.off', row_of_boxes())
+    process = start(1, 'row.off', '--size', '0.06', '--quiet', '--work', 'work', before=IGNORE_LIMIT)
+    wait_for_parts(process, 'work', 1)
+    resource.prlimit(processes_below(process.pid)[0], resource.RLIMIT_FSIZE, (4096, 4096))
+    _, said = process.communicate(timeout=60)
+    assert process.returncode != 0
+    assert re.search(r'sub-domain \d failed on rank 0: cannot write .*\.unfinished: File too large', said), said
+    assert 1 <= len(os.listdir('work')) < 8 and len(os.listdir('work')) == len(parts_in('work'))
+    os.symlink('/dev/full', 'full.mesh')
+    assert 'cannot write full.mesh' in run(2, 'row.off', '--size', '0.3', '-o', 'full.mesh', status=FILE_ERROR)[1]
+    os.symlink('/dev/full', 'piece_3.vtu')
+    assert 'cannot write piece.pvtu' in run(2, 'row.off', '--size', '0.3', '-o', 'piece.pvtu', status=FILE_ERROR)[1]
+    assert not os.path.exists('piece.pvtu')
+
+
+def test_bad_arguments():
+    write('box.off', box((0, 0, 0), (1, 1, 1)))
+    assert '--time-limit is not for' in run(2, 'box.off', '--time-limit', '3', status=FILE_ERROR)[1]
+    assert 'unknown output format' in run(2, 'box.off', '-o', 'm.txt', status=FILE_ERROR)[1]
+    assert 'no_such_file.off' in run(2, 'no_such_file.off', status=FILE_ERROR)[1]
+    assert 'cannot make the folder box.off' in run(2, 'box.off', '--work', 'box.off', status=FILE_ERROR)[1]
+    write('open.off', (box((0, 0, 0), (1, 1, 1))[0], box((0, 0, 0), (1, 1, 1))[1][1:]))
+    assert 'bounds no region' in run(2, 'open.off', status=FAILED)[1]
+    write('crossing.off', join(box((0, 0, 0), (1, 1, 1)), box((0.5, 0.5, 0.5), (2, 2, 2))))
+    assert 'invalid input' in run(2, 'crossing.off', status=INVALID_INPUT)[1]
+
+
+def main():
+    for name, test in sorted(globals().items()):
+        if name.startswith('test_'):
+            with tempfile.TemporaryDirectory() as folder:
+                os.chdir(folder)
+                begin = time.time()
+                test()
+                os.chdir('/')
+                print('%s: %.1f s' % (name, time.time() - begin), flush=True)
+
+
+if __name__ == '__main__':
+    main()
