@@ -167,7 +167,7 @@ make_mesh_of_surface(Tr& tr, const FaceListGraph& surface, const SizingField& si
  *                           defined. They are filled, and improved, at the same time if `CGAL_LINKED_WITH_TBB` is
  *                           defined and the number type of the kernel is a built-in one; so are the zones around
  *                           their seams then. The mesh depends on this number, and not on the number of threads.
- *                           There are at most as many as the domain has cells when it is divided}
+ *                           There are fewer if the domain has too few cells when it is divided}
  *     \cgalParamType{`std::size_t`}
  *     \cgalParamDefault{1: the domain is not divided}
  *     \cgalParamExtra{If it is more, the size field and the quality are asked by several threads, the visitor by one of

@@ -13,6 +13,9 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/parallel/Divided_mesh_3.h>
+#include <CGAL/Boundary_recovery_3/internal/parallel/for_each_task.h>
+
+#include <CGAL/tags.h>
 
 #include <boost/pending/disjoint_sets.hpp>
 
@@ -138,17 +141,28 @@ private:
   // Cells at vertices of more than `blocked` parts stay.
   void add_layer(const std::size_t blocked)
   {
-    for(std::size_t p = 0; p < m_mesh.parts.size(); ++p)
+    std::vector<std::vector<std::size_t> > new_cells(m_mesh.parts.size());
+    std::vector<std::size_t> weights;
+    for(const Part& part : m_mesh.parts)
+      weights.push_back(part.size());
+    internal::for_each_task(weights, [&](const std::size_t p)
+    {
       for(std::size_t k = 0; k < m_mesh.parts[p].size(); ++k)
         if(m_zone_of_cell[p][k] == none)
+        {
           m_zone_of_cell[p][k] = zone_at(m_mesh.parts[p][k].vertices, blocked);
-    std::vector<std::uint32_t> zone_of_vertex = m_zone_of_vertex;
-    for(std::size_t p = 0; p < m_mesh.parts.size(); ++p)
-      for(std::size_t k = 0; k < m_mesh.parts[p].size(); ++k)
+          if(m_zone_of_cell[p][k] != none)
+            new_cells[p].push_back(k);
+        }
+    }, Parallel_if_available_tag());
+    std::vector<std::pair<std::size_t, std::uint32_t> > new_vertices;
+    for(std::size_t p = 0; p < new_cells.size(); ++p)
+      for(const std::size_t k : new_cells[p])
         for(const std::size_t v : m_mesh.parts[p][k].vertices)
           if(m_zone_of_vertex[v] == none)
-            zone_of_vertex[v] = (std::min)(zone_of_vertex[v], m_zone_of_cell[p][k]);
-    m_zone_of_vertex.swap(zone_of_vertex);
+            new_vertices.emplace_back(v, m_zone_of_cell[p][k]);
+    for(const auto& [v, zone] : new_vertices)
+      m_zone_of_vertex[v] = (std::min)(m_zone_of_vertex[v], zone);
   }
 
   std::uint32_t zone_at(const std::array<std::size_t, 4>& vertices, const std::size_t blocked) const

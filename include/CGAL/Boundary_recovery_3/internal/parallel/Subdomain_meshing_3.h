@@ -216,7 +216,7 @@ private:
   void fill(const std::size_t max_number_of_vertices)
   {
     m_max_number_of_vertices = max_number_of_vertices;
-    do_in_rounds(Meshing_phase::field_point_insertion, layers_to_be_filled,
+    do_in_rounds(Meshing_phase::field_point_insertion, number_of_rounds, layers_to_be_filled,
                  [&](const std::size_t number_of_tasks, const auto& do_all)
     {
       std::vector<Field_points_result_3<Tr> > results(number_of_tasks);
@@ -244,7 +244,8 @@ private:
     {
       return improve_tasks(quality, min_dihedral_angle, number_of_tasks, do_all);
     };
-    if(! do_in_rounds(Meshing_phase::quality_improvement, layers_to_be_improved, improve_all))
+    constexpr Meshing_phase phase = Meshing_phase::quality_improvement;
+    if(! do_in_rounds(phase, number_of_rounds + 1, layers_to_be_improved, improve_all))
       return;
     const double enough = quality.of_angle((std::min)(angle_to_be_repaired, min_dihedral_angle));
     std::vector<Task> tasks = Seams(m_mesh, layers_to_be_repaired).take_out_around([&](const auto& c)
@@ -252,6 +253,7 @@ private:
       const auto corner = [&](const int i) { return coordinates_of(m_mesh.vertices[c.vertices[i]].point); };
       return quality({{ corner(0), corner(1), corner(2), corner(3) }}) < enough;
     });
+    m_task_visitor.begin(phase, number_of_rounds, number_of_rounds + 1, weight(tasks));
     do_round(tasks, improve_all);
   }
 
@@ -298,14 +300,15 @@ private:
   }
 
   // `work` gets the number of tasks, and a function that does all of them; it returns whether to go on, and so does
-  // this.
+  // this. The phase may have more rounds.
   template <typename Work>
-  bool do_in_rounds(const Meshing_phase phase, const int number_of_layers, const Work& work)
+  bool do_in_rounds(const Meshing_phase phase, const std::size_t number_of_rounds_of_phase, const int number_of_layers,
+                    const Work& work)
   {
     for(std::size_t round = 1; round <= number_of_rounds; ++round)
     {
       std::vector<Task> tasks = round == 1 ? parts() : Seams(m_mesh, number_of_layers).take_out(round);
-      m_task_visitor.begin(phase, round - 1, number_of_rounds, weight(tasks));
+      m_task_visitor.begin(phase, round - 1, number_of_rounds_of_phase, weight(tasks));
       if(! do_round(tasks, work))
         return false;
     }

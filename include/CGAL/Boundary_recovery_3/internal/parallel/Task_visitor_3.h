@@ -14,7 +14,6 @@
 
 #include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_visitor_3.h>
 
-#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <mutex>
@@ -46,7 +45,7 @@ public:
   void end_task(const std::size_t weight)
   {
     const std::lock_guard<std::mutex> lock(m_mutex);
-    m_done = (std::min)(m_done + weight, m_total);
+    m_done += weight;
     m_visitor.on_progress(m_phase, m_done, m_total);
   }
 

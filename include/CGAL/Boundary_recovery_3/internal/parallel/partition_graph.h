@@ -55,13 +55,29 @@ struct Weighted_graph
   std::vector<int>         edge_weights;
 };
 
+// See "Tuning constants" in the manual.
+constexpr std::size_t graph_nodes_per_part = 16;
+
+// Makes heavy nodes lighter, until none has more than this share of all weights. There are more nodes than that.
+inline void limit_weights(Weighted_graph& graph, const std::size_t least_number_of_shares)
+{
+  for(double largest = 0, limit = -1; largest > limit; )
+  {
+    limit = graph.weight() / static_cast<double>(least_number_of_shares);
+    largest = *std::max_element(graph.node_weights.begin(), graph.node_weights.end());
+    for(double& w : graph.node_weights)
+      w = (std::min)(w, limit);
+    limit *= 1 + 1e-3; // it need not be exact
+  }
+}
+
 #ifdef CGAL_METIS_ENABLED
 
 // The part of each node, by METIS, with a seed that does not change.
-inline std::vector<std::size_t> parts_by_metis(const Weighted_graph& graph, const std::size_t number_of_parts)
+inline std::vector<std::size_t> parts_by_metis(Weighted_graph graph, const std::size_t number_of_parts)
 {
-  // integers whose sum does not overflow
-  const double scale = 1e8 / (std::max)(graph.weight(), 1.);
+  limit_weights(graph, graph_nodes_per_part / 4 * number_of_parts);
+  const double scale = 1e8 / graph.weight(); // integers whose sum does not overflow
   std::vector<idx_t> weights, part(graph.node_weights.size()),
                      begin(graph.edge_begin.begin(), graph.edge_begin.end()),
                      ends(graph.ends.begin(), graph.ends.end()),
@@ -119,11 +135,12 @@ inline std::vector<std::size_t> parts_by_search(const Weighted_graph& graph, con
 
 /*
  * Returns the part, from 0 on, of each node, so that parts have about the same weight and few edges between them, as
- * few as METIS finds, if it is linked. There may be fewer parts.
+ * few as METIS finds, if it is linked. There are fewer parts if the graph is small. METIS prints if a part gets no
+ * node; so none is heavier than a fraction of a part.
  */
 inline std::vector<std::size_t> partition_graph(const Weighted_graph& graph, const std::size_t number_of_parts)
 {
-  const std::size_t number = (std::min)(number_of_parts, graph.node_weights.size());
+  const std::size_t number = (std::min)(number_of_parts, graph.node_weights.size() / graph_nodes_per_part);
   if(number < 2)
     return std::vector<std::size_t>(graph.node_weights.size(), 0);
 #ifdef CGAL_METIS_ENABLED
