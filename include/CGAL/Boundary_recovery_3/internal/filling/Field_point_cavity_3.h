@@ -14,6 +14,7 @@
 
 #include <CGAL/Boundary_recovery_3/internal/filling/Local_numbers.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/tetrahedron_edges.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/util/bare_point.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
@@ -23,6 +24,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -37,8 +39,9 @@ namespace internal {
  * without crossing a constrained facet. It is made star-shaped by exact orientations: cells at faces that the point
  * does not see are taken out. Nor may a constraint be inside, or a vertex be lost.
  *
- * `Domain` answers `is_wall()` for a cell and the index of a facet, and, if `has_constrained_edges`,
- * `is_constrained_edge()` for two vertices of a cell.
+ * `Domain` answers `is_wall()` for a cell and the index of a facet, if `has_seams`, `is_seam()`, and, if
+ * `has_constrained_edges`, `is_constrained_edge()` for two vertices of a cell. Seams are walls that somebody will take
+ * away.
  *
  * While a cavity is there, its cells are marked as in conflict; `clear()` ends that.
  */
@@ -63,12 +66,14 @@ public:
   Field_point_cavity_3(const Tr& tr, const Domain& domain) : m_tr(tr), m_domain(domain) { }
 
   // Finds the cavity of p, which begins with the first cell. Returns whether it can be starred, and no vertex that is
-  // met is nearer than `min_distance`.
-  bool find(const Point& p, const Cell_handle first, const double min_distance = 0)
+  // met is nearer than `min_distance`, nor has a seam an edge longer than `max_seam`.
+  bool find(const Point& p, const Cell_handle first, const double min_distance = 0,
+            const double max_seam = std::numeric_limits<double>::infinity())
   {
     m_point = p;
     m_coordinates = internal::coordinates_of(p);
     m_min_squared_distance = min_distance * min_distance;
+    m_max_seam = max_seam;
     return start(first) && grow()
         && (are_faces_seen() || shrink_until_seen()) && is_no_vertex_inside() && ! has_constrained_edge_inside();
   }
@@ -130,11 +135,13 @@ private:
     m_cells.push_back(c);
   }
 
-  // Returns false if there is a constrained facet inside, or a vertex that is too near.
+  // Returns false if there is a constrained facet inside, a vertex that is too near, or a seam that is too large.
   bool look_behind(const Cell_handle c, const int i)
   {
     const Cell_handle n = c->neighbor(i);
     const bool is_wall = m_domain.is_wall(c, i);
+    if(is_wall && is_at_large_seam(c, i))
+      return false;
     if(n->tds_data().is_in_conflict())
       return ! is_wall;
     if(is_wall || n->tds_data().is_on_boundary() || is_hidden(c, i) || ! is_in_conflict(n))
@@ -144,6 +151,14 @@ private:
     }
     add(n);
     return add(n->vertex(n->index(c)));
+  }
+
+  bool is_at_large_seam(const Cell_handle c, const int i) const
+  {
+    if constexpr(Domain::has_seams)
+      return m_domain.is_seam(c, i) && internal::longest_edge_of_facet(internal::corners(c), i) > m_max_seam;
+    else
+      return false;
   }
 
   // Whether the point does not see a facet from inside; only asked for in large cavities.
@@ -255,6 +270,7 @@ private:
   Point m_point;
   Coordinates_3 m_coordinates; // the same
   double m_min_squared_distance = 0;
+  double m_max_seam = 0;
   Cells m_cells;
   Cells m_cells_around; // those that are marked
   std::vector<Face> m_faces;

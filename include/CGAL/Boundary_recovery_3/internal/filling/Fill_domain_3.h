@@ -270,7 +270,8 @@ private:
     return facet;
   }
 
-  // The cell contains the point. Returns whether a vertex is there now.
+  // The cell contains the point. Returns whether a vertex is there now. At a seam that is much too large, points would
+  // make flat cells, which nobody would get rid of when the seam is gone.
   bool try_point(const Coordinates_3& coordinates, const Cell_handle c, const double size)
   {
     return try_point(coordinates, c, smallest_distance, size, [] { return true; });
@@ -292,24 +293,12 @@ private:
     if(! (size > 0)) // there is none
       return false;
     const Point_3 p(coordinates[0], coordinates[1], coordinates[2]);
-    const bool is_good = m_cavity.find(p, c, min_distance * size) && ! is_at_large_seam(size) && is_star_good();
+    const bool is_good = m_cavity.find(p, c, min_distance * size, largest_seam * size) && is_star_good();
     if(is_good)
       insert(p, size);
     else
       m_cavity.clear(true);
     return is_good;
-  }
-
-  // Whether the cavity is at a facet that somebody will take away, and that is much too large. Points there would make
-  // flat cells, which nobody would get rid of then.
-  bool is_at_large_seam(const double size) const
-  {
-    if constexpr(Domain::has_seams)
-      for(const Cell_handle c : m_cavity.cells())
-        for(int i = 0; i < 4; ++i)
-          if(m_domain.is_seam(c, i) && internal::longest_edge_of_facet(internal::corners(c), i) > largest_seam * size)
-            return true;
-    return false;
   }
 
   double worst_quality_of_cavity() const
