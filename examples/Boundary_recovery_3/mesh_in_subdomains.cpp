@@ -18,7 +18,7 @@ int main(int argc, char* argv[])
   std::vector<std::array<std::size_t, 3> > triangles;
   if(! CGAL::IO::read_polygon_soup(argc > 1 ? argv[1] : CGAL::data_file_path("meshes/gear_br3.off"), points, triangles))
     return EXIT_FAILURE;
-  const double size = argc > 2 ? std::atof(argv[2]) : 0.1;
+  const double size = argc > 2 ? std::atof(argv[2]) : 0.5;
 
   //! [subdomains]
   // By threads, if CGAL_LINKED_WITH_TBB is defined; how many there are makes no difference to the mesh.

@@ -6,7 +6,7 @@
 #endif
 
 #include <cstddef>
-#include <limits>
+#include <optional>
 
 // As long as this lives, there are not more threads than that; 0: no limit. Without the TBB there is one anyway.
 class Thread_limit
@@ -14,12 +14,13 @@ class Thread_limit
 public:
 #ifdef CGAL_LINKED_WITH_TBB
   explicit Thread_limit(const std::size_t number)
-    : m_control(tbb::global_control::max_allowed_parallelism,
-                number > 0 ? number : (std::numeric_limits<std::size_t>::max)())
-  { }
+  {
+    if(number > 0)
+      m_control.emplace(tbb::global_control::max_allowed_parallelism, number);
+  }
 
 private:
-  tbb::global_control m_control;
+  std::optional<tbb::global_control> m_control;
 #else
   explicit Thread_limit(const std::size_t) { }
 #endif
