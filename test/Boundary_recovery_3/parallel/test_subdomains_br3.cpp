@@ -3,6 +3,7 @@
 
 #undef NDEBUG // the checks are assertions, also in a Release build
 
+#include "box_scene_br3.h"
 #include "box_soup_br3.h"
 #include "mesh_validity_br3.h"
 
@@ -20,7 +21,6 @@
 #include <CGAL/Boundary_recovery_3/mesh_quality.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
 #include <CGAL/make_boundary_constrained_mesh_3.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -44,12 +44,8 @@ namespace BR3 = CGAL::Boundary_recovery_3;
 namespace internal = CGAL::Boundary_recovery_3::internal;
 namespace parameters = CGAL::parameters;
 using br3_test::Box_soup;
-typedef CGAL::Exact_rational                                Rational;
 typedef CGAL::Exact_predicates_inexact_constructions_kernel K;
 typedef CGAL::Exact_predicates_exact_constructions_kernel   Exact;
-
-Rational exact(const double x) { return Rational(x); }
-Rational exact(const Exact::FT& x) { return x.exact(); }
 
 // Not more threads than this, as long as it lives.
 struct Threads
@@ -64,18 +60,19 @@ struct Threads
 
 template <typename Kernel>
 struct Scene
+  : public br3_test::Box_scene<Kernel>
 {
-  typedef typename CGAL::Boundary_constrained_mesh_triangulation_3<Kernel>::type Tr;
-  typedef typename Kernel::Point_3                     Point;
-  typedef typename Tr::Vertex_handle                   Vertex_handle;
-  typedef typename Tr::Cell_handle                     Cell_handle;
-  typedef CGAL::Boundary_constrained_mesh_result_3<Tr> Result;
+  typedef br3_test::Box_scene<Kernel>   Base;
+  typedef typename Base::Tr             Tr;
+  typedef typename Base::Vertex_handle  Vertex_handle;
+  typedef typename Base::Cell_handle    Cell_handle;
+  typedef typename Base::Result         Result;
 
-  explicit Scene(const Box_soup& soup) : soup(soup)
-  {
-    for(const auto& p : soup.points)
-      points.emplace_back(p[0], p[1], p[2]);
-  }
+  using Base::Base;
+  using Base::soup;
+  using Base::points;
+  using Base::tr;
+  using Base::result;
 
   template <typename ... NPs>
   Result& make(const double size, const NPs& ... nps)
@@ -83,23 +80,6 @@ struct Scene
     result = CGAL::make_boundary_constrained_mesh_3(tr, points, soup.triangles, size,
                                                     parameters::constrained_edges(soup.edges), nps...);
     return result;
-  }
-
-  // Six times the volume of a region.
-  Rational volume(const int region) const
-  {
-    Rational sum = 0;
-    for(const Cell_handle c : tr.finite_cell_handles())
-      if(c->subdomain_index() == region)
-      {
-        std::array<std::array<Rational, 3>, 3> m;
-        for(int i = 0; i < 3; ++i)
-          for(int j = 0; j < 3; ++j)
-            m[i][j] = exact(c->vertex(i + 1)->point()[j]) - exact(c->vertex(0)->point()[j]);
-        sum += m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0])
-             + m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
-      }
-    return sum;
   }
 
   // That all is where it was, and everything fits together.
@@ -147,11 +127,6 @@ struct Scene
     }
     return numbers;
   }
-
-  Box_soup soup;
-  std::vector<Point> points;
-  Tr tr;
-  Result result;
 };
 
 // Two regions side by side, another one in one of them, a sheet and an edge in the other.

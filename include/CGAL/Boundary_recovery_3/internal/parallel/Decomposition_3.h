@@ -83,14 +83,10 @@ public:
   void put_into_triangulation(const Mesh& mesh)
   {
     std::vector<char> is_used(mesh.vertices.size(), false);
-    std::size_t number_of_cells = 0;
     for(const auto& part : mesh.parts)
-    {
-      number_of_cells += part.size();
       for(const auto& c : part)
         for(const std::size_t v : c.vertices)
           is_used[v] = true;
-    }
     const std::size_t old_number = m_vertices.size();
     for(std::size_t v = 0; v < mesh.vertices.size(); ++v)
     {
@@ -99,7 +95,7 @@ public:
       if(is_used[v] && (v >= old_number || m_vertices[v]->in_dimension() == 3))
         mesh.vertices[v].give_to(*m_vertices[v]);
     }
-    replace_cells(mesh, number_of_cells);
+    replace_cells(mesh);
     for(std::size_t v = 0; v < old_number; ++v)
       if(! is_used[v])
         m_tr.tds().delete_vertex(m_vertices[v]);
@@ -120,7 +116,8 @@ private:
       const auto corners = internal::corners(c);
       const Cell_shape_3 shape(corners);
       const Coordinates_3 p = internal::centroid(corners);
-      const double h = query(typename Tr::Geom_traits::Point_3(p[0], p[1], p[2]), 3, region(c));
+      const double h = query(typename Tr::Geom_traits::Point_3(p[0], p[1], p[2]), 3,
+                             Region_sizes_3<Tr, SizingField>::region(c));
       graph.begin_node(1 + (h > 0 ? std::sqrt(2.) * shape.volume_times_6 / (h * h * h) : 0));
       for(int i = 0; i < 4; ++i)
         if(numbers.is_defined(c->neighbor(i)))
@@ -145,15 +142,10 @@ private:
             graph.edge_weights[k] = graph.edge_weights[l] = (std::min)(graph.edge_weights[k], graph.edge_weights[l]);
   }
 
-  static int region(const Cell_handle c)
-  {
-    return Region_sizes_3<Tr, double>::region(c);
-  }
-
-  void replace_cells(const Mesh& mesh, const std::size_t number_of_cells)
+  void replace_cells(const Mesh& mesh)
   {
     std::vector<std::array<Vertex_handle, 4> > tetrahedra;
-    tetrahedra.reserve(number_of_cells);
+    tetrahedra.reserve(mesh.number_of_cells());
     for(const auto& part : mesh.parts)
       for(const auto& c : part)
         tetrahedra.push_back({{ m_vertices[c.vertices[0]], m_vertices[c.vertices[1]], m_vertices[c.vertices[2]],

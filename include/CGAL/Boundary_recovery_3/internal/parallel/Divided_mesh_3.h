@@ -56,6 +56,14 @@ struct Divided_mesh_3
 
   typedef std::vector<Cell> Part;
 
+  std::size_t number_of_cells() const
+  {
+    std::size_t sum = 0;
+    for(const Part& part : parts)
+      sum += part.size();
+    return sum;
+  }
+
   std::vector<Vertex> vertices; // maybe some that no cell has any more
   std::vector<Part>   parts;
   std::vector<Edge>   constrained_edges;

@@ -57,7 +57,6 @@ template <typename Tr, typename SizingField, typename Recorder>
 class Subdomain_meshing_3
 {
 public:
-  typedef typename Tr::Vertex_handle             Vertex_handle;
   typedef typename Tr::Cell_handle               Cell_handle;
   typedef Boundary_constrained_mesh_result_3<Tr> Result;
 
@@ -157,6 +156,12 @@ private:
     double factor;
   };
 
+  // Before it is divided, and when it is put together; without seams.
+  Domain whole_domain() const
+  {
+    return domain(m_tr, Constrained_edge_map_3<Tr>(m_result.constrained_edges));
+  }
+
   Domain domain(Tr& tr, const Constrained_edge_map_3<Tr>& edges) const { return Domain(tr, All_cells(), edges); }
 
   template <typename Work>
@@ -168,16 +173,14 @@ private:
     Meshing_phase_report report;
     report.phase = phase;
     report.number_of_vertices = m_tr.number_of_vertices() + m_mesh.vertices.size() - m_number_of_old_vertices;
-    report.number_of_cells = m_tr.number_of_finite_cells() - m_number_of_old_cells;
-    for(const auto& part : m_mesh.parts)
-      report.number_of_cells += part.size();
+    report.number_of_cells = m_tr.number_of_finite_cells() + m_mesh.number_of_cells() - m_number_of_old_cells;
     report.seconds = m_recorder.seconds() - start;
     m_recorder.on_phase_end(report);
   }
 
   bool forecast(const std::size_t max_number_of_vertices)
   {
-    Domain whole = domain(m_tr, Constrained_edge_map_3<Tr>(m_result.constrained_edges));
+    Domain whole = whole_domain();
     Field_point_insertion_3<Tr, Domain, SizingField, Recorder> insertion(m_tr, whole, m_size, m_recorder);
     m_result.filling = insertion.forecast_only(max_number_of_vertices, m_recorder.seconds_left());
     return bool(m_result.filling);
@@ -192,15 +195,14 @@ private:
 
   void decompose(const std::size_t number_of_subdomains)
   {
-    Domain whole = domain(m_tr, Constrained_edge_map_3<Tr>(m_result.constrained_edges));
+    Domain whole = whole_domain();
     const Coarse_field field{ m_size, coarseness(number_of_subdomains) };
     note(Field_point_insertion_3<Tr, Domain, Coarse_field, Task_visitor>(m_tr, whole, field, m_task_visitor,
                                                                          Forecast_effort::none)
            ((std::numeric_limits<std::size_t>::max)(), m_recorder.seconds_left()));
     m_decomposition.divide(m_size, whole, m_result.constrained_edges, number_of_subdomains, m_mesh);
     m_number_of_old_vertices = m_mesh.vertices.size();
-    for(const auto& part : m_mesh.parts)
-      m_number_of_old_cells += part.size();
+    m_number_of_old_cells = m_mesh.number_of_cells();
   }
 
   void note(const Field_points_result_3<Tr>& filling)
@@ -292,7 +294,7 @@ private:
 
   void measure(const double min_dihedral_angle)
   {
-    const Domain whole = domain(m_tr, Constrained_edge_map_3<Tr>(m_result.constrained_edges));
+    const Domain whole = whole_domain();
     Explain_bad_cells_3<Tr, Domain> explain(whole, min_dihedral_angle);
     m_result.improvement.after = Measure_quality_3<Tr, Domain>(m_tr, whole)(
       [&](const Cell_handle c, const Cell_angles_3& angles) { explain.add(c, angles); });
