@@ -176,7 +176,6 @@ private:
   static constexpr int recursion_levels[] = { default_recursion_level, 6, 1, 0, 2, 12 };
 
   // See "Tuning constants" in the manual.
-  static constexpr std::ptrdiff_t number_of_levels_at_first = 2;
   static constexpr std::size_t least_number_to_thin_out = 170;
 
   // Steiner points for all that is lost, with several recursion levels of the flips in between.
@@ -235,11 +234,8 @@ private:
     m_state.number_of_transformations += conform.number_of_transformations();
   }
 
-  // What is tried for an isolated edge: so many of the recursion levels, and rounds in which points make room.
-  struct Effort { std::ptrdiff_t number_of_levels; int number_of_rounds; };
-
   // Recovers lost edges of no facet one by one, if they are more than that. Those that this fails for wait until all
-  // others are done, and points that can go are gone: the mesh is another one then, and all is tried for them.
+  // others are done, and points that can go are gone: the mesh is another one then.
   void recover_isolated_edges(const int max_recursion_level, const std::size_t max_number_at_once)
   {
     std::vector<std::size_t> others, isolated;
@@ -248,13 +244,13 @@ private:
       (is_of_facet[e] ? others : isolated).push_back(e);
     if(isolated.size() <= max_number_at_once)
       return;
-    recover_one_by_one(isolated, max_recursion_level, Effort{ number_of_levels_at_first, 0 });
+    recover_one_by_one(isolated, max_recursion_level, 0);
     for(const int number_of_rounds : { 0, Steiner_suppression_3<Tr, Visitor>::max_number_of_rounds })
       for(std::size_t before = 0; ! isolated.empty() && before != isolated.size(); )
       {
         before = isolated.size();
         remove_points_between([&](auto& recover) { recover.make_room(max_recursion_level); });
-        recover_one_by_one(isolated, max_recursion_level, Effort{ std::size(recursion_levels), number_of_rounds });
+        recover_one_by_one(isolated, max_recursion_level, number_of_rounds);
       }
     m_state.lost.edges.clear();
     std::merge(others.begin(), others.end(), isolated.begin(), isolated.end(), std::back_inserter(m_state.lost.edges));
@@ -262,13 +258,13 @@ private:
 
   // Takes those out for which it worked. The more points there are, the harder are the edges that follow: each time
   // that they have become half as many again, some go.
-  void recover_one_by_one(std::vector<std::size_t>& isolated, const int max_recursion_level, const Effort& effort)
+  void recover_one_by_one(std::vector<std::size_t>& isolated, const int max_recursion_level, const int number_of_rounds)
   {
     const auto& points = m_ledger.free_points();
     std::size_t last_number = (std::max)(points.size(), least_number_to_thin_out);
     take_out_recovered(Phase::conforming_edge_recovery, isolated, [&](const std::size_t e)
     {
-      if(! recover_isolated_edge(e, max_recursion_level, effort))
+      if(! recover_isolated_edge(e, max_recursion_level, number_of_rounds))
         return false;
       if(2 * points.size() > 3 * last_number)
       {
@@ -298,16 +294,16 @@ private:
     return result;
   }
 
-  // If that fails, the mesh is as it was before.
-  bool recover_isolated_edge(const std::size_t e, const int max_recursion_level, const Effort& effort)
+  // Tries all levels; if points have no number then, they make room in so many rounds. If that fails, the mesh is as it
+  // was before.
+  bool recover_isolated_edge(const std::size_t e, const int max_recursion_level, const int number_of_rounds)
   {
-    const auto first = std::begin(recursion_levels);
-    return std::any_of(first, first + effort.number_of_levels, [&](const int l_max)
+    return std::any_of(std::begin(recursion_levels), std::end(recursion_levels), [&](const int l_max)
     {
       return l_max <= max_recursion_level && m_state.context.go_further() && transact([&]
       {
         Isolated_edge_recovery_3<Tr, Visitor> recover(m_mesh);
-        const bool is_done = recover(e, l_max, max_recursion_level, effort.number_of_rounds);
+        const bool is_done = recover(e, l_max, max_recursion_level, number_of_rounds);
         m_state.number_of_transformations += recover.number_of_transformations();
         return is_done;
       });
