@@ -22,7 +22,7 @@ constexpr const char* mpi_usage =
   "  --subdomains N         the number of sub-domains, by default 16\n"
   "  --work FOLDER          keep what is finished in that folder, which all ranks see: after a run that failed, the\n"
   "                         next one with the same input and options does only what is missing. By default, it is a\n"
-  "                         temporary folder: that is enough on one machine\n"
+  "                         temporary folder, which is removed if all goes well: that is enough on one machine\n"
   "  -o OUTPUT.pvtu         write the mesh in pieces, one for each sub-domain, beside a file that names them; each\n"
   "                         rank writes some of them, and no rank has all of it in memory\n"
   "  --pieces               in .msh files, tell Gmsh which tetrahedra are of which sub-domain\n"
