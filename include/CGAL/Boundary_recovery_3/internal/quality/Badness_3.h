@@ -40,6 +40,9 @@ public:
 
   double enough() const { return m_enough; }
 
+  bool is_lenient() const { return m_is_lenient; }
+  double floor() const { return m_floor; }
+
   // From 0, good enough, to 1, flat.
   double of_quality(const double quality) const
   {

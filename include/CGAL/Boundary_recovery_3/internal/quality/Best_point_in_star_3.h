@@ -20,6 +20,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -67,6 +68,7 @@ public:
   bool improve(Coordinates_3& p, const IsAllowed& is_allowed)
   {
     const Coordinates_3 before = p;
+    m_least = -std::numeric_limits<double>::infinity();
     double badness = set_qualities(p);
     double step = 0.25 * typical_length(p);
     for(int round = 0; round < max_number_of_rounds && badness > 0; ++round)
@@ -105,14 +107,14 @@ private:
   {
     m_qualities.resize(m_faces.size());
     double badness = 0;
-    m_worst = 2;
+    double worst = 2;
     for(std::size_t k = 0; k < m_faces.size(); ++k)
     {
       m_qualities[k] = quality(k, p);
-      m_worst = (std::min)(m_worst, m_qualities[k]);
+      worst = (std::min)(worst, m_qualities[k]);
       badness += m_badness.of_lack(lack(m_qualities[k]));
     }
-    m_worst = m_badness.least_quality(m_worst);
+    m_least = (std::max)(m_least, m_badness.least_quality(worst));
     return badness;
   }
 
@@ -125,7 +127,7 @@ private:
     {
       const double q = quality(k, p);
       sum += m_badness.of_lack(lack(q));
-      if(q < m_worst || ! (sum < badness))
+      if(q < m_least || ! (sum < badness))
         return false;
     }
     return true;
@@ -190,7 +192,7 @@ private:
   std::vector<Face> m_faces;
   std::vector<double> m_qualities;
   Badness_3 m_badness = 1;
-  double m_worst = 0; // what qualities are to be at least
+  double m_least = 0; // what qualities are to be
 };
 
 } // namespace internal

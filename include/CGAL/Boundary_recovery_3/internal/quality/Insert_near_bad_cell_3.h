@@ -19,9 +19,11 @@
 #include <CGAL/Boundary_recovery_3/internal/quality/Star_cavity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -33,8 +35,7 @@ namespace internal {
  * cells are good if they have their other vertex near the short edge of the triangle, and that is far from the center
  * of any cell there.
  *
- * Points around the vertices of the cell and around its shortest edge are tried, at a distance of the length of that
- * edge. The cavity of a point is made of the cells on the way to it, and grows where its star has the worst cell. Of
+ * Points around the shortest edge of the cell are tried, at a distance of twice its length. The cavity of a point is made of the cells on the way to it, and grows where its star has the worst cell. Of
  * all states on the way, and of all points, the one that helps most is taken.
  */
 template <typename Mesh>
@@ -81,37 +82,40 @@ private:
   static constexpr int max_number_of_steps = 20;
   static constexpr std::size_t max_number_of_cells = 30;
 
-  // Around the vertices of the cell and the middle of its shortest edge, in both directions of the normals of facets.
+  // Around the middle of the shortest edge, in both directions of the normals of facets.
   void collect_places(const Cell_handle c)
   {
     const auto p = internal::corners(c);
-    std::array<Coordinates_3, 5> centers = {{ p[0], p[1], p[2], p[3], p[0] }};
-    double shortest = -1;
+    Coordinates_3 middle;
+    const double distance = distance_in_shortest_edges * find_shortest_edge(p, middle);
+    m_places.clear();
+    for(int i = 0; i < 4; ++i)
+    {
+      const Coordinates_3 normal = cross_product(difference(p[(i + 2) % 4], p[(i + 1) % 4]),
+                                                 difference(p[(i + 3) % 4], p[(i + 1) % 4]));
+      const double length = std::sqrt(dot_product(normal, normal));
+      if(length > 0)
+        for(const double step : { - distance / length, distance / length })
+          m_places.push_back({{ middle[0] + step * normal[0], middle[1] + step * normal[1],
+                                middle[2] + step * normal[2] }});
+    }
+  }
+
+  // Returns the length.
+  static double find_shortest_edge(const std::array<Coordinates_3, 4>& p, Coordinates_3& middle)
+  {
+    double shortest = std::numeric_limits<double>::infinity();
     for(int i = 0; i < 4; ++i)
       for(int j = 0; j < i; ++j)
       {
         const double d = internal::squared_distance(p[i], p[j]);
-        if(shortest < 0 || d < shortest)
-        {
-          shortest = d;
-          for(int k = 0; k < 3; ++k)
-            centers[4][k] = 0.5 * (p[i][k] + p[j][k]);
-        }
+        if(! (d < shortest))
+          continue;
+        shortest = d;
+        for(int k = 0; k < 3; ++k)
+          middle[k] = 0.5 * (p[i][k] + p[j][k]);
       }
-    m_places.clear();
-    for(int i = 0; i < 4; ++i)
-    {
-      Coordinates_3 step = cross_product(difference(p[(i + 2) % 4], p[(i + 1) % 4]),
-                                         difference(p[(i + 3) % 4], p[(i + 1) % 4]));
-      const double length = std::sqrt(dot_product(step, step));
-      if(! (length > 0))
-        continue;
-      for(double& x : step)
-        x *= distance_in_shortest_edges * std::sqrt(shortest) / length;
-      for(const Coordinates_3& q : centers)
-        for(const int sign : { -1, 1 })
-          m_places.push_back({{ q[0] + sign * step[0], q[1] + sign * step[1], q[2] + sign * step[2] }});
-    }
+    return std::sqrt(shortest);
   }
 
   // Makes the cavity of a point. Returns by how much the cells would be less bad; 0: not, or it is not possible.
@@ -119,9 +123,9 @@ private:
   {
     if(! walk(c, p) || ! grow())
       return 0;
-    move_point();
-    const double gain = m_cavity.gain();
-    return gain > 0 && m_cavity.has_nothing_inside() && m_cavity.is_in_size() && m_cavity.is_star() ? gain : 0;
+    const double quality = move_point(), gain = m_cavity.gain();
+    return gain > 0 && quality > 0 && quality >= m_mesh.least_quality(m_cavity.worst_quality()) &&
+           m_cavity.has_nothing_inside() && m_cavity.is_in_size() && m_cavity.is_star() ? gain : 0;
   }
 
   // Begins with the cells from c to the one that the point is in.
@@ -205,7 +209,8 @@ private:
     return badness;
   }
 
-  void move_point()
+  // Moves the point to the best place. Returns the quality of the worst new cell.
+  double move_point()
   {
     m_best_point.clear(m_mesh.measure_of_badness());
     for(const Face& f : m_cavity.faces())
@@ -214,6 +219,7 @@ private:
     Coordinates_3 p = m_cavity.point();
     m_best_point.improve(p, [](const Coordinates_3&) { return true; });
     m_cavity.move_point(p);
+    return m_best_point.worst_quality(p);
   }
 
   Mesh& m_mesh;
