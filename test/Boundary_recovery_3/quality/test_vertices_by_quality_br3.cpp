@@ -19,6 +19,7 @@
 #include <CGAL/Boundary_recovery_3/internal/quality/Insert_into_bad_cell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Insert_near_bad_cell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Smooth_vertex_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Star_cavity_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
@@ -143,6 +144,59 @@ std::array<int, 4> test_all_steps(const unsigned seed, const bool is_lenient)
   };
   number[3] = test_insertion(t, step, options.size);
   return number;
+}
+
+// A cavity knows its faces and its worst cell, also after cells were taken out again; and whether its boundary has all
+// vertices.
+void test_star_cavities()
+{
+  Improvement_options options;
+  options.number_of_points = 80;
+  Improvement t(3, options, 30);
+  internal::Star_cavity_3<Mesh> cavity(t.mesh);
+  std::array<int, 2> number = {{ 0, 0 }};
+  for(const Cell_handle c : t.scene.cells())
+  {
+    if(! t.scene.contains(c))
+      continue;
+    cavity.start(c, internal::centroid(internal::corners(c)));
+    for(int step = 0; step < 12; ++step)
+    {
+      const auto& f = cavity.faces()[static_cast<std::size_t>(t.scene.random_int(int(cavity.faces().size())))];
+      if(! cavity.is_wall(f))
+        cavity.take_in(f.cell->neighbor(f.index));
+    }
+    if(cavity.cells().size() > 3)
+      cavity.go_back_to(cavity.cells().size() - 2);
+    const std::set<Cell_handle> cells(cavity.cells().begin(), cavity.cells().end());
+    std::set<Vertex_handle> vertices, outside;
+    std::size_t number_of_faces = 0;
+    double worst = 2;
+    bool is_wall_inside = false;
+    for(const Cell_handle d : cells)
+    {
+      worst = (std::min)(worst, t.mesh.quality(d));
+      for(int i = 0; i < 4; ++i)
+      {
+        vertices.insert(d->vertex(i));
+        if(cells.count(d->neighbor(i)) > 0)
+          is_wall_inside = is_wall_inside || t.domain.is_wall(d, i);
+        else
+          ++number_of_faces;
+      }
+    }
+    for(const auto& f : cavity.faces())
+    {
+      assert(cells.count(f.cell) > 0 && cells.count(f.cell->neighbor(f.index)) == 0);
+      outside.insert(f.vertices.begin(), f.vertices.end());
+    }
+    assert(cavity.faces().size() == number_of_faces && cavity.worst_quality() == worst);
+    const bool is_possible = cavity.has_nothing_inside();
+    ++number[is_possible];
+    if(is_possible)
+      assert(! is_wall_inside && outside == vertices);
+  }
+  assert(number[0] > 5 && number[1] > 50);
 }
 
 // How round the cells of the mesh at a vertex are together.
@@ -604,6 +658,7 @@ int main()
               << " near bad cells" << std::endl;
     assert(number[0] > 50 && number[1] > 50 && number[2] > 50 && number[3] > 50);
   }
+  test_star_cavities();
   int number_of_centered_vertices = 0;
   for(unsigned seed = 0; seed < 6; ++seed)
     number_of_centered_vertices += test_centered_vertices(seed);

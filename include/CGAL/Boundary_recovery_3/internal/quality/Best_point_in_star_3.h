@@ -63,7 +63,8 @@ public:
   }
 
   // Moves the point to better places, until all cells are good enough, or nothing helps. The worst cell never gets
-  // worse, or not more than the measure of badness tolerates. `is_allowed` tells where the point may be. Returns whether the point was moved.
+  // worse, or not more than the measure of badness tolerates. `is_allowed` tells where the point may be. Returns
+  // whether the point was moved.
   template <typename IsAllowed>
   bool improve(Coordinates_3& p, const IsAllowed& is_allowed)
   {

@@ -35,8 +35,9 @@ namespace internal {
  * cells are good if they have their other vertex near the short edge of the triangle, and that is far from the center
  * of any cell there.
  *
- * Points around the shortest edge of the cell are tried, at a distance of twice its length. The cavity of a point is made of the cells on the way to it, and grows where its star has the worst cell. Of
- * all states on the way, and of all points, the one that helps most is taken.
+ * Points around the shortest edge of the cell are tried, at a distance of twice its length. The cavity of a point is
+ * made of the cells on the way to it, and grows where its star has the worst cell. Of all states on the way, and of all
+ * points, the one that helps most is taken.
  */
 template <typename Mesh>
 class Insert_near_bad_cell_3

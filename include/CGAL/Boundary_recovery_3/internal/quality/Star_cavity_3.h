@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <vector>
 
@@ -104,14 +105,15 @@ public:
   }
 
   // Whether nothing would be lost. All of the facets between cells of the cavity were gone through, so none is
-  // constrained; but edges may be, and vertices may be inside. Euler's formula tells how many are on the sphere that its
-  // boundary has to be.
+  // constrained; but edges may be, and vertices may be inside. Euler's formula tells how many are on the sphere that
+  // its boundary has to be.
   bool has_nothing_inside()
   {
     return is_no_vertex_inside() && ! has_constrained_edge_inside();
   }
 
-  // Whether the edges of the new vertex, which gets the mean size, would be. The cavity is known to have nothing inside.
+  // Whether the edges of the new vertex, which gets the mean size, would be. The cavity has nothing inside, as
+  // `has_nothing_inside()` found last.
   bool is_in_size()
   {
     const auto& lengths = m_mesh.allowed_lengths();
