@@ -30,10 +30,12 @@
 #include <CGAL/Boundary_recovery_3/internal/steiner/Suppress_free_point_3.h>
 
 #include <CGAL/Random.h>
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <iostream>
@@ -111,6 +113,26 @@ br3_test::Plc skew_lines(const int number)
     const double t = -1 + 2. * i / (number - 1);
     add_edge(plc, {{ t, -1.125, -1.125 * t }}, {{ t, 1.125, 1.125 * t }});
     add_edge(plc, {{ -1.125, t, -1.125 * t + gap }}, {{ 1.125, t, 1.125 * t + gap }});
+  }
+  return plc;
+}
+
+// A long edge, the first, that passes bars on all sides, none farther than a thousandth of the distance between them.
+br3_test::Plc edge_along_bars(const int number, const unsigned seed)
+{
+  br3_test::Plc plc;
+  CGAL::Random random(seed);
+  add_edge(plc, {{ 0, 0, -1 }}, {{ 0, 0, double(number) }});
+  for(int i = 0; i < number; ++i)
+  {
+    const double angle = 2 * CGAL_PI * random.get_double(), x = std::cos(angle), y = std::sin(angle);
+    const double distance = random.get_double(.0001, .001), shift = random.get_double(-.15, .15);
+    const double slope = random.get_double(-.25, .25);
+    const auto point = [&](const double t)
+    {
+      return br3_test::Coordinates{{ t * x - distance * y, t * y + distance * x, i + slope * t }};
+    };
+    add_edge(plc, point(shift - .5), point(shift + .5));
   }
   return plc;
 }
@@ -320,6 +342,21 @@ void test_edge_after_edge(const br3_test::Plc& plc)
   assert(scene.is_valid() && scene.is_conforming() && scene.ledger.positions().empty());
 }
 
+// When one end of a part of the edge went from point to point along the chain, the balls became too thin for numbers.
+void test_long_chain()
+{
+  Scene scene(edge_along_bars(150, 1));
+  internal::Mesh_editor_3<Tr, Visitor> editor(scene.tr, scene.visitor);
+  internal::Steiner_mesh_3<Tr, Visitor> mesh(editor, scene.predicates, scene.constraints, scene.ledger, scene.context);
+  internal::Isolated_edge_recovery_3<Tr, Visitor> recover(mesh);
+  assert(recover(0, 3, 30, 0));
+  std::cout << scene.ledger.number_of_constraint_points() << " points came to a long edge" << std::endl;
+  assert(scene.ledger.number_of_constraint_points() > 100);
+  assert(scene.is_valid() && scene.ledger.points_on_constraints().empty() && scene.ledger.positions().empty());
+  internal::Constraint_search_3<Tr> search(scene.tr, scene.constraints);
+  assert(search().edges.empty());
+}
+
 void test_one_by_one()
 {
   const br3_test::Plc plc = random_segments(20, 2);
@@ -346,6 +383,7 @@ int main()
   test_suppression_of_one_point();
   test_points_that_go_from_chains();
   test_one_by_one();
+  test_long_chain();
   test_recovery(skew_lines(4));
   test_recovery(random_segments(12, 5));
   std::cout << "done" << std::endl;

@@ -58,7 +58,7 @@ public:
     if(! m_conform.recover_edge(e, l_max))
       return false;
     shorten_chain(max_recursion_level);
-    if(! split_points())
+    if(! split_points(e))
       return false;
     remove_points(max_recursion_level, 0);
     return m_suppress.round_points(max_recursion_level, number_of_rounds);
@@ -91,18 +91,28 @@ private:
     }
   }
 
-  // Returns whether no point is on the edge any more.
-  bool split_points()
+  // Returns whether no point is on the edge any more. The room around a new part of the edge is cut out of that around
+  // the two parts before. If one end of a part went from point to point along the chain, it would be cut as often as
+  // there are points, until no number fits into it; every second point at a time, it is cut as often as there are
+  // rounds.
+  bool split_points(const std::size_t e)
   {
     const auto& points = m_mesh.ledger.points_on_constraints();
     for(std::size_t before = 0; before != points.size(); )
     {
       before = points.size();
-      for(const Vertex_handle v : std::vector<Vertex_handle>(points))
-        if(m_mesh.context.go_further())
-          m_split(v);
+      for(const std::size_t first : { 1, 2 }) // those in between only if none of the others comes off
+        if(before == points.size())
+          split_every_second_point(e, first);
     }
     return points.empty();
+  }
+
+  void split_every_second_point(const std::size_t e, const std::size_t first)
+  {
+    const std::vector<Vertex_handle> chain = m_mesh.ledger.vertices_on_edge(e);
+    for(std::size_t i = first; i + 1 < chain.size() && m_mesh.context.go_further(); i += 2)
+      m_split(chain[i]);
   }
 
   // In rounds, as long as more than so many in a hundred go.
