@@ -210,7 +210,8 @@ public:
     const Vertex_handle p = s.vertex(i), q = s.vertex(j);
     if(p == m_u || p == m_v || q == m_u || q == m_v)
       return true;
-    const Orientation side = m_predicates.orientation(m_u, m_v, p, q); // if it is not in a plane, nothing else can cross
+    // either everything is in a plane, where only the edge can be crossed, or the edge is not
+    const Orientation side = m_predicates.orientation(m_u, m_v, p, q);
     return side == COPLANAR ? ! m_predicates.coplanar_segments_cross(m_u, m_v, p, q)
                             : ! is_pierced(side, p, q, s.a()) && ! is_pierced(side, p, q, s.b());
   }
