@@ -181,58 +181,6 @@ void test_single_constraints(Scene& scene)
   }
 }
 
-// An edge in a plane: the first and the last of the mesh edges that cross it are stuck behind reflex corners until the
-// one between them is flipped.
-Scene scene_in_plane()
-{
-  br3_test::Plc plc;
-  plc.points = { {{ 0, 0, 0 }}, {{ 10, 0, 0 }}, {{ 2, 1, 0 }}, {{ 5, 3, 0 }}, {{ 8, 1, 0 }}, {{ 5, -3, 0 }},
-                 {{ 5, 0, 10 }}, {{ 5, 0, -10 }} };
-  plc.edges = { {{ 0, 1 }}, {{ 2, 4 }} };
-  return Scene(plc);
-}
-
-template <typename Validity>
-std::size_t recover_in_plane(Scene& scene, const Validity& validity, const int l_max)
-{
-  typedef BR::Worst_element_quality_3<Tr> Quality;
-  CGAL::Shell_transformation_3<Tr, Quality, Validity, Stopping_visitor>
-    transformation(scene.tr, Quality(scene.tr), scene.visitor, scene.predicates);
-  internal::Constraint_recovery_3<Tr, 2> recover(scene.tr, scene.predicates);
-  const auto& e = scene.constraints.edges()[0];
-  const auto crossings = recover.crossings(e);
-  assert(crossings.size() == 3
-         && std::all_of(crossings.begin(), crossings.end(), [](const auto& c) { return c.dimension == 1; }));
-  const bool is_recovered = recover(transformation, e, validity, l_max, scene.context);
-  assert(is_recovered == ! scene.is_lost(e));
-  scene.check();
-  return recover.crossings(e).size();
-}
-
-void test_plane()
-{
-  typedef BR::BRC1<Tr> Condition;
-  typedef BR::Kept_constraints_3<Constraints> Kept;
-  {
-    Scene scene = scene_in_plane();
-    const auto& e = scene.constraints.edges()[0];
-    assert(recover_in_plane(scene, Condition(scene.tr, e[0], e[1]), 1) == 0);
-  }
-  // Where these two must not go at all, the one between them does, and only that.
-  Scene scene = scene_in_plane();
-  const auto& e = scene.constraints.edges()[0];
-  const auto& chord = scene.constraints.edges()[1];
-  const auto crossings = internal::Constraint_recovery_3<Tr, 2>(scene.tr, scene.predicates).crossings(e);
-  Constraints kept;
-  for(const auto& crossing : { crossings.front(), crossings.back() })
-    kept.insert(crossing.vertices[0], crossing.vertices[1]);
-  assert(scene.is_lost(chord));
-  const BR::Shell_validity_conjunction_3<Kept, Condition> validity(Kept(kept), Condition(scene.tr, e[0], e[1]));
-  assert(recover_in_plane(scene, validity, 1) == 2 && ! scene.is_lost(chord));
-  for(const auto& edge : kept.edges())
-    assert(! scene.is_lost(edge));
-}
-
 // What is taken out of the list is recovered. What comes back by the way may stay in it.
 template <std::size_t N>
 void check_list(Scene& scene, const Indices& lost, const Indices& before)
@@ -480,7 +428,6 @@ int main()
   for(std::size_t blades = 0; blades <= 4; ++blades)
     for(unsigned seed = 0; seed < 4; ++seed)
       test(br3_test::Random_constraints(seed).fan(blades, 14));
-  test_plane();
   test(br3_test::twisted_prism(3, .3, 1000, 1000));
   test(br3_test::Notched_box(1, 1).plc());
 

@@ -35,9 +35,8 @@ namespace internal {
  *
  * The mesh entities that cross the constraint are removed one after the other, and collected again after each change.
  * Of those that cross an edge, only the first and the last are tried: in a planar fan no other can be flipped away, and
- * elsewhere attempts in the middle make more mess than progress, see "Tuning constants" in the manual. But where
- * everything is in a plane, each is tried first whether it goes by itself. Those that pierce a facet have no order; all
- * are tried.
+ * elsewhere attempts in the middle make more mess than progress, see "Tuning constants" in the manual. Those that
+ * pierce a facet have no order; all are tried.
  */
 template <typename Tr, std::size_t N>
 class Constraint_recovery_3
@@ -114,8 +113,6 @@ private:
   template <typename Shell_transformation, typename Validity>
   bool try_crossings(Shell_transformation& st, const Validity& validity, const int l_max)
   {
-    if(l_max > 0 && is_in_plane() && remove_plainly(st, validity))
-      return true;
     const std::vector<Crossing>& crossings = m_walk.crossings();
     const std::size_t step = N == 2 && crossings.size() > 2 ? crossings.size() - 1 : 1; // from the first to the last
     for(std::size_t i = 0; i < crossings.size() && m_tried.size() < max_number_of_attempts; i += step)
@@ -125,29 +122,6 @@ private:
       const std::size_t before = st.number_of_transformations();
       remove(st, crossings[i], validity, l_max);
       m_was_cut_off |= st.was_cut_off();
-      if(st.number_of_transformations() != before)
-        return true;
-    }
-    return false;
-  }
-
-  // Whether the constraint is an edge that crosses nothing but mesh edges: then it is in a plane with them.
-  bool is_in_plane() const
-  {
-    const std::vector<Crossing>& crossings = m_walk.crossings();
-    return N == 2 && crossings.size() > 1
-        && std::all_of(crossings.begin(), crossings.end(), [](const Crossing& c) { return c.dimension == 1; });
-  }
-
-  // As flips of edges in a plane do: some crossing can be flipped away there without any other, unless what is beside
-  // the plane is in the way. Returns whether the mesh changed.
-  template <typename Shell_transformation, typename Validity>
-  bool remove_plainly(Shell_transformation& st, const Validity& validity) const
-  {
-    const std::size_t before = st.number_of_transformations();
-    for(const Crossing& crossing : m_walk.crossings())
-    {
-      remove(st, crossing, validity, 0);
       if(st.number_of_transformations() != before)
         return true;
     }
