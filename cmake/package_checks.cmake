@@ -81,7 +81,7 @@ if(Python3_FOUND)
   br3_add_program_test(program_behaves_as_documented recover_boundary test_program_br3.py)
   br3_add_program_test(mesh_surface_behaves_as_documented mesh_surface test_mesh_surface_br3.py)
   br3_add_program_test(mesh_surface_mpi_behaves_as_documented mesh_surface_mpi test_mesh_surface_mpi_br3.py
-                       ${MPIEXEC_EXECUTABLE})
+                       ${MPIEXEC_EXECUTABLE} $<TARGET_FILE:mesh_surface>)
   if(TARGET mesh_surface_mpi)
     set_tests_properties(mesh_surface_mpi_behaves_as_documented PROPERTIES PROCESSORS 2)
   endif()

@@ -6,11 +6,12 @@ usage: scaling_model.py --check REPORT...          compare the model with measur
        scaling_model.py --self-test                cases whose result is known
 
 The parameters of the machine are options, see --help. The run is the program's:
-- all ranks read and divide the surface at the same time, each for itself;
-- each rank asks rank 0 for work, and gets the heaviest sub-domain that is left. Rank 0 answers one rank after the other,
-  and works as well. A report or an answer takes the latency, and its bytes the bandwidth;
-- what is told of all sub-domains is sent to all ranks, along a binary tree;
-- each rank writes its pieces; the file system has a bandwidth of its own.
+- rank 0 recovers the boundary of the surface and divides what it bounds; the others wait;
+- in each round, each rank asks rank 0 for work, and gets the heaviest task that is left. Rank 0 answers one rank after
+  the other, and works as well. A report or an answer takes the latency, and its bytes the bandwidth;
+- what is told of all tasks is sent to all ranks, along a binary tree;
+- between rounds, each rank looks for seams in its share of the parts, and all are told which vertices are shared;
+- all that is read and written takes at least the time that the file system needs for it.
 """
 import argparse
 import heapq
@@ -19,28 +20,32 @@ import math
 import random
 
 BYTES_OF_REPORT, BYTES_OF_ANSWER = 352, 8       # struct Task_report, and a number
+BYTES_OF_SHARED_VERTEX = 16 + 3 * 8             # in a list of all, and then for each of three layers
+GATHERINGS = 8                                  # of the ranks, between two rounds
+CELLS_PER_VERTEX = 5.7
+PASSES = 5                                      # a task reads and writes its cells; a part is read twice, and written
 PAPER_TRIANGLES, PAPER_CELLS = 2.3e6, 122.5e6   # Table 5 of the paper: how many triangles a surface has for the cells
 
 
 class Machine:
     def __init__(self, options):
         self.latency, self.bandwidth = options.latency, options.bandwidth
-        self.answer, self.disk, self.disks = options.answer, options.disk, options.file_system
+        self.answer, self.disks = options.answer, options.file_system
 
     def message(self, size):
         return self.latency + size / self.bandwidth
 
 
-class Run:
-    """the seconds of each sub-domain, what they weigh, and what is written of them"""
-    def __init__(self, seconds, weights, sizes, division):
+class Round:
+    """the seconds of each task, what they weigh, the bytes of their results; the seconds of all seams, for one rank"""
+    def __init__(self, seconds, weights, sizes, seams=0., parts=1, shared=0.):
         self.order = sorted(range(len(seconds)), key=lambda i: -weights[i])  # the same as the program's: it is stable
-        self.seconds, self.sizes, self.division = seconds, sizes, division
+        self.seconds, self.sizes, self.seams, self.parts, self.shared = seconds, sizes, seams, parts, shared
 
-    def mesh(self, ranks, machine):
-        """how long the meshing takes, and the seconds that each rank worked"""
+    def work(self, ranks, machine):
+        """how long the tasks take, and the seconds that each rank worked"""
         todo = iter(self.order)
-        busy, worked, done_by = 0., [0.] * ranks, [0] * ranks
+        busy, worked = 0., [0.] * ranks
         # (when a request reaches rank 0, rank); rank 0 asks itself
         events = [(machine.message(BYTES_OF_REPORT) if r else 0., r) for r in range(ranks)]
         heapq.heapify(events)
@@ -55,52 +60,88 @@ class Run:
                 end = max(end, time)
                 continue
             worked[rank] += self.seconds[task]
-            done_by[rank] += self.sizes[task]
             heapq.heappush(events, (time + self.seconds[task] + (machine.message(BYTES_OF_REPORT) if rank else 0.), rank))
-        return end, worked, done_by
+        return end, worked
 
     def phases(self, ranks, machine):
-        """seconds of the division, the meshing, the exchange of numbers and the output"""
-        meshing, worked, written = self.mesh(ranks, machine)
+        """seconds of the tasks, the seams, and the messages between rounds"""
         levels = math.ceil(math.log2(ranks)) if ranks > 1 else 0
-        exchange = levels * (2 * machine.latency + machine.message(BYTES_OF_REPORT * len(self.seconds)))
-        output = max(max(written) / machine.disk, sum(written) / machine.disks)
-        return self.division, meshing, exchange, output
+        tasks = max(self.work(ranks, machine)[0], 2 * sum(self.sizes) / machine.disks)
+        seams = max(self.seams / min(ranks, self.parts), (PASSES - 2) * sum(self.sizes) / machine.disks)
+        told = BYTES_OF_REPORT * len(self.seconds) + BYTES_OF_SHARED_VERTEX * self.shared
+        exchange = levels * GATHERINGS * 2 * machine.latency + (told / machine.bandwidth if ranks > 1 else 0.)
+        return tasks, seams, exchange
+
+
+class Run:
+    def __init__(self, division, rounds):
+        self.division, self.rounds = division, rounds
+
+    def phases(self, ranks, machine):
+        """seconds of the division, the tasks, the seams and the messages"""
+        sums = [sum(p) for p in zip(*(r.phases(ranks, machine) for r in self.rounds))]
+        return [self.division] + sums
 
     def imbalance(self, ranks, machine):
-        """how much longer the meshing takes than if all ranks worked all the time"""
-        meshing, worked, _ = self.mesh(ranks, machine)
-        return meshing / (sum(worked) / ranks) - 1
+        """how much longer the tasks take than if all ranks worked all the time"""
+        runs = [r.work(ranks, machine) for r in self.rounds]
+        return sum(end for end, _ in runs) / (sum(sum(worked) for _, worked in runs) / ranks) - 1
+
+
+def shared_vertices(cells, parts):
+    """about how many vertices parts share, each counted once for each part: those of the surfaces of balls"""
+    return parts * 4.84 * (cells / parts / CELLS_PER_VERTEX) ** (2. / 3)
+
+
+def number_of_parts(report):
+    return len(report["rounds"][0]["tasks"])
 
 
 def run_of(report):
-    some = report["subdomains"]
-    return Run([s["seconds"] for s in some], [s["weight"] for s in some], [s["bytes"] for s in some],
-               report["seconds_division"])
+    parts = number_of_parts(report)
+    shared = shared_vertices(report["number_of_tetrahedra"], parts)
+    return Run(report["seconds_division"],
+               [Round([t["seconds"] for t in r["tasks"]], [t["weight"] for t in r["tasks"]],
+                      [t["bytes"] for t in r["tasks"]], r["seconds_seams"] * report["number_of_ranks"], parts, shared)
+                for r in report["rounds"]])
 
 
 def larger_run(report, cells, number, division_per_triangle):
     """a run with a number of sub-domains of equal weight, whose times scatter as those of the report do"""
-    seconds_per_cell = [s["seconds"] / s["tetrahedra"] for s in report["subdomains"] if s["tetrahedra"]]
-    bytes_per_cell = sum(s["bytes"] for s in report["subdomains"]) / report["number_of_tetrahedra"]
     chance = random.Random(1)
-    n = cells / number
     triangles = PAPER_TRIANGLES * (cells / PAPER_CELLS) ** (2. / 3)
-    return Run([n * chance.choice(seconds_per_cell) for _ in range(number)], [1.] * number,
-               [n * bytes_per_cell] * number, division_per_triangle * triangles)
+    parts, old_cells = number_of_parts(report), report["number_of_tetrahedra"]
+    smaller = (old_cells / parts / (cells / number)) ** (1. / 3)  # seams are a smaller share of larger parts
+    rounds = []
+    for r in report["rounds"]:
+        tasks = [t for t in r["tasks"] if t["tetrahedra"]]
+        if not tasks:
+            continue
+        share = sum(t["tetrahedra"] for t in tasks) / old_cells
+        if r["number_of_parts_that_meet"] != 1:
+            share = min(1., share * smaller)
+        n = max(1, min(round(len(tasks) / parts * number), 4 * number))  # of many small ones, some are taken together
+        typical = [chance.choice(tasks) for _ in range(n)]
+        scale = share * cells / sum(t["tetrahedra"] for t in typical)
+        rounds.append(Round([scale * t["seconds"] for t in typical], [scale * t["weight"] for t in typical],
+                            [scale * t["bytes"] for t in typical],
+                            r["seconds_seams"] * report["number_of_ranks"] * cells / old_cells, number,
+                            shared_vertices(cells, number)))
+    return Run(division_per_triangle * triangles, rounds)
 
 
 def check(reports, machine):
-    """with the times of the sub-domains in each report, and with those of the first one"""
+    """with the times of the tasks in each report, and with those of the first one"""
     first = run_of(reports[0])
     worst = 0.
     for report in reports:
         ranks = report["number_of_ranks"]
+        measured = sum(r["seconds_tasks"] + r["seconds_seams"] for r in report["rounds"])
         for name, run in (("its own times", run_of(report)), ("times of the first", first)):
-            foretold = run.mesh(ranks, machine)[0]
-            error = foretold / report["seconds_meshing"] - 1
-            print("%4d ranks, %s: meshing %.3f s, measured %.3f s (%+.1f %%)"
-                  % (ranks, name, foretold, report["seconds_meshing"], 100 * error))
+            foretold = sum(run.phases(ranks, machine)[1:])
+            error = foretold / measured - 1
+            print("%4d ranks, %s: meshing %.3f s, measured %.3f s (%+.1f %%); imbalance %.1f %%"
+                  % (ranks, name, foretold, measured, 100 * error, 100 * run.imbalance(ranks, machine)))
             if name == "its own times":
                 worst = max(worst, abs(error))
     return worst
@@ -143,7 +184,7 @@ def draw_scaling(report, path, machine, options):
         for k in range(11):
             phases = run.phases(2 ** k, machine)
             points.append((2 ** k, alone / sum(phases)))
-            print("%5d ranks: %9.1f s: division %.1f, meshing %.1f, exchange %.4f, output %.1f; speed-up %.1f, imbalance %.1f %%"
+            print("%5d ranks: %9.1f s: division %.1f, tasks %.1f, seams %.1f, messages %.3f; speed-up %.1f, imbalance %.1f %%"
                   % (2 ** k, sum(phases), *phases, points[-1][1], 100 * run.imbalance(2 ** k, machine)))
         curves.append(("%s sub-domains" % format(number, ","), points))
     if options.free_division:
@@ -155,15 +196,20 @@ def draw_scaling(report, path, machine, options):
 
 def self_test(machine):
     machine.latency = machine.answer = 0.
-    machine.bandwidth = machine.disk = machine.disks = math.inf
-    def meshing(seconds, ranks):
-        return Run(seconds, seconds, [0] * len(seconds), 0.).mesh(ranks, machine)[0]
-    assert meshing([1., 2., 3.], 1) == 6 and meshing([1., 2., 3.], 2) == 3 and meshing([1., 2., 3.], 8) == 3
-    assert meshing([3., 3., 2., 2., 2.], 2) == 7  # the heaviest first is not the best: that would be 6
+    machine.bandwidth = machine.disks = math.inf
+    def tasks(seconds, ranks):
+        return Round(seconds, seconds, [0] * len(seconds)).work(ranks, machine)[0]
+    assert tasks([1., 2., 3.], 1) == 6 and tasks([1., 2., 3.], 2) == 3 and tasks([1., 2., 3.], 8) == 3
+    assert tasks([3., 3., 2., 2., 2.], 2) == 7  # the heaviest first is not the best: that would be 6
+    two = Run(5., [Round([1., 1.], [1., 1.], [0, 0], 4., 2), Round([3.], [1.], [0], 0., 2)])
+    assert two.phases(1, machine) == [5., 5., 4., 0.] and two.phases(8, machine) == [5., 4., 2., 0.]
+    assert two.imbalance(2, machine) == 4 / 2.5 - 1
+    machine.disks = 2.
+    assert Round([1.], [1.], [10], 1.).phases(1, machine) == (10., 15., 0.)
     machine.answer = 1.  # rank 0 answers at 1, 2 and 3; the work takes 10, and then all are told that there is no more
-    assert Run([10.] * 4, [1.] * 4, [0] * 4, 0.).mesh(4, machine)[0] == 14
+    assert Round([10.] * 4, [1.] * 4, [0] * 4).work(4, machine)[0] == 14
     machine.latency = .5
-    assert Run([10.] * 2, [1.] * 2, [0] * 2, 0.).mesh(2, machine)[0] == .5 + 1 + .5 + 10 + .5 + 1 + .5
+    assert Round([10.] * 2, [1.] * 2, [0] * 2).work(2, machine)[0] == .5 + 1 + .5 + 10 + .5 + 1 + .5
     print("done")
 
 
@@ -175,8 +221,7 @@ def main():
     parser.add_argument("--latency", type=float, default=2e-6, help="seconds that a message takes at least")
     parser.add_argument("--bandwidth", type=float, default=1e10, help="bytes per second of a message")
     parser.add_argument("--answer", type=float, default=1e-5, help="seconds that rank 0 takes for an answer")
-    parser.add_argument("--disk", type=float, default=1e9, help="bytes per second that a rank writes")
-    parser.add_argument("--file-system", type=float, default=1e11, help="bytes per second that all ranks write")
+    parser.add_argument("--file-system", type=float, default=1e11, help="bytes per second that all ranks read and write")
     parser.add_argument("--cells", type=float, default=1e9)
     parser.add_argument("--subdomains", type=int, nargs="+", default=[242, 4096, 32768])
     parser.add_argument("--division", type=float, default=5.3e-5, help="seconds of the division per triangle of the surface")

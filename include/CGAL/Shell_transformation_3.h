@@ -388,7 +388,15 @@ private:
 
   int degree(const Supporting_edge& e) const
   {
-    return Shell(m_tr, e.cell, e.cell->index(e.a), e.cell->index(e.b)).degree();
+    int degree = 0;
+    Cell_handle c = e.cell;
+    do
+    {
+      ++degree;
+      c = c->neighbor(Tr::next_around_edge(c->index(e.a), c->index(e.b)));
+    }
+    while(c != e.cell);
+    return degree;
   }
 
   // The filters of [CZZ+17, Section 2.2] for the edge from a (or b) to p_i, a link edge of the face a b p_i, with two

@@ -11,16 +11,24 @@
 
 typedef std::vector<char> Bytes;
 
-// The hash FNV-1a, of 64 bits. Any single byte that changes changes it, since each step is a bijection.
+// As the hash FNV-1a of 64 bits, but eight bytes at a time, with the upper bits mixed in. Any single byte that changes
+// changes it, since each step is a bijection.
 class Byte_hash
 {
   std::uint64_t m_value = 14695981039346656037u;
 
 public:
-  Byte_hash& add(const void* const bytes, const std::size_t n)
+  Byte_hash& add(const void* const bytes, std::size_t n)
   {
-    for(std::size_t i = 0; i < n; ++i)
-      m_value = (m_value ^ static_cast<const unsigned char*>(bytes)[i]) * 1099511628211u;
+    const char* next = static_cast<const char*>(bytes);
+    for(; n >= sizeof(std::uint64_t); n -= sizeof(std::uint64_t), next += sizeof(std::uint64_t))
+    {
+      std::uint64_t word;
+      std::memcpy(&word, next, sizeof(word));
+      step(word);
+    }
+    for(; n > 0; --n, ++next)
+      step(static_cast<unsigned char>(*next));
     return *this;
   }
 
@@ -39,6 +47,13 @@ public:
   }
 
   std::uint64_t value() const { return m_value; }
+
+private:
+  void step(const std::uint64_t word)
+  {
+    m_value = (m_value ^ word) * 1099511628211u;
+    m_value ^= m_value >> 32;
+  }
 };
 
 // Puts numbers, and arrays of them, one after the other, in the byte order of this machine.

@@ -20,6 +20,28 @@ struct Mesh_quality
   std::array<std::size_t, number_of_bins> histogram = {};    // of all angles: number in each bin
   std::array<std::size_t, small_angles.size()> below = {};   // number of tetrahedra with an angle below
   std::array<std::size_t, large_angles.size()> above = {};   // number of tetrahedra with an angle above
+
+  // of two meshes together
+  Mesh_quality& operator+=(const Mesh_quality& other)
+  {
+    if(largest_angle == 0)
+      smallest_angle = other.smallest_angle;
+    else if(other.largest_angle > 0)
+      smallest_angle = (std::min)(smallest_angle, other.smallest_angle);
+    largest_angle = (std::max)(largest_angle, other.largest_angle);
+    add(histogram, other.histogram);
+    add(below, other.below);
+    add(above, other.above);
+    return *this;
+  }
+
+private:
+  template <std::size_t N>
+  static void add(std::array<std::size_t, N>& sum, const std::array<std::size_t, N>& numbers)
+  {
+    for(std::size_t i = 0; i < N; ++i)
+      sum[i] += numbers[i];
+  }
 };
 
 // Measures the dihedral angles. A mesh has millions of tetrahedra: four normals each, instead of one look at each edge.

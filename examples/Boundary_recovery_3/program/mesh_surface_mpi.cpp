@@ -1,27 +1,35 @@
-// Meshes the regions that a surface bounds, each by itself, with the processes of MPI on one or more machines.
+// Meshes what a surface bounds in sub-domains, with the processes of MPI on one or more machines.
 // `mesh_surface_mpi --help` tells the options.
 //
-// Every rank reads the surface, recovers its boundary and divides it, and all have the same result. Rank 0 hands out
-// the regions. A mesh stays where it was made, in the memory or in the folder of --work; what all ranks are told is
-// only how many points each has, from which the numbers of all points follow.
+// Rank 0 recovers the boundary, fills the domain coarsely, and divides it into parts. What is done with the parts, and
+// with the seams between them, is handed out to all the ranks. The parts are files that all of them see.
 
 #include <CGAL/make_boundary_constrained_mesh_3.h>
 
 #include "byte_string.h"
 #include "default_flow.h"
+#include "distributed_meshing.h"
 #include "domain.h"
 #include "domain_quality.h"
 #include "domain_sides.h"
 #include "mesh_size.h"
 #include "mesh_surface_mpi_options.h"
+#include "mpi_exchange.h"
+#include "part_piece.h"
+#include "part_store.h"
 #include "print_mesh.h"
 #include "program.h"
-#include "subdomain.h"
 #include "task_farm.h"
-#include "task_store.h"
 #include "write_mesh_report.h"
 
 #include <CGAL/Boundary_constrained_mesh_triangulation_3.h>
+#include <CGAL/Boundary_recovery_3/Cell_quality_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Field_point_insertion_3.h>
+#include <CGAL/Boundary_recovery_3/internal/meshing/Hold_recovered_vertices_3.h>
+#include <CGAL/Boundary_recovery_3/internal/parallel/Decomposition_3.h>
+#include <CGAL/Boundary_recovery_3/internal/parallel/Fill_background_3.h>
+#include <CGAL/Boundary_recovery_3/internal/parallel/Part_domain_3.h>
+#include <CGAL/Boundary_recovery_3/internal/parallel/Work_on_part_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Real_timer.h>
 
@@ -29,96 +37,105 @@
 #include <boost/mpi/environment.hpp>
 
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
-#include <map>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
+namespace internal = CGAL::Boundary_recovery_3::internal;
+
 typedef CGAL::Exact_predicates_inexact_constructions_kernel           Kernel;
 typedef Kernel::Point_3                                               Point;
 typedef CGAL::Boundary_constrained_mesh_triangulation_3<Kernel>::type Triangulation;
 typedef CGAL::Boundary_constrained_mesh_result_3<Triangulation>       Result;
+typedef CGAL::Boundary_recovery_3::Dihedral_angle_quality_3           Quality;
 typedef Mesh_size<Triangulation>                                      Size;
-typedef Subdomain_mesh<Point>                                         Mesh;
-
-// the regions of the triangulation
-Domain<Point> make_domain(const Triangulation& tr, const Result& result)
-{
-  Domain<Point> domain = Domain_builder<Triangulation>(tr)(result.recovery, result.recovery.surface_facets(),
-    [](const Triangulation::Cell_handle c) { return c->subdomain_index() == 0 ? -1 : c->subdomain_index(); });
-  domain.number_of_regions = result.number_of_regions;
-  return domain;
-}
+typedef internal::Mesh_part_3<Triangulation>                          Part;
+typedef internal::Work_on_part_3<Triangulation, Size, Quality>        Work;
 
 class Mpi_mesher
 {
+  typedef Distributed_meshing<Triangulation, Work> Meshing;
+
   const boost::mpi::communicator& m_world;
+  const Mpi_exchange m_exchange;
   const Mpi_options& m_options;
   Program<Point>& m_program;
   Size m_size;
-  Domain<Point> m_boundary;              // after the recovery, without field points
-  std::vector<Sides> m_sides;            // of its triangles
-  std::vector<Subdomain> m_subdomains;
-  Task_store m_store;
-  std::map<std::size_t, Bytes> m_meshes; // those made here, if nothing is stored
-  std::vector<Task_report> m_reports;
-  std::vector<double> m_memory;          // of each rank, its peak in bytes
+  std::string m_folder;        // where the parts are
+  Part_store m_store;
+  std::vector<Sides> m_sides;  // of the triangles of the surface
+  std::vector<Round_report> m_reports;
+  Mesh_quality m_quality;
+  std::size_t m_number_of_tetrahedra = 0;
+  std::vector<double> m_memory; // of each rank, its peak in bytes
   CGAL::Real_timer m_division_timer, m_meshing_timer, m_output_timer;
 
 public:
   Mpi_mesher(const boost::mpi::communicator& world, const Mpi_options& options, Program<Point>& program)
-    : m_world(world), m_options(options), m_program(program)
+    : m_world(world), m_exchange(world), m_options(options), m_program(program)
   { }
+
+  ~Mpi_mesher()
+  {
+    std::error_code ignored;
+    if(m_exchange.is_first() && m_options.work.empty() && ! m_folder.empty())
+      std::filesystem::remove_all(m_folder, ignored);
+  }
 
   // returns the exit status, the same one on all ranks
   int operator()()
   {
     std::string message;
-    if(! do_all_agree(read(message)) || ! have_all_the_same_input(message))
-      return message.empty() ? usage_or_file_error : m_program.fail(message);
+    if(! m_exchange.do_all_agree(read(message)) || ! have_all_the_same_input(message) ||
+       ! m_exchange.do_all_agree(open_store(message)))
+      return tell(message);
+    const Work work(m_options.insert_field_points ? m_size : m_no_size, Quality(), m_options.min_angle,
+                    m_options.maximum_number_of_vertices);
+    Meshing meshing(m_world, m_store, work,
+                    internal::subdomain_rounds(m_options.improve_quality && m_options.insert_field_points));
     m_division_timer.start();
-    const int status = divide();
+    const int status = meshing.resume() ? int(success) : divide(meshing);
     m_division_timer.stop();
     if(status != success) // it is that of all ranks, but is told once
       return status;
-    if(! do_all_agree(open_store(message)))
-      return message.empty() ? usage_or_file_error : m_program.fail(message);
-    mesh_subdomains();
+    m_meshing_timer.start();
+    meshing.run();
+    m_meshing_timer.stop();
+    m_reports = meshing.reports();
     gather_memory();
     m_output_timer.start();
-    const bool are_written = write_outputs(message);
+    const bool are_written = write_outputs(meshing, message);
     m_output_timer.stop();
-    if(! do_all_agree(are_written) || ! do_all_agree(write_report(message)))
-      return message.empty() ? usage_or_file_error : m_program.fail(message);
+    if(! m_exchange.do_all_agree(are_written) || ! m_exchange.do_all_agree(write_report(message)))
+      return tell(message);
     print_summary();
     return success;
   }
 
 private:
-  bool is_first() const { return m_world.rank() == 0; }
+  const Size m_no_size = Size::unbounded();
 
-  // whether all ranks did what they had to
-  bool do_all_agree(const bool is_done) const
+  int tell(const std::string& message) const
   {
-    const int is_done_here = is_done;
-    int is_done_everywhere = 0;
-    wait_for_all(m_world);
-    MPI_Allreduce(&is_done_here, &is_done_everywhere, 1, MPI_INT, MPI_MIN, m_world);
-    return is_done_everywhere != 0;
+    return message.empty() ? int(usage_or_file_error) : m_program.fail(message);
   }
 
   bool read(std::string& message)
   {
     if(! m_program.keeps_inputs(input_files(m_options)) || ! m_program.read_surface(default_flow<Point>))
       message = m_program.message();
-    else if(m_size.read(m_options, message) && is_first() && ! m_program.can_write())
+    else if(m_size.read(m_options, message) && m_exchange.is_first() && ! m_program.can_write())
       message = m_program.message();
     if(! message.empty())
       return false;
@@ -136,9 +153,7 @@ private:
 
   bool have_all_the_same_input(std::string& message) const
   {
-    const std::uint64_t own = key();
-    std::vector<std::uint64_t> keys(static_cast<std::size_t>(m_world.size()));
-    MPI_Allgather(&own, 1, MPI_UINT64_T, keys.data(), 1, MPI_UINT64_T, m_world);
+    const std::vector<std::uint64_t> keys = m_exchange.gathered(key());
     for(std::size_t r = 1; r < keys.size(); ++r)
       if(keys[r] != keys[0])
       {
@@ -148,8 +163,42 @@ private:
     return true;
   }
 
-  // recovers the boundary and divides what it bounds
-  int divide()
+  // If nothing is to be kept, the folder is a temporary one.
+  bool open_store(std::string& message)
+  {
+    try
+    {
+      m_folder = m_options.work;
+      if(m_folder.empty())
+      {
+        const long process = m_exchange.gathered(static_cast<long>(::getpid())).front();
+        m_folder = (std::filesystem::temp_directory_path() / ("mesh_surface_mpi_" + std::to_string(process))).string();
+      }
+      m_store = Part_store(m_folder, key(), ! m_options.work.empty());
+    }
+    catch(const std::exception& e)
+    {
+      message = e.what();
+    }
+    return message.empty();
+  }
+
+  // Rank 0 recovers the boundary, and divides what it bounds.
+  int divide(Meshing& meshing)
+  {
+    std::vector<Part> parts;
+    std::size_t number_of_vertices = 0;
+    int status = success;
+    if(m_exchange.is_first())
+      status = divide(parts, number_of_vertices);
+    m_exchange.wait();
+    status = m_exchange.gathered(status).front();
+    if(status == success)
+      meshing.begin(std::move(parts), number_of_vertices);
+    return status;
+  }
+
+  int divide(std::vector<Part>& parts, std::size_t& number_of_vertices)
   {
     const Surface<Point>& surface = m_program.surface();
     Triangulation tr;
@@ -160,200 +209,159 @@ private:
     {
       Domain<Point> nothing;
       m_program.use_numbers_of_file(result.recovery, nothing);
-      return is_first() ? m_program.refuse_input(result.recovery) : int(invalid_input);
+      return m_program.refuse_input(result.recovery);
     }
     const std::string reason = reason_for_no_mesh(result);
     if(! reason.empty())
-    {
-      if(is_first())
-        m_program.fail("there is no mesh: " + reason);
-      return incomplete_or_stopped;
-    }
-    m_boundary = make_domain(tr, result);
-    if(m_boundary.points.size() < surface.points.size() ||
-       ! std::equal(surface.points.begin(), surface.points.end(), m_boundary.points.begin()))
-      throw std::runtime_error("points of the surface are not in its triangulation");
-    m_subdomains = Domain_divider<Point, Size>(m_boundary, m_size)();
-    m_sides = find_sides(m_boundary);
-    m_boundary.tetrahedra = { };
-    m_boundary.regions = { };
+      return cannot_mesh(reason);
+    store_sides(tr, result);
+    const internal::Hold_recovered_vertices_3<Triangulation> hold(tr, result.recovery);
+    return divide(tr, result, parts, number_of_vertices);
+  }
+
+  int divide(Triangulation& tr, const Result& result, std::vector<Part>& parts, std::size_t& number_of_vertices)
+  {
+    typedef internal::Part_domain_3<Triangulation>                  Domain;
+    typedef CGAL::Default_boundary_constrained_mesh_visitor_3       Visitor;
+    constexpr double forever = std::numeric_limits<double>::infinity();
+    const Size size = m_options.insert_field_points ? m_size : Size::unbounded();
+    Visitor visitor;
+    Domain domain(tr, result.constrained_edges);
+    internal::Field_point_insertion_3<Triangulation, Domain, Size, Visitor> insertion(tr, domain, size, visitor);
+    const auto forecast = insertion.forecast_only(m_options.maximum_number_of_vertices, forever);
+    if(! forecast.invalid_sizes.empty())
+      return refuse(forecast.invalid_sizes.front());
+    if(! forecast)
+      return cannot_mesh("there would be about "
+                         + std::to_string(static_cast<std::uint64_t>(forecast.forecast_of_vertices)) + " points");
+    const std::size_t n = m_options.number_of_subdomains;
+    internal::Fill_background_3<Triangulation, Size>(size, forecast.forecast_of_cells, n)(tr, domain, visitor, forever);
+    internal::Decomposition_3<Triangulation> decomposition(tr);
+    parts = decomposition.divide(size, domain, result.constrained_edges, n, result.recovery.vertices);
+    number_of_vertices = decomposition.number_of_vertices();
     return success;
   }
 
-  bool open_store(std::string& message)
+  int cannot_mesh(const std::string& reason) const
   {
-    try
-    {
-      if(! m_options.work.empty())
-        m_store = Task_store(m_options.work, key());
-    }
-    catch(const std::exception& e)
-    {
-      message = e.what();
-    }
-    return message.empty();
+    m_program.fail("there is no mesh: " + reason);
+    return incomplete_or_stopped;
   }
 
-  void mesh_subdomains()
+  template <typename InvalidSize>
+  int refuse(const InvalidSize& invalid) const
   {
-    std::vector<double> weights;
-    for(const Subdomain& subdomain : m_subdomains)
-      weights.push_back(subdomain.weight);
-    m_meshing_timer.start();
-    m_reports = Task_farm(m_world)(weights, [this](const std::size_t i) { return do_task(i); });
-    m_meshing_timer.stop();
+    m_program.fail("invalid input, a size is " + std::to_string(invalid.size) + ' ' + invalid.message);
+    return invalid_input;
   }
 
-  Task_report do_task(const std::size_t i)
+  // What is on both sides of each triangle is needed again for the output.
+  void store_sides(const Triangulation& tr, const Result& result) const
   {
-    Task_report report;
+    const Domain<Point> domain = Domain_builder<Triangulation>(tr)(
+      result.recovery, result.recovery.surface_facets(),
+      [](const Triangulation::Cell_handle c) { return c->subdomain_index() == 0 ? -1 : c->subdomain_index(); });
+    const std::vector<Sides> sides = find_sides(domain);
+    std::vector<Sides> sides_of_faces(m_program.surface().faces.size(), Sides{{ 0, 0 }});
+    for(std::size_t t = 0; t < sides.size(); ++t)
+      sides_of_faces.at(domain.patches[t] - 1) = sides[t];
     Bytes bytes;
-    report.is_stored = m_store.is_used() && m_store.load(i, bytes);
-    if(! report.is_stored)
-      bytes = make_mesh(i).bytes();
-    const Mesh mesh = Mesh::from_bytes(bytes, m_subdomains[i]);
-    report.bytes = bytes.size();
-    report.points = mesh.points.size();
-    report.tetrahedra = mesh.tetrahedra.size();
-    if(! m_store.is_used())
-      m_meshes[i] = std::move(bytes);
-    else if(! report.is_stored)
-      m_store.save(i, bytes);
-    return report;
+    Byte_writer(bytes).put(sides_of_faces);
+    m_store.save("sides", { bytes });
   }
 
-  Mesh make_mesh(const std::size_t i) const
+  void load_sides()
   {
-    const Subdomain& subdomain = m_subdomains[i];
-    std::vector<Point> points;
-    for(const Point_number v : subdomain.points)
-      points.push_back(m_program.surface().points[v]);
-    Triangulation tr;
-    const Result result = CGAL::make_boundary_constrained_mesh_3(
-      tr, points, subdomain.triangles, m_options.insert_field_points ? m_size : Size::unbounded(),
-      CGAL::parameters::maximum_number_of_vertices(m_options.maximum_number_of_vertices),
-      CGAL::parameters::improve_quality(m_options.improve_quality && m_options.insert_field_points),
-      CGAL::parameters::min_dihedral_angle(m_options.min_angle));
-    for(const auto& invalid : result.filling.invalid_sizes)
-      throw std::runtime_error("a size is no positive number: " + std::to_string(invalid.size) + ' ' + invalid.message);
-    const std::string reason = reason_for_no_mesh(result);
-    if(! reason.empty())
-      throw std::runtime_error(reason);
-    const Domain<Point> domain = make_domain(tr, result);
-    if(domain.number_of_regions != 1 || domain.triangles.size() != subdomain.triangles.size() ||
-       domain.points.size() < points.size() || ! std::equal(points.begin(), points.end(), domain.points.begin()))
-      throw std::runtime_error("its mesh does not have the surface of the sub-domain");
-    Mesh mesh;
-    mesh.points.assign(domain.points.begin() + static_cast<std::ptrdiff_t>(points.size()), domain.points.end());
-    mesh.tetrahedra = domain.tetrahedra;
-    mesh.number_of_steiner_points = domain.number_of_steiner_points;
-    return mesh;
+    Bytes bytes;
+    if(! m_store.load("sides", 0, bytes))
+      throw std::runtime_error(m_store.file_of("sides") + " is not there, or not as it was written");
+    Byte_reader(bytes).get(m_sides);
+    if(m_sides.size() != m_program.surface().faces.size())
+      throw std::runtime_error(m_store.file_of("sides") + " is of another surface");
   }
 
-  // calls the function, on the rank that has it or, for the merged mesh, on rank 0, for each mesh in turn
-  template <typename F>
-  void for_each_mesh(const bool is_for_first, const F& f)
+  bool write_outputs(const Meshing& meshing, std::string& message)
   {
-    for(std::size_t i = 0; i < m_subdomains.size(); ++i)
-    {
-      const int owner = m_reports[i].rank;
-      Bytes bytes;
-      if(m_store.is_used() && (is_for_first ? is_first() : owner == m_world.rank()))
-      {
-        if(! m_store.load(i, bytes))
-          throw std::runtime_error("the result of sub-domain " + std::to_string(i + 1) + " is not in " +
-                                   m_options.work + " any more");
-      }
-      else if(! m_store.is_used() && owner == m_world.rank())
-        bytes = m_meshes.at(i);
-      if(is_for_first && ! m_store.is_used() && owner != 0)
-        pass_to_first(owner, m_reports[i].bytes, bytes);
-      if(is_for_first ? is_first() : owner == m_world.rank())
-        f(i, Mesh::from_bytes(bytes, m_subdomains[i]));
-    }
-  }
-
-  // in messages of at most a gigabyte: MPI counts with integers of 32 bits
-  void pass_to_first(const int owner, const std::uint64_t size, Bytes& bytes) const
-  {
-    constexpr std::uint64_t longest = std::uint64_t(1) << 30;
-    constexpr int tag = 3;
-    if(is_first())
-      bytes.resize(static_cast<std::size_t>(size));
-    for(std::uint64_t begin = 0; begin < size; begin += longest)
-    {
-      const int n = static_cast<int>((std::min)(longest, size - begin));
-      if(is_first())
-        MPI_Recv(bytes.data() + begin, n, MPI_BYTE, owner, tag, m_world, MPI_STATUS_IGNORE);
-      else if(m_world.rank() == owner)
-        MPI_Send(bytes.data() + begin, n, MPI_BYTE, 0, tag, m_world);
-    }
-  }
-
-  bool write_outputs(std::string& message)
-  {
-    std::vector<std::uint64_t> numbers;
-    for(const Task_report& report : m_reports)
-      numbers.push_back(report.points);
-    const Divided_mesh<Point> whole(m_program.surface(), m_subdomains, numbers);
-    for(std::size_t& patch : m_boundary.patches) // these begin with 1
-      patch = m_program.surface().file_face(patch - 1) + 1;
-    std::vector<std::string> merged;
+    load_sides();
+    std::vector<std::string> merged, pieces;
     for(const std::string& file : m_options.outputs)
-      if(read_surface_internal::lower_case_extension(file) != ".pvtu")
-        merged.push_back(file);
-      else if(! write_pieces(whole, file))
-        message = "cannot write " + file + ", or its pieces";
-    if(! merged.empty())
-      write_merged(whole, merged, message);
+      (read_surface_internal::lower_case_extension(file) == ".pvtu" ? pieces : merged).push_back(file);
+    if(! m_exchange.do_all_agree(write_pieces(meshing, pieces)))
+      message = "cannot write " + pieces.front() + ", or its pieces";
+    else if(m_exchange.is_first())
+    {
+      for(const std::string& file : pieces)
+        if(! write_names_of_pieces(file, meshing.number_of_parts()))
+          message = "cannot write " + file;
+      if(! merged.empty())
+        write_merged(meshing, merged, message);
+    }
     return message.empty();
   }
 
-  // The file that names the pieces is written when all of them are there.
-  bool write_pieces(const Divided_mesh<Point>& whole, const std::string& file)
+  static std::string name_of_piece(const std::string& file, const std::size_t part)
   {
-    const std::filesystem::path path(file);
-    const auto name_of = [&](const std::size_t i)
-    {
-      return path.stem().string() + '_' + std::to_string(i + 1) + ".vtu";
-    };
+    return std::filesystem::path(file).stem().string() + '_' + std::to_string(part + 1) + ".vtu";
+  }
+
+  // Those of the parts of this rank; these are measured, too.
+  bool write_pieces(const Meshing& meshing, const std::vector<std::string>& files)
+  {
+    const Part_pieces<Part, Point> pieces(m_program.surface(), m_sides);
+    std::vector<Mesh_quality> qualities;
     bool are_written = true;
-    for_each_mesh(false, [&](const std::size_t i, const Mesh& mesh)
+    for(std::size_t p = 0; p < meshing.number_of_parts(); ++p)
     {
+      if(! meshing.is_own(p))
+        continue;
       Vtu_piece numbers;
-      numbers.part = static_cast<int>(i) + 1;
-      const Domain<Point> piece = whole.piece(i, mesh, m_boundary, m_sides, numbers.numbers);
-      Output_buffer os((path.parent_path() / name_of(i)).string());
-      Vtu_writer<Point>(os, piece, &numbers)();
-      are_written = os.close() && are_written;
-    });
-    are_written = do_all_agree(are_written);
-    if(! are_written || ! is_first())
-      return are_written;
+      numbers.part = static_cast<int>(p) + 1;
+      const Domain<Point> piece = pieces.piece(meshing.part(p), p == 0, numbers.numbers);
+      m_number_of_tetrahedra += piece.tetrahedra.size();
+      qualities.push_back(measure_quality(piece));
+      for(const std::string& file : files)
+      {
+        Output_buffer os((std::filesystem::path(file).parent_path() / name_of_piece(file, p)).string());
+        Vtu_writer<Point>(os, piece, &numbers)();
+        are_written = os.close() && are_written;
+      }
+    }
+    m_exchange.gather(qualities);
+    for(const Mesh_quality& quality : qualities)
+      m_quality += quality;
+    std::size_t sum = 0;
+    for(const std::size_t n : m_exchange.gathered(m_number_of_tetrahedra))
+      sum += n;
+    m_number_of_tetrahedra = sum;
+    return are_written;
+  }
+
+  // It is written when all of them are there.
+  static bool write_names_of_pieces(const std::string& file, const std::size_t number_of_pieces)
+  {
     std::vector<std::string> names;
-    for(std::size_t i = 0; i < m_subdomains.size(); ++i)
-      names.push_back(name_of(i));
+    for(std::size_t p = 0; p < number_of_pieces; ++p)
+      names.push_back(name_of_piece(file, p));
     Output_buffer os(file);
     write_pvtu(os, names);
     return os.close();
   }
 
-  void write_merged(const Divided_mesh<Point>& whole, const std::vector<std::string>& files, std::string& message)
+  void write_merged(const Meshing& meshing, const std::vector<std::string>& files, std::string& message) const
   {
-    Domain<Point> domain;
+    const Part_pieces<Part, Point> pieces(m_program.surface(), m_sides);
+    Domain<Point> domain = pieces.surface();
+    std::vector<Point_number> positions;
     std::vector<int> parts;
-    domain.points = m_program.surface().points;
-    domain.triangles = m_boundary.triangles;
-    domain.patches = m_boundary.patches;
-    domain.number_of_regions = m_boundary.number_of_regions;
-    for_each_mesh(true, [&](const std::size_t i, const Mesh& mesh)
+    for(std::size_t p = 0; p < meshing.number_of_parts(); ++p)
     {
-      whole.add_to(domain, i, mesh);
+      const Part part = meshing.part(p);
+      pieces.add_to(domain, positions, part);
       if(m_options.pieces)
-        parts.insert(parts.end(), mesh.tetrahedra.size(), static_cast<int>(i) + 1);
-    });
+        parts.insert(parts.end(), part.number_of_cells(), static_cast<int>(p) + 1);
+    }
     for(const std::string& file : files)
-      if(is_first() && ! write_domain(file, read_surface_internal::lower_case_extension(file), domain, parts))
+      if(! write_domain(file, read_surface_internal::lower_case_extension(file), domain, parts))
         message = "cannot write " + file;
   }
 
@@ -361,26 +369,29 @@ private:
   {
     rusage usage = {};
     getrusage(RUSAGE_SELF, &usage);
-    const double bytes = 1024. * double(usage.ru_maxrss);
-    m_memory.resize(static_cast<std::size_t>(m_world.size()));
-    MPI_Allgather(&bytes, 1, MPI_DOUBLE, m_memory.data(), 1, MPI_DOUBLE, m_world);
+    m_memory = m_exchange.gathered(1024. * double(usage.ru_maxrss));
   }
 
-  template <typename Number>
-  std::size_t sum(const Number& number) const
+  std::size_t number_of_stored() const
   {
-    std::size_t sum = 0;
-    for(const Task_report& report : m_reports)
-      sum += static_cast<std::size_t>(number(report));
-    return sum;
+    std::size_t number = 0;
+    for(const Round_report& round : m_reports)
+      for(const Task_report& task : round.tasks)
+        number += task.is_stored;
+    return number;
   }
 
-  std::size_t number_of_tetrahedra() const { return sum([](const Task_report& r) { return r.tetrahedra; }); }
-  std::size_t number_of_stored() const { return sum([](const Task_report& r) { return r.is_stored; }); }
+  std::size_t number_of_tasks() const
+  {
+    std::size_t number = 0;
+    for(const Round_report& round : m_reports)
+      number += round.tasks.size();
+    return number;
+  }
 
   bool write_report(std::string& message)
   {
-    if(! is_first() || m_program.write_report([&](Json_writer& json) { write_entries(json); }))
+    if(! m_exchange.is_first() || m_program.write_report([&](Json_writer& json) { write_entries(json); }))
       return true;
     message = m_program.message();
     return false;
@@ -389,34 +400,44 @@ private:
   void write_entries(Json_writer& json) const
   {
     write_options(json, m_options);
-    json.entry("number_of_ranks", m_world.size());
-    json.entry("number_of_tetrahedra", number_of_tetrahedra());
-    json.entry("number_of_stored_subdomains", number_of_stored());
+    json.entry("number_of_ranks", m_exchange.size());
+    json.entry("number_of_tetrahedra", m_number_of_tetrahedra);
+    write_quality(json, m_quality);
+    json.entry("number_of_tasks", number_of_tasks());
+    json.entry("number_of_stored_tasks", number_of_stored());
     json.entry("seconds_division", m_division_timer.time());
     json.entry("seconds_meshing", m_meshing_timer.time());
     json.entry("seconds_output", m_output_timer.time());
     json.key("peak_memory_of_ranks");
     json.list(m_memory, [&](const double bytes) { json.value(bytes); });
-    json.key("subdomains");
-    std::size_t i = 0;
-    json.objects(m_reports, [&](const Task_report& report)
+    json.key("rounds");
+    json.objects(m_reports, [&](const Round_report& round)
     {
-      json.entry("weight", m_subdomains[i++].weight);
-      json.entry("rank", report.rank);
-      json.entry("seconds", report.seconds);
-      json.entry("bytes", static_cast<std::size_t>(report.bytes));
-      json.entry("points", static_cast<std::size_t>(report.points));
-      json.entry("tetrahedra", static_cast<std::size_t>(report.tetrahedra));
-      json.entry("is_stored", report.is_stored);
+      json.entry("number_of_parts_that_meet", round.round.number_of_parts); // 1: parts; 0: around bad tetrahedra
+      json.entry("improves", round.round.improves);
+      json.entry("seconds_tasks", round.seconds_of_work);
+      json.entry("seconds_seams", round.seconds_of_plan);
+      json.key("tasks");
+      std::size_t i = 0;
+      json.objects(round.tasks, [&](const Task_report& task)
+      {
+        json.entry("weight", round.weights[i++]);
+        json.entry("rank", task.rank);
+        json.entry("seconds", task.seconds);
+        json.entry("bytes", static_cast<std::size_t>(task.bytes));
+        json.entry("tetrahedra", static_cast<std::size_t>(task.tetrahedra));
+        json.entry("is_stored", task.is_stored);
+      });
     });
   }
 
   void print_summary() const
   {
-    if(! is_first() || m_options.quiet)
+    if(! m_exchange.is_first() || m_options.quiet)
       return;
-    std::cout << m_subdomains.size() << " sub-domains, " << number_of_stored() << " of them from an earlier run; "
-              << number_of_tetrahedra() << " tetrahedra\n"
+    print_quality(std::cout, m_quality);
+    std::cout << m_options.number_of_subdomains << " sub-domains, " << m_number_of_tetrahedra << " tetrahedra; "
+              << number_of_tasks() << " tasks, " << number_of_stored() << " of them from an earlier run\n"
               << "seconds: division " << m_division_timer.time() << ", meshing " << m_meshing_timer.time()
               << ", output " << m_output_timer.time() << std::endl;
     if(m_options.outputs.empty())

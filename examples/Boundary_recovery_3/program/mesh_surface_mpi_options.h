@@ -15,23 +15,26 @@
 
 constexpr const char* mpi_usage =
   "usage: mpirun -n RANKS mesh_surface_mpi [INPUT] [options]\n"
-  "Meshes the regions that a triangulated surface bounds, each by itself, with several processes on one or more\n"
-  "machines. A triangle between two regions stays as it is, so that their meshes fit together. The mesh is the same\n"
-  "for any number of ranks, bit for bit. All ranks read INPUT, and all the files that options name.\n"
-  "It takes the options of mesh_surface, but --time-limit, --subdomains and --threads, and these:\n"
+  "Meshes what a triangulated surface bounds in sub-domains, with several processes on one or more machines. The\n"
+  "mesh depends on the number of sub-domains, but not on that of the ranks, bit for bit; it is that of mesh_surface\n"
+  "with as many sub-domains. All ranks read INPUT, and all the files that options name.\n"
+  "It takes the options of mesh_surface, but --time-limit and --threads, and these:\n"
+  "  --subdomains N         the number of sub-domains, by default 16\n"
   "  --work FOLDER          keep what is finished in that folder, which all ranks see: after a run that failed, the\n"
-  "                         next one with the same input and options meshes only what is missing\n"
-  "  -o OUTPUT.pvtu         write the mesh in pieces, one for each region, beside a file that names them; each rank\n"
-  "                         writes what it meshed, and no rank has all of it in memory\n"
-  "  --max-vertices N       the limit is that of each sub-domain\n"
-  "  --pieces               in .msh files, tell Gmsh which tetrahedra are of which part\n"
-  "  --report FILE.json     tells for each sub-domain what it took\n"
+  "                         next one with the same input and options does only what is missing. By default, it is a\n"
+  "                         temporary folder, which is removed if all goes well: that is enough on one machine\n"
+  "  -o OUTPUT.pvtu         write the mesh in pieces, one for each sub-domain, beside a file that names them; each\n"
+  "                         rank writes some of them, and no rank has all of it in memory\n"
+  "  --pieces               in .msh files, tell Gmsh which tetrahedra are of which sub-domain\n"
+  "  --report FILE.json     tells for each sub-domain, and for each seam, what it took\n"
   "exit status: as that of mesh_surface; 3 if a sub-domain could not be meshed.\n";
 
 // What the user of `mesh_surface_mpi` asks for.
 struct Mpi_options
   : public Meshing_options
 {
+  Mpi_options() { number_of_subdomains = 16; }
+
   std::string work; // empty: nothing is kept
   bool pieces = false;
 };
@@ -65,8 +68,8 @@ private:
     Meshing_command_line::check_combination();
     if(std::isfinite(m_options.time_limit))
       refuse("--time-limit is not for mesh_surface_mpi: what is meshed would depend on the speed of the ranks");
-    if(m_options.number_of_subdomains > 1)
-      refuse("--subdomains is not for mesh_surface_mpi, whose sub-domains are the regions");
+    if(m_options.has_threads)
+      refuse("--threads is not for mesh_surface_mpi, each rank of which works on one thing at a time");
   }
 };
 
@@ -87,6 +90,7 @@ std::uint64_t key_of_mesh(const Surface<Point>& surface, const Mpi_options& opti
     hash.add(face);
   hash.add(options.size).add(options.grading).add(options.has_grading).add(options.insert_field_points)
       .add(options.min_angle).add(options.improve_quality).add(options.maximum_number_of_vertices)
+      .add(options.number_of_subdomains)
       .add(read_surface_internal::lower_case_extension(options.background));
   for(const std::string& file : files_of_sizes)
   {

@@ -1,6 +1,8 @@
 #ifndef BOUNDARY_RECOVERY_3_PROGRAM_TASK_FARM_H
 #define BOUNDARY_RECOVERY_3_PROGRAM_TASK_FARM_H
 
+#include "mpi_exchange.h"
+
 #include <boost/mpi/communicator.hpp>
 #include <boost/mpi/environment.hpp>
 
@@ -14,6 +16,7 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <functional>
 #include <future>
 #include <iostream>
 #include <numeric>
@@ -26,7 +29,7 @@ struct Task_report
 {
   std::uint64_t task = no_task;
   std::uint64_t bytes = 0;      // of the result
-  std::uint64_t points = 0;     // of the result, those of its own
+  std::uint64_t new_vertices = 0;
   std::uint64_t tetrahedra = 0;
   double seconds = 0;
   int rank = 0;
@@ -47,19 +50,7 @@ inline volatile sig_atomic_t& is_terminated()
 
 extern "C" inline void note_termination(int) { is_terminated() = 1; }
 
-inline void pause() { std::this_thread::sleep_for(std::chrono::milliseconds(1)); }
-
 } // namespace task_farm_internal
-
-// Waits for all ranks. MPI's own waiting takes a core, which a rank that works may need.
-inline void wait_for_all(const boost::mpi::communicator& world)
-{
-  MPI_Request request = MPI_REQUEST_NULL;
-  MPI_Ibarrier(world, &request);
-  int is_done = 0;
-  while(MPI_Test(&request, &is_done, MPI_STATUS_IGNORE) == MPI_SUCCESS && ! is_done)
-    task_farm_internal::pause();
-}
 
 // Rank 0 hands out tasks, the heaviest ones first, and works as well: its tasks run in a thread beside the one that
 // talks to the others. Which rank does a task, and when, depends on how fast they are; results must not depend on that.
@@ -72,6 +63,7 @@ class Task_farm
   static constexpr int tag_of_reports = 1, tag_of_tasks = 2;
 
   const Communicator& m_world;
+  std::function<std::string(std::size_t)> m_name; // of a task, in messages
   std::vector<Task> m_order;            // the heaviest first
   std::size_t m_next = 0;
   std::vector<Task> m_under_way;        // of each rank
@@ -80,7 +72,9 @@ class Task_farm
   std::size_t m_number_of_waiting = 0;  // ranks that were told that there is nothing more to do
 
 public:
-  explicit Task_farm(const Communicator& world) : m_world(world) { }
+  // `name(task)` is what a task is called in messages.
+  template <typename Name>
+  Task_farm(const Communicator& world, const Name& name) : m_world(world), m_name(name) { }
 
   // does the tasks, and returns what is told of each of them, on all ranks. `work(task)` returns a report. If it
   // throws, or if a rank dies, rank 0 says which task that was, and all ranks end at once.
@@ -160,10 +154,12 @@ private:
       if(task_farm_internal::is_terminated())
         tell_who_is_gone();
       if(is_idle)
-        task_farm_internal::pause();
+        pause_briefly();
     }
     sigaction(SIGTERM, &previous, nullptr);
   }
+
+  std::string name(const Task task) const { return m_name(static_cast<std::size_t>(task)); }
 
   Task next_task(const std::size_t rank)
   {
@@ -189,7 +185,7 @@ private:
   {
     if(report.error[0] != 0)
     {
-      std::cerr << "mesh_surface_mpi: sub-domain " << report.task + 1 << " failed on rank " << report.rank << ": "
+      std::cerr << "mesh_surface_mpi: " << name(report.task) << " failed on rank " << report.rank << ": "
                 << report.error << std::endl;
       boost::mpi::environment::abort(3); // the others may work for long
     }
@@ -207,7 +203,7 @@ private:
         is_any_gone = true;
         std::cerr << "mesh_surface_mpi: rank " << r << " was ended from outside";
         if(m_under_way[r] != Task_report::no_task)
-          std::cerr << " while it meshed sub-domain " << m_under_way[r] + 1;
+          std::cerr << " while it meshed " << name(m_under_way[r]);
         std::cerr << std::endl;
       }
     if(! is_any_gone)
@@ -215,7 +211,7 @@ private:
       std::cerr << "mesh_surface_mpi: ended from outside; under way:";
       for(std::size_t r = 0; r < m_under_way.size(); ++r)
         if(m_under_way[r] != Task_report::no_task)
-          std::cerr << " sub-domain " << m_under_way[r] + 1 << " on rank " << r << ';';
+          std::cerr << ' ' << name(m_under_way[r]) << " on rank " << r << ';';
       std::cerr << std::endl;
     }
     std::cerr << "mesh_surface_mpi: with --work, what is finished is not meshed again" << std::endl;
@@ -230,7 +226,7 @@ private:
     {
       MPI_Send(&report, sizeof(report), MPI_BYTE, 0, tag_of_reports, m_world);
       while(! m_world.iprobe(0, tag_of_tasks))
-        task_farm_internal::pause();
+        pause_briefly();
       Task task = Task_report::no_task;
       MPI_Recv(&task, 1, MPI_UINT64_T, 0, tag_of_tasks, m_world, MPI_STATUS_IGNORE);
       if(task == Task_report::no_task)

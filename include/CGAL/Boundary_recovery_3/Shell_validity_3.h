@@ -17,6 +17,8 @@
 #include <CGAL/Boundary_recovery_3/Shell_quality_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 
+#include <CGAL/enum.h>
+
 namespace CGAL {
 namespace Boundary_recovery_3 {
 
@@ -206,9 +208,12 @@ public:
   bool is_valid_chord(const Shell& s, const int i, const int j) const
   {
     const Vertex_handle p = s.vertex(i), q = s.vertex(j);
-    return ! m_predicates.segments_cross(m_u, m_v, p, q)
-        && ! is_pierced(s.a(), p, q)
-        && ! is_pierced(s.b(), p, q);
+    if(p == m_u || p == m_v || q == m_u || q == m_v)
+      return true;
+    // either everything is in a plane, where only the edge can be crossed, or the edge is not
+    const Orientation side = m_predicates.orientation(m_u, m_v, p, q);
+    return side == COPLANAR ? ! m_predicates.coplanar_segments_cross(m_u, m_v, p, q)
+                            : ! is_pierced(side, p, q, s.a()) && ! is_pierced(side, p, q, s.b());
   }
   /// @}
 
@@ -216,6 +221,12 @@ private:
   bool is_pierced(const Vertex_handle p, const Vertex_handle q, const Vertex_handle r) const
   {
     return m_predicates.segment_pierces_triangle(m_u, m_v, p, q, r);
+  }
+
+  // The same for a face whose edge pq is on this side of the segment, which starts and ends at neither p nor q.
+  bool is_pierced(const Orientation side, const Vertex_handle p, const Vertex_handle q, const Vertex_handle r) const
+  {
+    return r != m_u && r != m_v && m_predicates.segment_pierces_triangle_beside(side, m_u, m_v, p, q, r);
   }
 
   internal::Vertex_predicates_3<Tr> m_predicates;

@@ -533,12 +533,23 @@ private:
       badness_after += lack(m_mesh.quality(c.second.corners));
     }
     assert(sum == 0);
-    assert(worst_after >= (std::min)(worst, m_mesh.enough()) - rounding && badness_after < badness + 1e-14);
+    assert(worst_after >= (std::min)(least_quality(worst), m_mesh.enough()) - rounding);
+    assert(badness_after < badness + 1e-14);
   }
 
   double lack(const double quality) const
   {
-    return quality < m_mesh.enough() ? std::pow((m_mesh.enough() - quality) / m_mesh.enough(), 2) : 0;
+    const int power = m_mesh.measure_of_badness().is_lenient() ? 1 : 2;
+    return quality < m_mesh.enough() ? std::pow((m_mesh.enough() - quality) / m_mesh.enough(), power) : 0;
+  }
+
+  // Where that is tolerated, a fifth of the worst one that goes; but nothing below the floor.
+  double least_quality(const double worst) const
+  {
+    const auto& measure = m_mesh.measure_of_badness();
+    if(! measure.is_lenient() || worst <= measure.floor())
+      return worst;
+    return (std::max)(worst / 5, measure.floor());
   }
 
   void check_lengths(const Cells& gone, const Cells& come, const Cells& after, const Lengths_slack slack) const

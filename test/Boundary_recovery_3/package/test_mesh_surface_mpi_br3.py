@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Runs the program mesh_surface_mpi with several ranks on this machine: the mesh, its pieces, and what may go wrong.
 
-usage: test_mesh_surface_mpi_br3.py PROGRAM MPIEXEC
+usage: test_mesh_surface_mpi_br3.py PROGRAM MPIEXEC MESH_SURFACE
 
 Every mesh is read back by parsers of program_tests.py and checked with
 exact rational arithmetic. Gmsh and VTK read the pieces, too, where they are installed.
@@ -23,7 +23,8 @@ import time
 sys.dont_write_bytecode = True  # the folder of the sources stays as it is
 from program_tests import box, check_tetrahedra, join, off_text, read_mesh, signed_volume
 
-PROGRAM, MPIEXEC = sys.argv[1:]
+PROGRAM, MPIEXEC, MESH_SURFACE = sys.argv[1:]
+SUBDOMAINS = 6
 ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT='1', OMPI_ALLOW_RUN_AS_ROOT_CONFIRM='1')
 MESHED, FILE_ERROR, INVALID_INPUT, FAILED = 0, 1, 2, 3
 
@@ -37,7 +38,7 @@ def boxes():
 
 
 def row_of_boxes():
-    """eight boxes that do not touch: sub-domains of the same size"""
+    """eight boxes that do not touch"""
     return join(*[box((2 * i, 0, 0), (2 * i + 1, 1, 1)) for i in range(8)])
 
 
@@ -85,17 +86,30 @@ def test_ranks_do_not_change_the_mesh():
             folder = 'ranks_%d_%d' % (ranks, len(work))
             os.mkdir(folder)
             outputs = [a for e in ('mesh', 'pvtu', 'msh') for a in ('-o', os.path.join(folder, 'm.' + e))]
-            report = report_of(ranks, 'boxes.off', '--size', '0.5', '--pieces', *outputs, *work)
+            report = report_of(ranks, 'boxes.off', '--size', '0.5', '--subdomains', str(SUBDOMAINS), '--pieces', *outputs, *work)
             assert report['number_of_ranks'] == ranks == len(report['peak_memory_of_ranks'])
-            assert len(report['subdomains']) == 7 and report['number_of_stored_subdomains'] == 0
+            assert report['number_of_stored_tasks'] == 0 and len(report['rounds']) == 9
             results.append(hashes(folder))
-            assert results[-1] == results[0] and len(results[0]) == 3 + 7
+            assert results[-1] == results[0] and len(results[0]) == 3 + SUBDOMAINS
     mesh = read_mesh('ranks_1_0/m.mesh')
     check_tetrahedra(mesh)
     check_surface(mesh, surface)
     assert sorted(set(mesh.regions)) == list(range(1, 8))
     assert signed_volume(mesh.points, mesh.tetrahedra) == 6 * 7 * 5 * 3
-    assert report['number_of_tetrahedra'] == len(mesh.tetrahedra)
+    assert report['number_of_tetrahedra'] == len(mesh.tetrahedra) == sum(report['histogram_of_dihedral_angles']) / 6
+    assert not glob.glob(os.path.join(tempfile.gettempdir(), 'mesh_surface_mpi_*'))
+
+
+def by_points(mesh):
+    return sorted((sorted(mesh.points[v] for v in t), r) for t, r in zip(mesh.tetrahedra, mesh.regions))
+
+
+def test_same_mesh_as_that_of_mesh_surface():
+    write('boxes.off', boxes())
+    arguments = 'boxes.off', '--quiet', '--size', '0.4', '--subdomains', '5'
+    run(2, *arguments, '-o', 'mpi.mesh')
+    subprocess.run([MESH_SURFACE, *arguments, '-o', 'one.mesh'], check=True, timeout=300, stdin=subprocess.DEVNULL)
+    assert by_points(read_mesh('mpi.mesh')) == by_points(read_mesh('one.mesh'))
 
 
 def check_surface(mesh, surface):
@@ -116,7 +130,18 @@ def check_surface(mesh, surface):
 def test_work_is_shared():
     write('row.off', row_of_boxes())
     report = report_of(2, 'row.off', '--size', '0.12')
-    assert set(s['rank'] for s in report['subdomains']) == {0, 1}
+    assert report['number_of_subdomains'] == 16
+    assert set(task['rank'] for task in report['rounds'][0]['tasks']) == {0, 1}
+
+
+def test_one_subdomain_and_no_field_points():
+    surface = boxes()
+    write('boxes.off', surface)
+    for arguments in ('--subdomains', '1', '--size', '1'), ('--no-field-points',), ('--no-improvement', '--size', '.8'):
+        run(2, 'boxes.off', '--quiet', '-o', 'm.mesh', *arguments)
+        mesh = read_mesh('m.mesh')
+        check_tetrahedra(mesh)
+        check_surface(mesh, surface)
 
 
 # ---------------------------------------------------------------- other readers
@@ -146,18 +171,22 @@ def test_pieces_with_vtk():
         print('skipped: VTK is not installed')
         return
     write('boxes.off', boxes())
-    run(2, 'boxes.off', '--size', '0.6', '--quiet', '-o', 'm.pvtu', '-o', 'm.mesh')
+    run(2, 'boxes.off', '--size', '0.3', '--quiet', '--subdomains', str(SUBDOMAINS), '-o', 'm.pvtu', '-o', 'm.mesh')
     mesh = read_mesh('m.mesh')
     points, cells, ids, regions, patches, parts = json.loads(
         subprocess.run([python, '-c', VTK_READER, 'm.pvtu'], capture_output=True, check=True).stdout)
-    assert set(ids) == set(range(len(mesh.points)))
-    assert all(tuple(p) == mesh.points[i] for i, p in points)
-    cells = [tuple(ids[v] for v in c) for c in cells]
+    number_of = {p: i for i, p in enumerate(mesh.points)}
+    merged = {}  # the number in the merged mesh for each global one: those of the surface are the same
+    for i, p in points:
+        assert merged.setdefault(i, number_of[tuple(p)]) == number_of[tuple(p)]
+        assert i >= len(boxes()[0]) or merged[i] == i
+    assert len(set(merged.values())) == len(merged) == len(mesh.points)
+    cells = [tuple(merged[ids[v]] for v in c) for c in cells]
     tetrahedra = [(c, r) for c, r in zip(cells, regions) if len(c) == 4]
     assert sorted(tetrahedra) == sorted(zip(mesh.tetrahedra, mesh.regions))
     triangles = [(c, p) for c, p in zip(cells, patches) if len(c) == 3]
     assert sorted(triangles) == sorted(zip(mesh.triangles, mesh.patches))
-    assert all(r == p for c, r, p in zip(cells, regions, parts) if len(c) == 4) and set(parts) == set(range(1, 8))
+    assert set(parts) == set(range(1, SUBDOMAINS + 1))
 
 
 def numbers(text, section):
@@ -198,7 +227,7 @@ def parts_of(text):
 
 def test_parts_with_gmsh():
     write('boxes.off', boxes())
-    run(2, 'boxes.off', '--size', '0.6', '--quiet', '--pieces', '-o', 'm.msh', '-o', 'm.mesh')
+    run(2, 'boxes.off', '--size', '0.3', '--quiet', '--subdomains', str(SUBDOMAINS), '--pieces', '-o', 'm.msh', '-o', 'm.mesh')
     mesh = read_mesh('m.mesh')
     text = open('m.msh').read()
     check_parts(mesh, text)
@@ -208,7 +237,7 @@ def test_parts_with_gmsh():
     process = subprocess.run(['gmsh', '-v', '4', '-check', 'm.msh'], capture_output=True, text=True, timeout=300,
                              stdin=subprocess.DEVNULL)
     said = process.stdout + process.stderr
-    assert process.returncode == 0 and 'Error' not in said and '7 partitions' in said, process
+    assert process.returncode == 0 and 'Error' not in said and '%d partitions' % SUBDOMAINS in said, process
     assert '%d elements' % (len(mesh.tetrahedra) + len(mesh.triangles)) in said, said
     gmsh = subprocess.run(['gmsh', '-v', '2', '-0', '-save_all', 'm.msh', '-o', 'again.msh'], capture_output=True,
                           timeout=300, stdin=subprocess.DEVNULL)
@@ -218,22 +247,30 @@ def test_parts_with_gmsh():
 
 def in_order(tetrahedra):
     """Gmsh writes 16 digits, and may begin with another vertex"""
-    return sorted((sorted(tuple(round(x, 12) + 0. for x in p) for p in points), part) for points, part in tetrahedra)
+    return sorted((sorted(tuple(float('%.16g' % x) + 0. for x in p) for p in points), part) for points, part in tetrahedra)
 
 
 def check_parts(mesh, text):
+    """the tetrahedra are those of the mesh, and triangles are of the parts on both sides"""
     count, entities = parts_of(text)
-    assert count == 7
-    found = []
+    assert count == SUBDOMAINS
+    found, parts_of_facet, triangles = [], {}, []
     for dimension, tag, points in elements_of(text):
         parent, parts = entities[dimension, tag]
+        assert parent[0] == dimension
         if dimension == 3:
-            assert parent[0] == 3 and parts == (parent[1],)  # here each region is a part
-            found.append((points, parts[0]))
+            found.append((points, parent[1]))
+            assert len(parts) == 1
+            for facet in itertools.combinations(points, 3):
+                parts_of_facet.setdefault(frozenset(facet), set()).update(parts)
+        else:
+            triangles.append((frozenset(points), parts))
     assert in_order(found) == in_order([(tuple(mesh.points[v] for v in t), r)
                                         for t, r in zip(mesh.tetrahedra, mesh.regions)])
-    interfaces = sorted(parts for (dimension, _), (_, parts) in entities.items() if dimension == 2 and len(parts) == 2)
-    assert len(interfaces) == 6 and len(set(interfaces)) == 6  # each of the small boxes touches the large one
+    assert set.union(*parts_of_facet.values()) == set(range(1, SUBDOMAINS + 1))
+    assert len(triangles) == len(mesh.triangles)
+    for points, parts in triangles:
+        assert set(parts) == parts_of_facet.get(points, {1})  # what bounds nothing is in the first one
 
 
 # ---------------------------------------------------------------- what may go wrong
@@ -256,52 +293,58 @@ def parts_in(folder):
     return glob.glob(os.path.join(folder, '*.part'))
 
 
-def wait_for_parts(process, folder, count):
+def results_in(folder):
+    return glob.glob(os.path.join(folder, '*_result_*.part'))
+
+
+def wait_for_results(process, folder, count):
     deadline = time.time() + 200
-    while len(parts_in(folder)) < count:
+    while len(results_in(folder)) < count:
         assert process.poll() is None and time.time() < deadline, process.communicate()
-        time.sleep(0.01)
+        time.sleep(0.005)
 
 
 def test_killed_rank():
-    write('row.off', row_of_boxes())
-    arguments = 'row.off', '--size', '0.06', '--quiet', '--work', 'work', '-o', 'm.mesh'
+    write('boxes.off', boxes())
+    arguments = 'boxes.off', '--size', '0.25', '--quiet', '--subdomains', '8', '--work', 'work', '-o', 'm.mesh'
     process = start(2, *arguments)
-    wait_for_parts(process, 'work', 2)
+    wait_for_results(process, 'work', 2)
     os.kill(processes_below(process.pid)[1], signal.SIGKILL)
     begin = time.time()
     _, said = process.communicate(timeout=60)
     assert time.time() - begin < 10
     assert process.returncode != 0 and not os.path.exists('m.mesh')
-    found = re.search(r'rank 1 was ended from outside while it meshed sub-domain (\d+)', said)
-    assert found and 1 <= int(found.group(1)) <= 8, said
-    finished = len(parts_in('work'))
-    assert 2 <= finished < 8
-    assert not any(name.endswith('_%d.part' % (int(found.group(1)) - 1)) for name in parts_in('work'))
+    assert re.search(r'rank 1 was ended from outside while it meshed '
+                     r'(sub-domain \d+|the seam of the sub-domains \d+(, \d+)+)', said), said
+    plans = sorted(glob.glob(os.path.join('work', '*_plan_*.part')))
+    finished = len(results_in('work'))
+    assert len(plans) == 1 and finished >= 2
     report = report_of(2, *arguments)
-    assert report['number_of_stored_subdomains'] == finished  # the others, and only these, were meshed again
+    assert report['number_of_stored_tasks'] == finished  # the others, and only these, were done again
     first = bytes_of('m.mesh')
-    assert report_of(1, *arguments)['number_of_stored_subdomains'] == 8 and bytes_of('m.mesh') == first
-    run(1, 'row.off', '--size', '0.06', '--quiet', '-o', 'other.mesh')
-    assert bytes_of('other.mesh') == first
+    again = report_of(1, *arguments)
+    assert again['number_of_stored_tasks'] == again['number_of_tasks'] > 0 and bytes_of('m.mesh') == first
+    run(1, *[a for a in arguments if a not in ('--work', 'work')])
+    assert bytes_of('m.mesh') == first
     # other sizes, or a damaged file, are not taken for what is there
-    damaged = sorted(parts_in('work'))[3]
+    damaged = sorted(results_in('work'))[0]
     with open(damaged, 'r+b') as file:
         file.truncate(os.path.getsize(damaged) - 1)
-    assert report_of(2, *arguments)['number_of_stored_subdomains'] == 7 and bytes_of('m.mesh') == first
-    assert report_of(1, 'row.off', '--size', '0.5', '--work', 'work')['number_of_stored_subdomains'] == 0
+    again = report_of(2, *arguments)
+    assert again['number_of_stored_tasks'] == again['number_of_tasks'] - 1 and bytes_of('m.mesh') == first
+    assert report_of(1, 'boxes.off', '--size', '0.6', '--work', 'work')['number_of_stored_tasks'] == 0
 
 
 def test_rank_without_memory():
-    write('row.off', row_of_boxes())
-    process = start(2, 'row.off', '--size', '0.06', '--quiet', '--work', 'work', '-o', 'm.mesh')
-    wait_for_parts(process, 'work', 2)
+    write('boxes.off', boxes())
+    process = start(2, 'boxes.off', '--size', '0.25', '--quiet', '--subdomains', '8', '--work', 'work', '-o', 'm.mesh')
+    wait_for_results(process, 'work', 2)
     victim = processes_below(process.pid)[1]
     used = int(open('/proc/%d/statm' % victim).read().split()[0]) * resource.getpagesize()
     resource.prlimit(victim, resource.RLIMIT_AS, (used, used))
     _, said = process.communicate(timeout=120)
     assert process.returncode != 0
-    assert re.search(r'sub-domain \d failed on rank 1: ', said), said
+    assert re.search(r'mesh_surface_mpi(, rank 1: |: .* failed on rank 1: )', said), said
     assert not os.path.exists('m.mesh')
 
 
@@ -320,13 +363,13 @@ def test_different_inputs():
 def test_full_disk():
     """of the work, by a limit of the length of files; of the output, by a device that is always full"""
     write('row.off', row_of_boxes())
-    process = start(1, 'row.off', '--size', '0.06', '--quiet', '--work', 'work', before=IGNORE_LIMIT)
-    wait_for_parts(process, 'work', 1)
+    process = start(1, 'row.off', '--size', '0.12', '--quiet', '--subdomains', '8', '--work', 'work', before=IGNORE_LIMIT)
+    wait_for_results(process, 'work', 1)
     resource.prlimit(processes_below(process.pid)[0], resource.RLIMIT_FSIZE, (4096, 4096))
     _, said = process.communicate(timeout=60)
     assert process.returncode != 0
-    assert re.search(r'sub-domain \d failed on rank 0: cannot write .*\.unfinished: File too large', said), said
-    assert 1 <= len(os.listdir('work')) < 8 and len(os.listdir('work')) == len(parts_in('work'))
+    assert re.search(r'mesh_surface_mpi: (.* failed on rank 0: )?cannot write .*\.unfinished: File too large', said), said
+    assert len(os.listdir('work')) == len(parts_in('work')) > 0
     os.symlink('/dev/full', 'full.mesh')
     assert 'cannot write full.mesh' in run(2, 'row.off', '--size', '0.3', '-o', 'full.mesh', status=FILE_ERROR)[1]
     os.symlink('/dev/full', 'piece_3.vtu')
@@ -336,6 +379,8 @@ def test_full_disk():
 
 def test_bad_arguments():
     write('box.off', box((0, 0, 0), (1, 1, 1)))
+    assert '--threads is not for' in run(2, 'box.off', '--threads', '3', status=FILE_ERROR)[1]
+    assert '--subdomains needs at least 1' in run(1, 'box.off', '--subdomains', '0', status=FILE_ERROR)[1]
     assert '--time-limit is not for' in run(2, 'box.off', '--time-limit', '3', status=FILE_ERROR)[1]
     assert 'unknown output format' in run(2, 'box.off', '-o', 'm.txt', status=FILE_ERROR)[1]
     assert 'no_such_file.off' in run(2, 'no_such_file.off', status=FILE_ERROR)[1]

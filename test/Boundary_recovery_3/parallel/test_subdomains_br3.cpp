@@ -8,11 +8,19 @@
 #include "mesh_validity_br3.h"
 
 #include <CGAL/Boundary_recovery_3/internal/parallel/Decomposition_3.h>
-#include <CGAL/Boundary_recovery_3/internal/parallel/Divided_mesh_3.h>
+#include <CGAL/Boundary_recovery_3/internal/parallel/Fill_background_3.h>
+#include <CGAL/Boundary_recovery_3/internal/parallel/Join_parts_3.h>
+#include <CGAL/Boundary_recovery_3/internal/parallel/Mesh_part_3.h>
+#include <CGAL/Boundary_recovery_3/internal/parallel/Part_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Part_triangulation_3.h>
+#include <CGAL/Boundary_recovery_3/internal/parallel/Seam_part_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Seams_3.h>
+#include <CGAL/Boundary_recovery_3/internal/parallel/Shared_vertices_3.h>
+#include <CGAL/Boundary_recovery_3/internal/parallel/Split_part_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Subdomain_meshing_3.h>
+#include <CGAL/Boundary_recovery_3/internal/parallel/Subdomain_round.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Task_visitor_3.h>
+#include <CGAL/Boundary_recovery_3/internal/parallel/Work_on_part_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/for_each_task.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/partition_graph.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Bad_cells_3.h>
@@ -32,11 +40,18 @@
 #include <atomic>
 #include <cassert>
 #include <cmath>
+#include <condition_variable>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <functional>
 #include <iostream>
 #include <iterator>
+#include <map>
+#include <mutex>
 #include <set>
+#include <thread>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -185,7 +200,7 @@ void test_numbers()
   }
 }
 
-// The same sizes as without sub-domains, and hardly more bad cells: what walls of parts did is mended.
+// The same sizes as without sub-domains, and hardly a larger share of bad cells: what walls of parts did is mended.
 void test_quality()
 {
   Scene<K> one(boxes()), many(boxes());
@@ -193,8 +208,12 @@ void test_quality()
   many.make(.2, parameters::number_of_subdomains(8));
   const auto& expected = one.result.improvement.after;
   const auto& found = many.result.improvement.after;
+  const auto share = [](const BR3::Mesh_quality_3& quality, const int i)
+  {
+    return static_cast<double>(quality.numbers_of_cells_below[i]) / static_cast<double>(quality.number_of_cells);
+  };
   for(int i = 1; i < 4; ++i)
-    assert(found.numbers_of_cells_below[i] <= 10 + expected.numbers_of_cells_below[i] * 11 / 10);
+    assert(share(found, i) <= 1.1 * share(expected, i));
   assert(found.share_of_edges_in_size > expected.share_of_edges_in_size - .01);
   assert(found.mean_radius_ratio > expected.mean_radius_ratio - .01);
 }
@@ -298,59 +317,139 @@ void test_tasks()
     assert(d == 1);
 }
 
-typedef Scene<K>::Tr                      Tr;
-typedef internal::Divided_mesh_3<Tr>      Mesh;
+typedef Scene<K>::Tr                       Tr;
+typedef internal::Mesh_part_3<Tr>          Part;
 typedef internal::Part_triangulation_3<Tr> Part_triangulation;
-typedef std::array<std::size_t, 4>        Tetrahedron;
+typedef std::array<std::size_t, 4>         Tetrahedron;
 
-// The cells of the left box and of a part of the right one; every second one is in another part.
-Mesh divided_mesh(const std::size_t number_of_parts)
+// The number of the cube that has the middle of a cell.
+std::size_t cube_of_cell(const Tr::Cell_handle c)
+{
+  const auto middle = CGAL::centroid(c->vertex(0)->point(), c->vertex(1)->point(), c->vertex(2)->point(),
+                                     c->vertex(3)->point());
+  std::size_t number = 0;
+  for(int i = 0; i < 3; ++i)
+    number = 4 * number + static_cast<std::size_t>(middle[i] / 1.5);
+  return number;
+}
+
+// All the regions, whose cells are in groups without any order, or in cubes.
+std::vector<Part> divided_mesh(const std::size_t number_of_parts, const bool in_cubes = false)
 {
   Scene<K> scene(boxes());
-  scene.make(.7);
-  Mesh mesh;
+  scene.make(.5);
+  Part whole;
   std::vector<Tr::Vertex_handle> vertices;
-  std::size_t k = 0;
-  mesh.parts.resize(number_of_parts);
+  std::vector<std::uint32_t> groups;
   for(const auto c : scene.tr.finite_cell_handles())
     if(c->subdomain_index() != 0)
     {
-      Tetrahedron t;
+      Part::Tetrahedron t;
       for(int i = 0; i < 4; ++i)
       {
-        t[i] = static_cast<std::size_t>(std::find(vertices.begin(), vertices.end(), c->vertex(i)) - vertices.begin());
-        if(t[i] == vertices.size())
+        const auto found = std::find(vertices.begin(), vertices.end(), c->vertex(i));
+        t[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(found - vertices.begin());
+        if(found == vertices.end())
         {
+          whole.vertices.emplace_back(vertices.size(), *c->vertex(i));
           vertices.push_back(c->vertex(i));
-          mesh.vertices.emplace_back(*c->vertex(i));
         }
       }
-      mesh.parts[k++ % 97 * number_of_parts / 97].push_back({ t, internal::Cell_indices<Tr::Cell>(*c) });
+      whole.tetrahedra.push_back(t);
+      whole.cell_indices.emplace_back(*c);
+      groups.push_back(static_cast<std::uint32_t>(in_cubes ? cube_of_cell(c) % number_of_parts
+                                                           : groups.size() % 97 * number_of_parts / 97));
     }
-  return mesh;
+  for(const auto& e : scene.result.constrained_edges)
+  {
+    const auto position = [&](const Tr::Vertex_handle v)
+    {
+      return static_cast<std::uint32_t>(std::find(vertices.begin(), vertices.end(), v) - vertices.begin());
+    };
+    whole.constrained_edges.push_back({{ position(e[0]), position(e[1]) }});
+  }
+  std::vector<Part> parts(number_of_parts);
+  for(auto& [group, part] : internal::Split_part_3<Tr>()(whole, groups))
+    parts.at(group) = std::move(part);
+  assert(whole.number_of_cells() == 0);
+  return parts;
 }
 
-std::multiset<Tetrahedron> sorted(const Mesh::Part& part)
+// By the numbers of the vertices, with the regions.
+std::multiset<std::pair<Tetrahedron, int> > tetrahedra(const std::vector<Part>& parts)
 {
-  std::multiset<Tetrahedron> result;
-  for(const auto& c : part)
-  {
-    Tetrahedron t = c.vertices;
-    std::sort(t.begin(), t.end());
-    result.insert(t);
-  }
+  std::multiset<std::pair<Tetrahedron, int> > result;
+  for(const Part& part : parts)
+    for(std::size_t c = 0; c < part.number_of_cells(); ++c)
+    {
+      Tetrahedron t;
+      for(std::size_t i = 0; i < 4; ++i)
+        t[i] = part.vertices.at(part.tetrahedra[c][i]).number;
+      std::sort(t.begin(), t.end());
+      result.insert({ t, part.cell_indices[c].subdomain });
+    }
   return result;
+}
+
+// Whether each number is once in the part, and stands for the same point everywhere.
+void check_vertices(const std::vector<Part>& parts)
+{
+  std::map<std::size_t, Tr::Point> points;
+  std::map<std::size_t, std::size_t> numbers_of_parts;
+  for(const Part& part : parts)
+    for(const auto& v : part.vertices)
+    {
+      ++numbers_of_parts[v.number];
+      assert(points.try_emplace(v.number, v.point).first->second == v.point);
+    }
+  for(const Part& part : parts)
+  {
+    std::set<std::size_t> numbers;
+    for(const auto& v : part.vertices)
+      assert(numbers.insert(v.number).second && (v.may_be_shared || numbers_of_parts[v.number] == 1));
+  }
+}
+
+// By the numbers of the vertices.
+std::set<std::set<std::size_t> > constrained_edges(const std::vector<Part>& parts)
+{
+  std::set<std::set<std::size_t> > edges;
+  for(const Part& part : parts)
+    for(const auto& e : part.constrained_edges)
+      edges.insert({ part.vertices.at(e[0]).number, part.vertices.at(e[1]).number });
+  return edges;
+}
+
+// Split and joined, it is the same mesh.
+void test_split_and_join()
+{
+  const auto all = tetrahedra(divided_mesh(1));
+  std::vector<Part> parts = divided_mesh(7);
+  check_vertices(parts);
+  assert(tetrahedra(parts) == all);
+  for(const Part& part : parts)
+    for(const auto& e : part.constrained_edges)
+      assert(std::any_of(part.tetrahedra.begin(), part.tetrahedra.end(), [&](const auto& t)
+                         { return std::count(t.begin(), t.end(), e[0]) + std::count(t.begin(), t.end(), e[1]) == 2; }));
+  internal::Join_parts_3<Tr> join;
+  join.add(Part());
+  for(Part& part : parts)
+    join.add(std::move(part));
+  parts.assign(1, join.joined());
+  check_vertices(parts);
+  assert(tetrahedra(parts) == all);
+  assert(constrained_edges(parts) == constrained_edges(divided_mesh(1)) && ! constrained_edges(parts).empty());
 }
 
 // Any set of cells makes a triangulation in which all walks end, and gives the same cells back.
 void test_part_triangulation()
 {
-  const Mesh mesh = divided_mesh(7);
-  for(const Mesh::Part& part : mesh.parts)
+  for(const Part& part : divided_mesh(7))
   {
-    Part_triangulation triangulation(mesh, part);
+    Part copy = part;
+    Part_triangulation triangulation(std::move(copy));
     Tr& tr = triangulation.triangulation();
-    assert(tr.number_of_finite_cells() == part.size());
+    assert(tr.number_of_finite_cells() == part.number_of_cells());
     for(auto c = tr.tds().cells_begin(); c != tr.tds().cells_end(); ++c)
       for(int i = 0; i < 4; ++i)
       {
@@ -370,61 +469,171 @@ void test_part_triangulation()
         expected += c->has_vertex(v);
       assert(number == expected);
     }
-    const auto change = triangulation.change();
-    assert(change.number_of_new_numbers == 0);
-    Mesh copy = mesh;
-    copy.parts.assign(1, Mesh::Part());
-    auto moved = change;
-    internal::put_back(copy, 0, moved, copy.vertices.size());
-    Mesh::Part expected = part;
+    const Part again = triangulation.part(1000000);
+    assert(tetrahedra({ again }).size() == part.number_of_cells());
+    assert(again.vertices.size() == part.vertices.size());
+    assert(again.constrained_edges.size() == part.constrained_edges.size());
     std::multiset<std::array<double, 3> > places, expected_places;
-    for(const auto& c : expected)
-      for(const std::size_t v : c.vertices)
-        expected_places.insert({{ mesh.vertices[v].point[0], mesh.vertices[v].point[1], mesh.vertices[v].point[2] }});
-    for(const auto& c : copy.parts[0])
-      for(const std::size_t v : c.vertices)
-        places.insert({{ copy.vertices[v].point[0], copy.vertices[v].point[1], copy.vertices[v].point[2] }});
+    for(const auto& v : part.vertices)
+      expected_places.insert({{ v.point[0], v.point[1], v.point[2] }});
+    for(const auto& v : again.vertices)
+    {
+      places.insert({{ v.point[0], v.point[1], v.point[2] }});
+      assert(v.number < 1000000);
+    }
     assert(places == expected_places);
   }
 }
 
-// No cell is lost, or in two zones, which are not empty.
+// Threads in the place of processes: each tells what it has, and waits for the others.
+class Meeting
+{
+public:
+  explicit Meeting(const std::size_t size) : m_told(size) { }
+
+  std::vector<char> gather(const std::size_t rank, const std::vector<char>& bytes)
+  {
+    std::unique_lock<std::mutex> lock(m_mutex);
+    m_condition.wait(lock, [&] { return ! m_is_leaving; });
+    m_told[rank] = bytes;
+    m_is_leaving = ++m_number == m_told.size();
+    m_condition.notify_all();
+    m_condition.wait(lock, [&] { return m_is_leaving; });
+    std::vector<char> all;
+    for(const auto& told : m_told)
+      all.insert(all.end(), told.begin(), told.end());
+    m_is_leaving = --m_number > 0;
+    m_condition.notify_all();
+    return all;
+  }
+
+private:
+  std::mutex m_mutex;
+  std::condition_variable m_condition;
+  std::vector<std::vector<char> > m_told;
+  std::size_t m_number = 0;
+  bool m_is_leaving = false;
+};
+
+struct Thread_exchange
+{
+  template <typename T>
+  void gather(std::vector<T>& array) const
+  {
+    static_assert(std::is_trivially_copyable<T>::value, "it is sent as bytes");
+    const char* const begin = reinterpret_cast<const char*>(array.data());
+    const std::vector<char> all = meeting.gather(rank, { begin, begin + array.size() * sizeof(T) });
+    array.resize(all.size() / sizeof(T));
+    if(! all.empty())
+      std::memcpy(array.data(), all.data(), all.size());
+  }
+
+  Meeting& meeting;
+  const std::size_t rank;
+};
+
+std::vector<internal::Seam_part_3> seam_parts(const std::vector<Part>& parts)
+{
+  std::vector<internal::Seam_part_3> result;
+  for(std::size_t p = 0; p < parts.size(); ++p)
+  {
+    result.emplace_back(p, parts[p]);
+    result.back().add_start(parts[p], p);
+  }
+  return result;
+}
+
+template <typename Exchange>
+auto find_zones(internal::Seams_3<Exchange>& seams, const std::size_t round)
+{
+  return round == 0 ? seams.find_around_starts() : seams.find(round);
+}
+
+// The cells at the vertices where as many parts meet as are looked for, or at those of the starts.
 void test_seams()
 {
-  Mesh mesh = divided_mesh(5);
-  std::multiset<Tetrahedron> all;
-  for(const auto& part : mesh.parts)
-    for(const auto& t : sorted(part))
-      all.insert(t);
-  for(std::size_t round = 2; round <= internal::Seams_3<Tr>::last_round; ++round)
+  const std::vector<Part> parts = divided_mesh(5, true);
+  std::map<std::size_t, std::size_t> numbers_of_parts;
+  std::set<std::size_t> starts;
+  for(std::size_t p = 0; p < parts.size(); ++p)
   {
-    auto zones = internal::Seams_3<Tr>(mesh, 2).take_out(round);
-    std::multiset<Tetrahedron> now;
-    for(const auto& part : mesh.parts)
-      for(const auto& t : sorted(part))
-        now.insert(t);
-    for(const auto& zone : zones)
+    for(const auto& v : parts[p].vertices)
+      ++numbers_of_parts[v.number];
+    for(const std::uint32_t v : parts[p].tetrahedra[p])
+      starts.insert(parts[p].vertices[v].number);
+  }
+  for(const std::size_t round : { 0, 2, 3, 4 })
+  {
+    auto topologies = seam_parts(parts);
+    internal::Seams_3<> seams(topologies, 1);
+    const auto zones = find_zones(seams, round);
+    std::vector<std::size_t> numbers(zones.size(), 0);
+    for(std::size_t p = 0; p < parts.size(); ++p)
+      for(std::size_t c = 0; c < parts[p].number_of_cells(); ++c)
+      {
+        bool is_expected = false, is_blocked = false;
+        for(const std::uint32_t v : parts[p].tetrahedra[c])
+        {
+          const std::size_t number = parts[p].vertices[v].number, n = numbers_of_parts[number];
+          is_expected = is_expected || (round == 0 ? starts.count(number) > 0 : round == 4 ? n >= 4 : n == round);
+          is_blocked = is_blocked || (round > 0 && round < 4 && n > round);
+        }
+        const std::uint32_t zone = topologies[p].zone_of_cell[c];
+        assert((zone != internal::Seam_part_3::none) == (is_expected && ! is_blocked));
+        if(zone == internal::Seam_part_3::none)
+          continue;
+        ++numbers.at(zone);
+        assert(std::binary_search(zones[zone].parts.begin(), zones[zone].parts.end(), p));
+      }
+    assert(! zones.empty());
+    for(std::size_t z = 0; z < zones.size(); ++z)
     {
-      assert(! zone.cells.empty());
-      for(const auto& t : sorted(zone.cells))
-        now.insert(t);
-      mesh.parts[zone.part].insert(mesh.parts[zone.part].end(), zone.cells.begin(), zone.cells.end());
+      assert(numbers[z] > 0 && numbers[z] == zones[z].number_of_cells);
+      assert(std::binary_search(zones[z].parts.begin(), zones[z].parts.end(), zones[z].owner));
     }
-    assert(now == all);
+  }
+}
+
+// It makes no difference who has which parts.
+void test_seams_of_two_processes()
+{
+  const std::vector<Part> parts = divided_mesh(5, true);
+  for(const std::size_t round : { 0, 2, 3, 4 })
+  {
+    auto all = seam_parts(parts);
+    internal::Seams_3<> all_seams(all, 2);
+    const auto expected = find_zones(all_seams, round);
+    Meeting meeting(2);
+    const auto compare = [&](const std::size_t rank)
+    {
+      auto own = seam_parts(parts);
+      own.erase(std::remove_if(own.begin(), own.end(), [&](const auto& part) { return part.index % 2 != rank; }),
+                own.end());
+      const Thread_exchange exchange{ meeting, rank };
+      internal::Seams_3<Thread_exchange> seams(own, 2, exchange);
+      const auto zones = find_zones(seams, round);
+      assert(zones.size() == expected.size());
+      for(std::size_t z = 0; z < zones.size(); ++z)
+        assert(zones[z].parts == expected[z].parts && zones[z].owner == expected[z].owner &&
+               zones[z].number_of_cells == expected[z].number_of_cells);
+      for(const auto& part : own)
+        assert(part.zone_of_cell == all[part.index].zone_of_cell);
+    };
+    std::thread other(compare, 1);
+    compare(0);
+    other.join();
   }
 }
 
 // The figures of parts together are those of the whole, but for edges that are in two parts.
 void test_sum_of_qualities()
 {
-  const Mesh mesh = divided_mesh(1);
-  Part_triangulation whole(mesh, mesh.parts[0]);
+  Part_triangulation whole(std::move(divided_mesh(1)[0]));
   const auto expected = BR3::mesh_quality(whole.triangulation());
   std::vector<BR3::Mesh_quality_3> qualities(1);
-  const Mesh divided = divided_mesh(7);
-  for(const Mesh::Part& part : divided.parts)
+  for(Part& part : divided_mesh(7))
   {
-    Part_triangulation triangulation(divided, part);
+    Part_triangulation triangulation(std::move(part));
     qualities.push_back(BR3::mesh_quality(triangulation.triangulation()));
   }
   const auto sum = internal::sum_of_qualities(qualities);
@@ -479,8 +688,10 @@ int main()
   test_sum_of_qualities();
   test_partition();
   test_tasks();
+  test_split_and_join();
   test_part_triangulation();
   test_seams();
+  test_seams_of_two_processes();
   test_regions<K>(.3, 6);
   test_regions<Exact>(.8, 3);
   test_numbers();

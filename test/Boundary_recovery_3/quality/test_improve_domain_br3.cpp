@@ -53,6 +53,10 @@ public:
   void before_cells_removal(const CellRange& cells)
   {
     throw_at_last_call();
+    if(m_floor > 1)
+      for(const Cell_handle c : m_scene.tr.finite_cell_handles())
+        if(m_scene.contains(c))
+          m_floor = (std::min)(m_floor, Quality()(internal::corners(c)));
     m_outside = outside(cells);
     m_volume = 0;
     m_worst = 2;
@@ -72,7 +76,7 @@ public:
     for(const Cell_handle c : cells)
     {
       assert(m_scene.contains(c) && static_cast<int>(c->subdomain_index()) == m_region);
-      assert(volume(c) > 0 && Quality()(internal::corners(c)) >= m_worst - 1e-9);
+      assert(volume(c) > 0 && Quality()(internal::corners(c)) >= least_quality() - 1e-9);
       m_volume -= volume(c);
     }
     assert(m_volume == 0);
@@ -85,6 +89,9 @@ public:
   std::size_t number_of_exchanges = 0;
 
 private:
+  // Of new cells: at last, they may be worse than those that go, but not worse than the whole mesh was.
+  double least_quality() const { return (std::min)(m_worst, (std::max)(m_worst / 5, m_floor)); }
+
   void throw_at_last_call()
   {
     if(++number_of_calls == last_call)
@@ -115,7 +122,8 @@ private:
   const Scene& m_scene;
   Outside m_outside;
   br3_test::Rational m_volume;
-  double m_worst = 0;
+  double m_worst = 0; // of the cells that go
+  double m_floor = 2; // quality of the worst cell of the mesh at first
   int m_region = 0;
 };
 

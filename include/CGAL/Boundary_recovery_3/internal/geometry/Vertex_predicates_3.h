@@ -132,8 +132,14 @@ public:
     if(p == u || p == v || q == u || q == v || r == u || r == v)
       return false;
     const Orientation side = orientation(u, v, p, q);
-    return side != COPLANAR
-        && orientation(u, v, q, r) == side
+    return side != COPLANAR && segment_pierces_triangle_beside(side, u, v, p, q, r);
+  }
+
+  // The same if orientation(u, v, p, q) is known, and not COPLANAR, and no vertex is an end of the segment.
+  bool segment_pierces_triangle_beside(const Orientation side, const Vertex_handle u, const Vertex_handle v,
+                                       const Vertex_handle p, const Vertex_handle q, const Vertex_handle r) const
+  {
+    return orientation(u, v, q, r) == side
         && orientation(u, v, r, p) == side
         && orientation(p, q, r, u) * orientation(p, q, r, v) == NEGATIVE;
   }

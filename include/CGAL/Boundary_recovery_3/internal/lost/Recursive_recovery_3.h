@@ -73,7 +73,7 @@ public:
     for(std::size_t before = std::size_t(-1); ! m_lost.empty() && m_lost.size() <= before / 2; )
     {
       before = m_lost.size();
-      report(); // for the order
+      sort_lost([](const auto& /* crossings */) { });
       pass(phase, st, m_target_validity, 0);
     }
     return st.number_of_transformations();
@@ -194,37 +194,43 @@ private:
     return result;
   }
 
-  // The state of the lost constraints, and the order in which the next pass treats them; n_4 counts the mesh entities
-  // that they cross, each once.
-  //
-  // Edges with few crossings come first: they are back after a few flips, and are then out of the way of the others.
-  // Facets are treated in input order.
+  // The state of the lost constraints, and their order; n_4 counts the mesh entities that they cross, each once.
   Report report()
   {
     Report result;
     result.n1 = m_lost.size();
     Simplex_index_3<Vertex_handle, 2> crossed_edges;
     Simplex_index_3<Vertex_handle, 3> crossed_facets;
+    sort_lost([&](const std::vector<Crossing_3<Tr> >& crossings)
+    {
+      result.n2 += crossings.size();
+      result.n3 = (std::max)(result.n3, crossings.size());
+      for(const Crossing_3<Tr>& crossing : crossings)
+        if(crossing.dimension == 1)
+          crossed_edges.insert({{ crossing.vertices[0], crossing.vertices[1] }});
+        else
+          crossed_facets.insert(crossing.vertices);
+    });
+    result.n4 = crossed_edges.size() + crossed_facets.size();
+    return result;
+  }
+
+  // The order in which the next pass treats the lost constraints. Edges with few crossings come first: they are back
+  // after a few flips, and are then out of the way of the others. Facets are treated in input order.
+  template <typename Count_crossings>
+  void sort_lost(const Count_crossings& count_crossings)
+  {
     m_order.clear();
     for(const std::size_t i : m_lost)
     {
       if(m_context.is_refuted())
         break;
       const auto& crossings = m_recover.crossings(all()[i]);
-      const std::size_t n = crossings.size();
-      m_context.add_work(work_per_crossing * n);
-      result.n2 += n;
-      result.n3 = (std::max)(result.n3, n);
-      for(const Crossing_3<Tr>& crossing : crossings)
-        if(crossing.dimension == 1)
-          crossed_edges.insert({{ crossing.vertices[0], crossing.vertices[1] }});
-        else
-          crossed_facets.insert(crossing.vertices);
-      m_order.emplace_back(N == 2 ? n : 0, i);
+      m_context.add_work(work_per_crossing * crossings.size());
+      count_crossings(crossings);
+      m_order.emplace_back(N == 2 ? crossings.size() : 0, i);
     }
-    result.n4 = crossed_edges.size() + crossed_facets.size();
     std::sort(m_order.begin(), m_order.end());
-    return result;
   }
 
   // recvBndEdgesByST of [CZZ+17, Alg. 4]. `validity_of` gives the condition under which a constraint is recovered.

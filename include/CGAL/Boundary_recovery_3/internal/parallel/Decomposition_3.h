@@ -16,7 +16,8 @@
 #include <CGAL/Boundary_recovery_3/internal/filling/Region_sizes_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Cell_replacement.h>
-#include <CGAL/Boundary_recovery_3/internal/parallel/Divided_mesh_3.h>
+#include <CGAL/Boundary_recovery_3/internal/parallel/Mesh_part_3.h>
+#include <CGAL/Boundary_recovery_3/internal/parallel/Split_part_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/partition_graph.h>
 
 #include <CGAL/Unique_hash_map.h>
@@ -25,6 +26,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -41,67 +44,85 @@ class Decomposition_3
 public:
   typedef typename Tr::Vertex_handle   Vertex_handle;
   typedef typename Tr::Cell_handle     Cell_handle;
-  typedef Divided_mesh_3<Tr>           Mesh;
+  typedef Mesh_part_3<Tr>              Part;
 
   explicit Decomposition_3(Tr& tr) : m_tr(tr) { }
 
-  // Makes the arrays. Constrained edges are given by arrays of two vertex handles.
-  template <typename SizingField, typename Domain, typename EdgeRange>
-  void divide(const SizingField& size, const Domain& domain, const EdgeRange& constrained_edges,
-              const std::size_t number_of_parts, Mesh& mesh)
+  // Makes the parts. Constrained edges are given by arrays of two vertex handles. The vertices have the numbers that
+  // they have in the range, and then any ones.
+  template <typename SizingField, typename Domain, typename EdgeRange, typename VertexRange>
+  std::vector<Part> divide(const SizingField& size, const Domain& domain, const EdgeRange& constrained_edges,
+                           const std::size_t number_of_parts, const VertexRange& first_vertices)
   {
     for(const Cell_handle c : m_tr.finite_cell_handles())
       if(domain.contains(c))
         m_cells.push_back(c);
     Region_sizes_3<Tr, SizingField>(m_tr, size).ask_at_vertices(m_cells);
-    const std::vector<std::size_t> parts = internal::partition_graph(dual_graph(size, domain), number_of_parts);
+    const std::vector<std::size_t> partition = internal::partition_graph(dual_graph(size, domain), number_of_parts);
 
-    Unique_hash_map<Vertex_handle, std::size_t> numbers; // for looking up only
-    mesh.parts.resize(number_of_parts);
-    for(std::size_t k = 0; k < m_cells.size(); ++k)
+    for(const Vertex_handle v : first_vertices)
+      m_vertices.push_back(v);
+    for(std::size_t k = m_vertices.size(); k-- > 0; ) // the first one of the same vertices counts
+      m_numbers[m_vertices[k]] = k;
+    Unique_hash_map<Vertex_handle, std::uint32_t> positions(none); // for looking up only
+    Part whole;
+    for(const Cell_handle c : m_cells)
     {
-      std::array<std::size_t, 4> t;
+      typename Part::Tetrahedron t;
       for(int i = 0; i < 4; ++i)
       {
-        const Vertex_handle v = m_cells[k]->vertex(i);
-        if(! numbers.is_defined(v))
+        std::uint32_t& position = positions[c->vertex(i)];
+        if(position == none)
         {
-          numbers[v] = m_vertices.size();
-          m_vertices.push_back(v);
-          mesh.vertices.emplace_back(*v);
+          position = static_cast<std::uint32_t>(whole.vertices.size());
+          whole.vertices.emplace_back(number_of(c->vertex(i)), *c->vertex(i));
         }
-        t[i] = numbers[v];
+        t[static_cast<std::size_t>(i)] = position;
       }
-      mesh.parts[parts[k]].push_back({ t, Cell_indices<typename Tr::Cell>(*m_cells[k]) });
+      whole.tetrahedra.push_back(t);
+      whole.cell_indices.emplace_back(*c);
     }
     for(const auto& e : constrained_edges)
-      if(numbers.is_defined(e[0]) && numbers.is_defined(e[1]))
-        mesh.constrained_edges.push_back({{ numbers[e[0]], numbers[e[1]] }});
+      if(positions[e[0]] != none && positions[e[1]] != none)
+        whole.constrained_edges.push_back({{ positions[e[0]], positions[e[1]] }});
+    for(const auto& v : whole.vertices)
+      m_numbers_in_domain.push_back(v.number);
+    std::vector<Part> parts(number_of_parts);
+    for(auto& [p, part] : Split_part_3<Tr>()(whole, { partition.begin(), partition.end() }))
+      parts[p] = std::move(part);
+    return parts;
   }
 
+  // From which on numbers of vertices are free.
+  std::size_t number_of_vertices() const { return m_vertices.size(); }
+
   // Vertices of the triangulation that are free in the mesh may be elsewhere then, or gone.
-  void put_into_triangulation(const Mesh& mesh)
+  void put_into_triangulation(const std::vector<Part>& parts, const std::size_t number_of_vertices)
   {
-    std::vector<char> is_used(mesh.vertices.size(), false);
-    for(const auto& part : mesh.parts)
-      for(const auto& c : part)
-        for(const std::size_t v : c.vertices)
-          is_used[v] = true;
     const std::size_t old_number = m_vertices.size();
-    for(std::size_t v = 0; v < mesh.vertices.size(); ++v)
-    {
-      if(v >= old_number)
-        m_vertices.push_back(is_used[v] ? m_tr.tds().create_vertex() : Vertex_handle());
-      if(is_used[v] && (v >= old_number || m_vertices[v]->in_dimension() == 3))
-        mesh.vertices[v].give_to(*m_vertices[v]);
-    }
-    replace_cells(mesh);
-    for(std::size_t v = 0; v < old_number; ++v)
+    std::vector<char> is_used(number_of_vertices, false);
+    m_vertices.resize(number_of_vertices);
+    for(const Part& part : parts)
+      for(const auto& v : part.vertices)
+      {
+        if(is_used[v.number])
+          continue;
+        is_used[v.number] = true;
+        if(v.number >= old_number)
+          m_vertices[v.number] = m_tr.tds().create_vertex();
+        if(v.number >= old_number || m_vertices[v.number]->in_dimension() == 3)
+          v.give_to(*m_vertices[v.number]);
+      }
+    replace_cells(parts);
+    for(const std::size_t v : m_numbers_in_domain)
       if(! is_used[v])
         m_tr.tds().delete_vertex(m_vertices[v]);
   }
 
 private:
+  static constexpr std::uint32_t none = std::uint32_t(-1);
+  static constexpr std::size_t no_number = std::size_t(-1);
+
   // How many cells there are to be in a cell, and how many facets in a facet, for the sizes at its centroid.
   template <typename SizingField, typename Domain>
   Weighted_graph dual_graph(const SizingField& field, const Domain& domain) const
@@ -142,24 +163,39 @@ private:
             graph.edge_weights[k] = graph.edge_weights[l] = (std::min)(graph.edge_weights[k], graph.edge_weights[l]);
   }
 
-  void replace_cells(const Mesh& mesh)
+  std::size_t number_of(const Vertex_handle v)
+  {
+    std::size_t& number = m_numbers[v];
+    if(number == no_number)
+    {
+      number = m_vertices.size();
+      m_vertices.push_back(v);
+    }
+    return number;
+  }
+
+  void replace_cells(const std::vector<Part>& parts)
   {
     std::vector<std::array<Vertex_handle, 4> > tetrahedra;
-    tetrahedra.reserve(mesh.number_of_cells());
-    for(const auto& part : mesh.parts)
-      for(const auto& c : part)
-        tetrahedra.push_back({{ m_vertices[c.vertices[0]], m_vertices[c.vertices[1]], m_vertices[c.vertices[2]],
-                                m_vertices[c.vertices[3]] }});
+    tetrahedra.reserve(internal::number_of_cells(parts));
+    for(const Part& part : parts)
+      for(const auto& t : part.tetrahedra)
+      {
+        const auto vertex = [&](const std::size_t i) { return m_vertices[part.vertices[t[i]].number]; };
+        tetrahedra.push_back({{ vertex(0), vertex(1), vertex(2), vertex(3) }});
+      }
     Cell_replacement<Tr> replacement;
     auto cell = replacement(m_tr, m_cells, tetrahedra).begin();
-    for(const auto& part : mesh.parts)
-      for(const auto& c : part)
-        c.indices.give_to(**cell++);
+    for(const Part& part : parts)
+      for(const auto& indices : part.cell_indices)
+        indices.give_to(**cell++);
   }
 
   Tr& m_tr;
   std::vector<Cell_handle> m_cells;      // of the domain, before it was divided
   std::vector<Vertex_handle> m_vertices; // by number
+  std::vector<std::size_t> m_numbers_in_domain;
+  Unique_hash_map<Vertex_handle, std::size_t> m_numbers{ no_number }; // for looking up only
 };
 
 } // namespace internal

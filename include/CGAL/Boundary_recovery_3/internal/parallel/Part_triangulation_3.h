@@ -14,7 +14,7 @@
 
 #include <CGAL/Boundary_recovery_3/internal/mesh/Tetrahedra_incidences_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
-#include <CGAL/Boundary_recovery_3/internal/parallel/Divided_mesh_3.h>
+#include <CGAL/Boundary_recovery_3/internal/parallel/Mesh_part_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
 
 #include <CGAL/Unique_hash_map.h>
@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -30,8 +31,8 @@ namespace Boundary_recovery_3 {
 namespace internal {
 
 /*
- * A triangulation of some cells of a divided mesh, for one thread. What bounds the cells is a wall there, and its
- * vertices stay; those that no wall has, and that are on no constraint, are free.
+ * A triangulation of a part of a mesh, for one thread. What bounds the cells is a wall there, and its vertices stay;
+ * those that no wall has, and that are on no constraint, are free.
  *
  * The cells may be any ones. Beyond each wall is an infinite cell; two of these are neighbors if the cells between
  * their walls turn around the same edge. So that the cells around a vertex are always connected by facets, there is a
@@ -44,11 +45,11 @@ class Part_triangulation_3
 public:
   typedef typename Tr::Vertex_handle   Vertex_handle;
   typedef typename Tr::Cell_handle     Cell_handle;
-  typedef Divided_mesh_3<Tr>           Mesh;
-  typedef typename Mesh::Part          Part;
+  typedef Mesh_part_3<Tr>              Part;
   typedef std::array<Vertex_handle, 2> Edge;
 
-  Part_triangulation_3(const Mesh& mesh, const Part& part) : m_mesh(mesh)
+  explicit Part_triangulation_3(Part&& part)
+    : m_old_vertices(std::move(part.vertices)), m_old_constrained_edges(std::move(part.constrained_edges))
   {
     m_tr.tds().clear();
     m_tr.tds().set_dimension(3);
@@ -61,76 +62,75 @@ public:
 
   Tr& triangulation() { return m_tr; }
 
-  // The constrained edges of the mesh that are edges here.
   const std::vector<Edge>& constrained_edges() const { return m_constrained_edges; }
 
-  // What the cells have become.
-  Changed_part_3<Tr> change() const
+  // What the part has become. Vertices that were there have the numbers that they had; new ones have those of vertices
+  // that are gone, and then numbers from `first_new_number` on.
+  Part part(std::size_t first_new_number) const
   {
-    Changed_part_3<Tr> change;
-    Unique_hash_map<Vertex_handle, std::size_t> numbers; // for looking up only
-    for(const auto& [v, number] : m_fixed_vertices)
-      numbers[v] = number;
-    const auto number_of = [&](const Vertex_handle v)
-    {
-      if(! numbers.is_defined(v))
-      {
-        const std::size_t k = change.vertices.size();
-        numbers[v] = k < m_free_numbers.size() ? m_free_numbers[k]
-                                               : m_mesh.vertices.size() + change.number_of_new_numbers++;
-        change.vertices.emplace_back(numbers[v], typename Mesh::Vertex(*v));
-      }
-      return numbers[v];
-    };
+    Part part;
+    part.tetrahedra.reserve(m_tr.tds().number_of_cells());
+    part.cell_indices.reserve(m_tr.tds().number_of_cells());
+    Unique_hash_map<Vertex_handle, std::uint32_t> positions(none, m_tr.number_of_vertices()); // for looking up only
+    add_fixed_vertices(part, positions);
+    auto number = m_free_numbers.begin();
     for(const Cell_handle c : m_tr.finite_cell_handles())
-      change.cells.push_back({ {{ number_of(c->vertex(0)), number_of(c->vertex(1)), number_of(c->vertex(2)),
-                                  number_of(c->vertex(3)) }}, Cell_indices<typename Tr::Cell>(*c) });
-    return change;
+    {
+      typename Part::Tetrahedron t;
+      for(int i = 0; i < 4; ++i)
+      {
+        std::uint32_t& position = positions[c->vertex(i)];
+        if(position == none)
+        {
+          position = static_cast<std::uint32_t>(part.vertices.size());
+          part.vertices.emplace_back(number == m_free_numbers.end() ? first_new_number++ : *number++, *c->vertex(i));
+        }
+        t[static_cast<std::size_t>(i)] = position;
+      }
+      part.tetrahedra.push_back(t);
+      part.cell_indices.emplace_back(*c);
+    }
+    return part;
   }
 
 private:
   typedef std::array<std::size_t, 4> Tetrahedron;
 
-  static constexpr std::size_t none = std::size_t(-1);
+  static constexpr std::uint32_t none = std::uint32_t(-1);
 
   void create_finite_cells(const Part& part)
   {
     std::vector<Tetrahedron> tetrahedra;
-    tetrahedra.reserve(part.size());
-    Simplex_index_3<std::size_t, 1> numbers;
-    for(const auto& c : part)
-    {
-      Tetrahedron t;
-      for(int i = 0; i < 4; ++i)
-        t[i] = numbers.insert({{ c.vertices[i] }}).first;
-      tetrahedra.push_back(t);
-    }
-    const Tetrahedra_incidences_3 incidences(numbers.size(), tetrahedra);
-    const std::vector<std::size_t> copies = create_vertices(part, tetrahedra, incidences);
-    m_cells.reserve(part.size());
-    for(std::size_t c = 0; c < part.size(); ++c)
+    tetrahedra.reserve(part.number_of_cells());
+    for(const auto& t : part.tetrahedra)
+      tetrahedra.push_back({{ t[0], t[1], t[2], t[3] }});
+    const Tetrahedra_incidences_3 incidences(m_old_vertices.size(), tetrahedra);
+    const std::vector<std::size_t> copies = create_vertices(tetrahedra, incidences);
+    m_cells.reserve(tetrahedra.size());
+    for(std::size_t c = 0; c < tetrahedra.size(); ++c)
     {
       const auto v = [&](const std::size_t i) { return m_vertices[copies[4 * c + i]].first; };
       m_cells.push_back(m_tr.tds().create_cell(v(0), v(1), v(2), v(3)));
-      part[c].indices.give_to(*m_cells.back());
+      part.cell_indices[c].give_to(*m_cells.back());
       for(std::size_t i = 0; i < 4; ++i)
         v(i)->set_cell(m_cells.back());
     }
-    for(std::size_t side = 0; side < 4 * part.size(); ++side)
-      if(incidences.opposite(side) != none)
+    for(std::size_t side = 0; side < 4 * tetrahedra.size(); ++side)
+      if(incidences.opposite(side) != incidences.none)
         m_cells[side / 4]->set_neighbor(static_cast<int>(side % 4), m_cells[incidences.opposite(side) / 4]);
   }
 
   // Creates copies of the vertices. Returns which of them each corner of the tetrahedra has.
-  std::vector<std::size_t> create_vertices(const Part& part, const std::vector<Tetrahedron>& tetrahedra,
+  std::vector<std::size_t> create_vertices(const std::vector<Tetrahedron>& tetrahedra,
                                            const Tetrahedra_incidences_3& incidences)
   {
-    std::vector<std::size_t> copies(4 * tetrahedra.size(), none), stack;
+    constexpr std::size_t no_copy = std::size_t(-1);
+    std::vector<std::size_t> copies(4 * tetrahedra.size(), no_copy), stack;
     for(std::size_t first = 0; first < copies.size(); ++first)
     {
-      if(copies[first] != none)
+      if(copies[first] != no_copy)
         continue;
-      const std::size_t v = tetrahedra[first / 4][first % 4], copy = create_vertex(part[first / 4].vertices[first % 4]);
+      const std::size_t v = tetrahedra[first / 4][first % 4], copy = create_vertex(v);
       copies[first] = copy;
       stack.assign(1, first);
       while(! stack.empty())
@@ -139,13 +139,13 @@ private:
         stack.pop_back();
         for(std::size_t i = 0; i < 4; ++i)
         {
-          const std::size_t opposite = i == corner % 4 ? none : incidences.opposite(corner / 4 * 4 + i);
-          if(opposite == none)
+          const std::size_t opposite = i == corner % 4 ? incidences.none : incidences.opposite(corner / 4 * 4 + i);
+          if(opposite == incidences.none)
             continue;
           const Tetrahedron& t = tetrahedra[opposite / 4];
           const std::size_t next = opposite / 4 * 4
                                  + static_cast<std::size_t>(std::find(t.begin(), t.end(), v) - t.begin());
-          if(copies[next] == none)
+          if(copies[next] == no_copy)
           {
             copies[next] = copy;
             stack.push_back(next);
@@ -156,26 +156,29 @@ private:
     return copies;
   }
 
-  std::size_t create_vertex(const std::size_t number)
+  std::size_t create_vertex(const std::size_t position)
   {
     const Vertex_handle v = m_tr.tds().create_vertex();
-    m_mesh.vertices[number].give_to(*v);
-    m_vertices.emplace_back(v, number);
+    m_old_vertices[position].give_to(*v);
+    m_vertices.emplace_back(v, static_cast<std::uint32_t>(position));
     return m_vertices.size() - 1;
   }
 
   void find_constrained_edges(const Part& part)
   {
-    Simplex_index_3<std::size_t, 2> edges;
-    for(const auto& e : m_mesh.constrained_edges)
-      edges.insert(e);
-    if(edges.size() == 0)
+    if(m_old_constrained_edges.empty())
       return;
-    for(std::size_t c = 0; c < part.size(); ++c)
+    Simplex_index_3<std::size_t, 2> edges;
+    for(const auto& e : m_old_constrained_edges)
+      edges.insert({{ e[0], e[1] }});
+    for(std::size_t c = 0; c < part.number_of_cells(); ++c)
       for(int i = 0; i < 4; ++i)
         for(int j = 0; j < i; ++j)
-          if(edges[{{ part[c].vertices[i], part[c].vertices[j] }}] != none)
+        {
+          const auto& t = part.tetrahedra[c];
+          if(edges[{{ t[static_cast<std::size_t>(i)], t[static_cast<std::size_t>(j)] }}] != edges.none)
             m_constrained_edges.push_back({{ m_cells[c]->vertex(i), m_cells[c]->vertex(j) }});
+        }
   }
 
   void create_infinite_cells()
@@ -226,18 +229,37 @@ private:
       if(m_tr.is_infinite(c))
         for(int i = 0; i < 4; ++i)
           is_at_wall[c->vertex(i)] = true;
-    for(const auto& [v, number] : m_vertices)
+    for(const auto& [v, position] : m_vertices)
       if(is_at_wall[v] || v->in_dimension() != 3)
-        m_fixed_vertices.emplace_back(v, number);
+        m_fixed_vertices.emplace_back(v, position);
       else
-        m_free_numbers.push_back(number);
+        m_free_numbers.push_back(m_old_vertices[position].number);
     m_vertices.clear();
   }
 
-  const Mesh& m_mesh;
+  // They are as they were, and so are the constrained edges, which have no others.
+  void add_fixed_vertices(Part& part, Unique_hash_map<Vertex_handle, std::uint32_t>& positions) const
+  {
+    std::vector<std::uint32_t> new_positions(m_old_vertices.size(), none);
+    for(const auto& [v, old_position] : m_fixed_vertices)
+    {
+      std::uint32_t& position = new_positions[old_position];
+      if(position == none)
+      {
+        position = static_cast<std::uint32_t>(part.vertices.size());
+        part.vertices.push_back(m_old_vertices[old_position]);
+      }
+      positions[v] = position;
+    }
+    for(const auto& e : m_old_constrained_edges)
+      part.constrained_edges.push_back({{ new_positions[e[0]], new_positions[e[1]] }});
+  }
+
+  const std::vector<typename Part::Vertex> m_old_vertices;
+  const std::vector<typename Part::Edge> m_old_constrained_edges;
   Tr m_tr;
-  std::vector<std::pair<Vertex_handle, std::size_t> > m_vertices; // with their numbers
-  std::vector<std::pair<Vertex_handle, std::size_t> > m_fixed_vertices;
+  std::vector<std::pair<Vertex_handle, std::uint32_t> > m_vertices;       // with their old positions
+  std::vector<std::pair<Vertex_handle, std::uint32_t> > m_fixed_vertices;
   std::vector<std::size_t> m_free_numbers;
   std::vector<Cell_handle> m_cells; // finite ones, while the triangulation is made
   std::vector<Edge> m_constrained_edges;

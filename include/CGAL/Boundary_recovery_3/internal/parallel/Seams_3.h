@@ -12,7 +12,8 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/internal/parallel/Divided_mesh_3.h>
+#include <CGAL/Boundary_recovery_3/internal/parallel/Seam_part_3.h>
+#include <CGAL/Boundary_recovery_3/internal/parallel/Shared_vertices_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/for_each_task.h>
 
 #include <CGAL/tags.h>
@@ -24,6 +25,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <numeric>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -31,187 +34,323 @@ namespace CGAL {
 namespace Boundary_recovery_3 {
 namespace internal {
 
+// What processes tell each other, if there is only one. Several ones call the member at the same time.
+struct No_exchange
+{
+  // Adds to the array what the others have in theirs. `T` can be copied as bytes.
+  template <typename T>
+  void gather(std::vector<T>&) const { }
+};
+
 /*
- * Where parts of a mesh meet, zones of cells are taken out of them, to be worked on at the same time, since no cell is
- * in two of them. In three rounds, no seam is left:
+ * Where parts of a mesh meet, zones of cells are found, to be worked on at the same time, since no cell is in two of
+ * them. In three rounds, no seam is left:
  *  - around the vertices of two parts, for each two of them, without the cells at vertices of more parts;
  *  - the same for three;
  *  - around the vertices of four or more, as far as these are connected by edges.
  *
- * Each zone has some layers of cells, and belongs to the first of its parts thereafter, so the next seam is elsewhere.
- * Which cells are in a zone depends on numbers only.
+ * Each zone has some layers of cells, and belongs to one of its parts thereafter, so the next seam is elsewhere. That
+ * is the part that has the fewest cells then, where the largest zones come first.
+ *
+ * A process looks at its own parts only, and tells the others about vertices that are shared. Which cells are in a zone
+ * depends on the parts and the numbers of the vertices, and not on who has them.
  */
-template <typename Tr>
+template <typename Exchange = No_exchange>
 class Seams_3
 {
 public:
-  typedef Divided_mesh_3<Tr>  Mesh;
-  typedef typename Mesh::Part Part;
+  typedef Seam_part_3 Part;
 
   static constexpr std::size_t last_round = 4;
+  static constexpr std::uint32_t none = Part::none;
 
   struct Zone
   {
-    std::size_t part;
-    Part cells;
+    std::vector<std::uint32_t> parts; // that have cells in it, in their order
+    std::size_t number_of_cells;
+    std::uint32_t owner;              // the one of them that it will belong to
   };
 
-  Seams_3(Mesh& mesh, const int number_of_layers) : m_mesh(mesh), m_number_of_layers(number_of_layers) { }
+  Seams_3(std::vector<Part>& parts, const int number_of_layers, const Exchange& exchange = Exchange())
+    : m_parts(parts), m_number_of_layers(number_of_layers), m_exchange(exchange), m_shared(parts, exchange)
+  { }
 
-  // The round is the number of the parts that meet: from 2 to `last_round`, which is for more of them, too.
-  std::vector<Zone> take_out(const std::size_t round)
+  // The round is the number of the parts that meet: from 2 to `last_round`, which is for more of them, too. The zones
+  // of the cells are in the parts then, by their positions in this list, or none.
+  std::vector<Zone> find(const std::size_t round)
   {
-    find_parts_of_vertices();
-    m_zone_of_vertex.assign(m_mesh.vertices.size(), none);
     if(round == last_round)
-      start_at_connected_vertices([this](const std::size_t v) { return number_of_parts(v) >= last_round; });
+      start_at_connected_vertices();
     else
       start_at_vertices_of(round);
     return zones(round == last_round ? std::size_t(-1) : round);
   }
 
-  // The zones around the cells that are to be repaired.
-  template <typename IsToBeRepaired>
-  std::vector<Zone> take_out_around(const IsToBeRepaired& is_to_be_repaired)
+  // The zones around the starts of the parts.
+  std::vector<Zone> find_around_starts()
   {
-    m_sets.assign(1, std::vector<std::uint32_t>());
-    m_set_of_vertex.assign(m_mesh.vertices.size(), 0);
-    m_zone_of_vertex.assign(m_mesh.vertices.size(), none);
-    std::vector<char> is_marked(m_mesh.vertices.size(), false);
-    for(const Part& part : m_mesh.parts)
-      for(const auto& c : part)
-        if(is_to_be_repaired(c))
-          for(const std::size_t v : c.vertices)
-            is_marked[v] = true;
-    start_at_connected_vertices([&](const std::size_t v) { return is_marked[v] != 0; });
-    return zones(0);
+    std::vector<std::array<std::size_t, 4> > cells;
+    for(const Part& part : m_parts)
+      for(const auto& start : part.starts)
+        cells.push_back(start.numbers);
+    m_exchange.gather(cells);
+    const Components components(cells);
+    for(Part& part : m_parts)
+    {
+      for(const auto& start : part.starts)
+        for(std::size_t i = 0; i < 4; ++i)
+          part.zone_of_vertex[part.tetrahedra[start.cell][i]] = components.find(start.numbers[i]);
+      for(const auto& v : part.shared)
+        part.zone_of_vertex[v.position] = components.find(v.number);
+    }
+    return zones(std::size_t(-1));
   }
 
 private:
-  static constexpr std::uint32_t none = std::uint32_t(-1);
-
-  std::size_t number_of_parts(const std::size_t v) const { return m_sets[m_set_of_vertex[v]].size(); }
-
-  // The parts that have a vertex are a set; sets have numbers.
-  void find_parts_of_vertices()
+  // Of vertices given by numbers: those of a group are connected. A component has the position of its first vertex.
+  class Components
   {
-    m_sets.assign(1, std::vector<std::uint32_t>());
-    m_set_of_vertex.assign(m_mesh.vertices.size(), 0);
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> larger; // by a set and the part that comes to it
-    for(std::uint32_t p = 0; p < m_mesh.parts.size(); ++p)
-      for(const auto& c : m_mesh.parts[p])
-        for(const std::size_t v : c.vertices)
-        {
-          std::uint32_t& set = m_set_of_vertex[v];
-          if(! m_sets[set].empty() && m_sets[set].back() == p)
-            continue;
-          const auto [it, is_new] = larger.try_emplace({ set, p }, static_cast<std::uint32_t>(m_sets.size()));
-          if(is_new)
-          {
-            m_sets.push_back(m_sets[set]);
-            m_sets.back().push_back(p);
-          }
-          set = it->second;
-        }
+  public:
+    template <std::size_t N>
+    explicit Components(const std::vector<std::array<std::size_t, N> >& groups)
+    {
+      for(const auto& group : groups)
+        m_numbers.insert(m_numbers.end(), group.begin(), group.end());
+      std::sort(m_numbers.begin(), m_numbers.end());
+      m_numbers.erase(std::unique(m_numbers.begin(), m_numbers.end()), m_numbers.end());
+      boost::disjoint_sets_with_storage<> sets(m_numbers.size());
+      for(const auto& group : groups)
+        for(std::size_t i = 1; i < N; ++i)
+          sets.union_set(position(group[0]), position(group[i]));
+      std::vector<std::uint32_t> first(m_numbers.size(), none);
+      for(std::size_t v = 0; v < m_numbers.size(); ++v)
+      {
+        std::uint32_t& component = first[sets.find_set(v)];
+        if(component == none)
+          component = static_cast<std::uint32_t>(v);
+        m_components.push_back(component);
+      }
+    }
+
+    // None if the vertex is in no group.
+    std::uint32_t find(const std::size_t number) const
+    {
+      const std::size_t v = position(number);
+      return v < m_numbers.size() && m_numbers[v] == number ? m_components[v] : none;
+    }
+
+  private:
+    std::size_t position(const std::size_t number) const
+    {
+      return static_cast<std::size_t>(std::lower_bound(m_numbers.begin(), m_numbers.end(), number)
+                                      - m_numbers.begin());
+    }
+
+    std::vector<std::size_t> m_numbers; // in ascending order
+    std::vector<std::uint32_t> m_components;
+  };
+
+  // What a part has of a zone.
+  struct Piece
+  {
+    bool operator<(const Piece& other) const
+    {
+      return std::tie(part, first_cell) < std::tie(other.part, other.first_cell);
+    }
+
+    std::uint32_t part;
+    std::uint32_t zone;
+    std::size_t   first_cell;
+    std::size_t   number_of_cells;
+  };
+
+  struct Zone_of_vertex
+  {
+    std::uint32_t vertex; // its index in the list of shared ones
+    std::uint32_t zone;
+  };
+
+  template <typename Work>
+  void for_each_part(const Work& work)
+  {
+    std::vector<std::size_t> weights;
+    for(const Part& part : m_parts)
+      weights.push_back(part.tetrahedra.size());
+    internal::for_each_task(weights, work, Parallel_if_available_tag());
   }
 
   void start_at_vertices_of(const std::size_t number)
   {
-    for(std::size_t v = 0; v < m_mesh.vertices.size(); ++v)
-      if(number_of_parts(v) == number)
-        m_zone_of_vertex[v] = m_set_of_vertex[v];
+    for(Part& part : m_parts)
+      for(const auto& v : part.shared)
+        if(m_shared.number_of_parts(v.index) == number)
+          part.zone_of_vertex[v.position] = m_shared.set(v.index);
   }
 
-  template <typename IsStart>
-  void start_at_connected_vertices(const IsStart& is_start)
+  void start_at_connected_vertices()
   {
-    boost::disjoint_sets_with_storage<> components(m_mesh.vertices.size());
-    for(const Part& part : m_mesh.parts)
-      for(const auto& c : part)
-        for(int i = 1; i < 4; ++i)
-          for(int j = 0; j < i; ++j)
-            if(is_start(c.vertices[i]) && is_start(c.vertices[j]))
-              components.union_set(c.vertices[i], c.vertices[j]);
-    for(std::size_t v = 0; v < m_mesh.vertices.size(); ++v)
-      if(is_start(v))
-        m_zone_of_vertex[v] = static_cast<std::uint32_t>(components.find_set(v));
+    std::vector<std::array<std::size_t, 2> > edges;
+    for(const Part& part : m_parts)
+      add_edges_of_starts(part, edges);
+    m_exchange.gather(edges);
+    const Components components(edges);
+    for(Part& part : m_parts)
+      for(const auto& v : part.shared)
+        part.zone_of_vertex[v.position] = components.find(v.index);
+  }
+
+  void add_edges_of_starts(const Part& part, std::vector<std::array<std::size_t, 2> >& edges) const
+  {
+    std::vector<std::uint32_t> indices(part.zone_of_vertex.size(), none);
+    for(const auto& v : part.shared)
+      if(m_shared.number_of_parts(v.index) >= last_round)
+      {
+        indices[v.position] = v.index;
+        edges.push_back({{ v.index, v.index }});
+      }
+    for(const auto& t : part.tetrahedra)
+      for(std::size_t i = 1; i < 4; ++i)
+        for(std::size_t j = 0; j < i; ++j)
+          if(indices[t[i]] != none && indices[t[j]] != none)
+            edges.push_back({{ indices[t[i]], indices[t[j]] }});
+  }
+
+  // Of layers around the vertices that have one, in the order of their first cells. Cells at vertices of more than
+  // `blocked` parts stay.
+  std::vector<Zone> zones(const std::size_t blocked)
+  {
+    for(Part& part : m_parts)
+      for(auto& v : part.shared)
+      {
+        if(m_shared.number_of_parts(v.index) > blocked)
+          part.zone_of_vertex[v.position] = Part::blocked;
+        v.is_open = part.zone_of_vertex[v.position] == none;
+      }
+    for(int layer = 0; layer < m_number_of_layers; ++layer)
+      add_layer();
+    return list_zones();
   }
 
   // The cells at the vertices of a zone come to it, then their vertices; the zone with the smallest number is first.
-  // Cells at vertices of more than `blocked` parts stay.
-  void add_layer(const std::size_t blocked)
+  void add_layer()
   {
-    std::vector<std::vector<std::size_t> > new_cells(m_mesh.parts.size());
-    std::vector<std::size_t> weights;
-    for(const Part& part : m_mesh.parts)
-      weights.push_back(part.size());
-    internal::for_each_task(weights, [&](const std::size_t p)
-    {
-      for(std::size_t k = 0; k < m_mesh.parts[p].size(); ++k)
-        if(m_zone_of_cell[p][k] == none)
+    std::vector<std::vector<Zone_of_vertex> > found(m_parts.size());
+    for_each_part([&](const std::size_t p) { add_layer(m_parts[p], found[p]); });
+    std::vector<Zone_of_vertex> zones;
+    for(const auto& z : found)
+      zones.insert(zones.end(), z.begin(), z.end());
+    m_exchange.gather(zones);
+    std::vector<std::uint32_t> zone_of_shared(m_shared.size(), none);
+    for(const Zone_of_vertex& z : zones)
+      zone_of_shared[z.vertex] = (std::min)(zone_of_shared[z.vertex], z.zone);
+    for(Part& part : m_parts)
+      for(auto& v : part.shared)
+        if(zone_of_shared[v.index] != none)
         {
-          m_zone_of_cell[p][k] = zone_at(m_mesh.parts[p][k].vertices, blocked);
-          if(m_zone_of_cell[p][k] != none)
-            new_cells[p].push_back(k);
+          part.zone_of_vertex[v.position] = zone_of_shared[v.index];
+          v.is_open = false;
         }
-    }, Parallel_if_available_tag());
-    std::vector<std::pair<std::size_t, std::uint32_t> > new_vertices;
-    for(std::size_t p = 0; p < new_cells.size(); ++p)
-      for(const std::size_t k : new_cells[p])
-        for(const std::size_t v : m_mesh.parts[p][k].vertices)
-          if(m_zone_of_vertex[v] == none)
-            new_vertices.emplace_back(v, m_zone_of_cell[p][k]);
-    for(const auto& [v, zone] : new_vertices)
-      m_zone_of_vertex[v] = (std::min)(m_zone_of_vertex[v], zone);
   }
 
-  std::uint32_t zone_at(const std::array<std::size_t, 4>& vertices, const std::size_t blocked) const
+  static void add_layer(Part& part, std::vector<Zone_of_vertex>& found)
+  {
+    std::vector<std::pair<std::uint32_t, std::uint32_t> > new_vertices;
+    for(std::size_t k = 0; k < part.tetrahedra.size(); ++k)
+    {
+      if(part.zone_of_cell[k] != none)
+        continue;
+      part.zone_of_cell[k] = zone_at(part, part.tetrahedra[k]);
+      if(part.zone_of_cell[k] == none)
+        continue;
+      for(const std::uint32_t v : part.tetrahedra[k])
+        if(part.zone_of_vertex[v] == none)
+          new_vertices.emplace_back(v, part.zone_of_cell[k]);
+    }
+    for(const auto& [v, zone] : new_vertices)
+      part.zone_of_vertex[v] = (std::min)(part.zone_of_vertex[v], zone);
+    for(const auto& v : part.shared)
+      if(v.is_open && part.zone_of_vertex[v.position] != none)
+        found.push_back({ v.index, part.zone_of_vertex[v.position] });
+  }
+
+  static std::uint32_t zone_at(const Part& part, const std::array<std::uint32_t, 4>& vertices)
   {
     std::uint32_t zone = none;
-    for(const std::size_t v : vertices)
+    for(const std::uint32_t v : vertices)
     {
-      if(number_of_parts(v) > blocked)
+      if(part.zone_of_vertex[v] == Part::blocked)
         return none;
-      zone = (std::min)(zone, m_zone_of_vertex[v]);
+      zone = (std::min)(zone, part.zone_of_vertex[v]);
     }
     return zone;
   }
 
-  // Of layers around the vertices that have one, in the order of their first cells.
-  std::vector<Zone> zones(const std::size_t blocked)
+  std::vector<Zone> list_zones()
   {
-    m_zone_of_cell.clear();
-    for(const Part& part : m_mesh.parts)
-      m_zone_of_cell.emplace_back(part.size(), none);
-    for(int layer = 0; layer < m_number_of_layers; ++layer)
-      add_layer(blocked);
+    std::vector<Piece> pieces;
+    for(const Part& part : m_parts)
+      add_pieces(part, pieces);
+    m_exchange.gather(pieces);
+    std::sort(pieces.begin(), pieces.end());
     std::vector<Zone> result;
-    std::map<std::uint32_t, std::size_t> positions;
-    for(std::size_t p = 0; p < m_mesh.parts.size(); ++p)
+    std::map<std::uint32_t, std::uint32_t> positions;
+    for(const Piece& piece : pieces)
     {
-      Part& part = m_mesh.parts[p];
-      std::size_t number_left = 0;
-      for(std::size_t k = 0; k < part.size(); ++k)
-        if(m_zone_of_cell[p][k] == none)
-          part[number_left++] = part[k];
-        else
-        {
-          const auto [it, is_new] = positions.try_emplace(m_zone_of_cell[p][k], result.size());
-          if(is_new)
-            result.push_back(Zone{ p, Part() });
-          result[it->second].cells.push_back(part[k]);
-        }
-      part.erase(part.begin() + static_cast<std::ptrdiff_t>(number_left), part.end());
+      const auto [it, is_new] = positions.try_emplace(piece.zone, static_cast<std::uint32_t>(result.size()));
+      if(is_new)
+        result.push_back(Zone{ { }, 0, none });
+      result[it->second].parts.push_back(piece.part);
+      result[it->second].number_of_cells += piece.number_of_cells;
     }
+    for_each_part([&](const std::size_t p)
+    {
+      for(std::uint32_t& zone : m_parts[p].zone_of_cell)
+        if(zone != none)
+          zone = positions.find(zone)->second;
+    });
+    find_owners(result);
     return result;
   }
 
-  Mesh& m_mesh;
+  void find_owners(std::vector<Zone>& zones) const
+  {
+    std::vector<std::array<std::size_t, 2> > parts; // with the numbers of cells that are left of them
+    for(const Part& part : m_parts)
+      parts.push_back({{ part.index, static_cast<std::size_t>(std::count(part.zone_of_cell.begin(),
+                                                                         part.zone_of_cell.end(), none)) }});
+    m_exchange.gather(parts);
+    std::map<std::uint32_t, std::size_t> numbers_of_cells;
+    for(const auto& [part, number] : parts)
+      numbers_of_cells[static_cast<std::uint32_t>(part)] = number;
+    std::vector<std::size_t> order(zones.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::stable_sort(order.begin(), order.end(), [&](const std::size_t x, const std::size_t y)
+                     { return zones[x].number_of_cells > zones[y].number_of_cells; });
+    for(const std::size_t z : order)
+    {
+      const auto& candidates = zones[z].parts;
+      zones[z].owner = *std::min_element(candidates.begin(), candidates.end(),
+                                         [&](const std::uint32_t p, const std::uint32_t q)
+                                         { return numbers_of_cells[p] < numbers_of_cells[q]; });
+      numbers_of_cells[zones[z].owner] += zones[z].number_of_cells;
+    }
+  }
+
+  static void add_pieces(const Part& part, std::vector<Piece>& pieces)
+  {
+    std::map<std::uint32_t, Piece> piece_of_zone;
+    for(std::size_t k = 0; k < part.zone_of_cell.size(); ++k)
+      if(part.zone_of_cell[k] != none)
+        ++piece_of_zone.try_emplace(part.zone_of_cell[k], Piece{ part.index, part.zone_of_cell[k], k, 0 })
+            .first->second.number_of_cells;
+    for(const auto& [zone, piece] : piece_of_zone)
+      pieces.push_back(piece);
+  }
+
+  std::vector<Part>& m_parts; // of this process
   const int m_number_of_layers;
-  std::vector<std::vector<std::uint32_t> > m_sets; // of parts, in their order
-  std::vector<std::uint32_t> m_set_of_vertex;
-  std::vector<std::uint32_t> m_zone_of_vertex;
-  std::vector<std::vector<std::uint32_t> > m_zone_of_cell; // by part
+  const Exchange& m_exchange;
+  Shared_vertices_3 m_shared;
 };
 
 } // namespace internal

@@ -14,11 +14,13 @@
 
 #include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/distances_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Badness_3.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -27,7 +29,7 @@ namespace internal {
 
 /*
  * Searches the point from which a polyhedron is starred best: the cells of its faces and the point are to be as little
- * bad as possible, see `Improved_mesh_3::badness()`.
+ * bad as possible, see `Badness_3`.
  *
  * From the point at hand, it goes in the direction in which their badness falls most; by half of the step, and again,
  * where that is too far. Gradients are differences, so any quality will do.
@@ -40,10 +42,10 @@ public:
 
   explicit Best_point_in_star_3(const Quality& quality) : m_quality(quality) { }
 
-  // Cells better than `enough` need not be any better.
-  void clear(const double enough)
+  // How bad cells are; they need not be any better than what is enough.
+  void clear(const Badness_3& badness)
   {
-    m_enough = enough;
+    m_badness = badness;
     m_faces.clear();
   }
 
@@ -61,11 +63,13 @@ public:
   }
 
   // Moves the point to better places, until all cells are good enough, or nothing helps. The worst cell never gets
-  // worse. `is_allowed` tells where the point may be. Returns whether the point was moved.
+  // worse, or not more than the measure of badness tolerates. `is_allowed` tells where the point may be. Returns
+  // whether the point was moved.
   template <typename IsAllowed>
   bool improve(Coordinates_3& p, const IsAllowed& is_allowed)
   {
     const Coordinates_3 before = p;
+    m_least = -std::numeric_limits<double>::infinity();
     double badness = set_qualities(p);
     double step = 0.25 * typical_length(p);
     for(int round = 0; round < max_number_of_rounds && badness > 0; ++round)
@@ -104,17 +108,18 @@ private:
   {
     m_qualities.resize(m_faces.size());
     double badness = 0;
-    m_worst = 2;
+    double worst = 2;
     for(std::size_t k = 0; k < m_faces.size(); ++k)
     {
       m_qualities[k] = quality(k, p);
-      m_worst = (std::min)(m_worst, m_qualities[k]);
-      badness += lack(m_qualities[k]) * lack(m_qualities[k]);
+      worst = (std::min)(worst, m_qualities[k]);
+      badness += m_badness.of_lack(lack(m_qualities[k]));
     }
+    m_least = (std::max)(m_least, m_badness.least_quality(worst));
     return badness;
   }
 
-  double lack(const double quality) const { return (std::max)(0., 1 - quality / m_enough); }
+  double lack(const double quality) const { return (std::max)(0., 1 - quality / m_badness.enough()); }
 
   bool is_better(const Coordinates_3& p, const double badness) const
   {
@@ -122,8 +127,8 @@ private:
     for(std::size_t k = 0; k < m_faces.size(); ++k)
     {
       const double q = quality(k, p);
-      sum += lack(q) * lack(q);
-      if(q < m_worst || ! (sum < badness))
+      sum += m_badness.of_lack(lack(q));
+      if(q < m_least || ! (sum < badness))
         return false;
     }
     return true;
@@ -175,11 +180,11 @@ private:
   {
     Coordinates_3 sum = {{ 0, 0, 0 }};
     for(std::size_t k = 0; k < m_faces.size(); ++k)
-      if(m_qualities[k] < m_enough)
+      if(m_qualities[k] < m_badness.enough())
       {
         const Coordinates_3 g = gradient(k, p, h);
         for(int i = 0; i < 3; ++i)
-          sum[i] += lack(m_qualities[k]) * g[i];
+          sum[i] += m_badness.slope(lack(m_qualities[k])) * g[i];
       }
     return sum;
   }
@@ -187,8 +192,8 @@ private:
   const Quality& m_quality;
   std::vector<Face> m_faces;
   std::vector<double> m_qualities;
-  double m_enough = 0;
-  double m_worst = 0; // of the qualities
+  Badness_3 m_badness = 1;
+  double m_least = 0; // what qualities are to be
 };
 
 } // namespace internal

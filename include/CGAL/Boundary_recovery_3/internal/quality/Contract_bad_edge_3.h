@@ -47,7 +47,7 @@ public:
     if(! m_star.collect(v))
       return false;
     const auto account = m_mesh.account_of(m_star.cells());
-    m_worst = account.worst;
+    m_worst = m_mesh.least_quality(account.worst);
     m_least = account.badness - least_gain;
     for(const Vertex_handle u : m_star.neighbors())
       look_at(u);
@@ -118,7 +118,7 @@ private:
   Mesh& m_mesh;
   Free_star_3<Mesh> m_star;
   Vertex_handle m_v, m_to;
-  double m_worst = 0; // quality of the cells around v
+  double m_worst = 0; // what qualities are to be at least
   double m_least = 0; // badness
   double m_gain = 0;
   std::vector<Tetrahedron> m_tetrahedra;

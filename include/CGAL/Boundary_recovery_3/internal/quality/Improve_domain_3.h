@@ -15,11 +15,13 @@
 #include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_result_3.h>
 #include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Bad_cells_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Badness_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Center_vertex_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Contract_bad_edge_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Flip_bad_cell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Improved_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Insert_into_bad_cell_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Insert_near_bad_cell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Reconnect_bad_cell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Smooth_vertex_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Vain_attempts_3.h>
@@ -41,8 +43,9 @@ namespace internal {
  * No operation leaves a cell that is worse than the worst one of those that it changes, and each makes the sum of the
  * badness of the cells smaller. So the work ends, and the worst cell of the mesh does not get worse.
  *
- * Then, only those cells count that are really bad, and others may get worse for them. At last, all the others get
- * rounder, where that is for nothing.
+ * Then, only those cells count that are really bad, and others may get worse for them; for what that leaves, beside the
+ * thin triangles of a surface, a few cells may become very bad so that many are not, and vertices are tried at many
+ * places. At last, all the others get rounder, where that is for nothing.
  */
 template <typename Tr, typename Domain, typename Quality, typename Visitor>
 class Improve_domain_3
@@ -54,7 +57,8 @@ public:
   Improve_domain_3(Tr& tr, Domain& domain, const Quality& quality, Recovery_context<Visitor>& context)
     : m_quality(quality), m_context(context), m_mesh(tr, domain, quality, context.visitor()), m_bad_cells(m_mesh),
       m_vain_contractions(m_bad_cells), m_vain_smoothings(m_bad_cells), m_flip(m_mesh), m_contract(m_mesh),
-      m_smooth(m_mesh, quality), m_insert(m_mesh, quality), m_reconnect(m_mesh), m_center(m_mesh)
+      m_smooth(m_mesh, quality), m_insert(m_mesh, quality), m_insert_near(m_mesh, quality), m_reconnect(m_mesh),
+      m_center(m_mesh)
   { }
 
   // The dihedral angle, in degrees, that no cell is to be below. To be set before cells are added.
@@ -80,6 +84,7 @@ public:
     {
       set_enough(really_bad_angle);
       improve(max_number_of_last_rounds, true);
+      improve_leniently();
     }
     if(m_target > 0)
       center_vertices();
@@ -112,9 +117,11 @@ private:
   static constexpr std::size_t visits_per_report = 2048;
   static constexpr std::size_t expected_number_of_visits = 3; // of each cell that is bad at first
 
-  void set_enough(const double degrees)
+  void set_enough(const double degrees) { set_measure_of_badness(m_quality.of_angle(degrees)); }
+
+  void set_measure_of_badness(const Badness_3& badness)
   {
-    m_mesh.set_enough(m_quality.of_angle(degrees));
+    m_mesh.set_measure_of_badness(badness);
     m_vain_contractions.clear();
     m_vain_smoothings.clear();
   }
@@ -145,6 +152,19 @@ private:
     }
   }
 
+  // No cell gets worse than the worst one is.
+  void improve_leniently()
+  {
+    const std::vector<Bad_cell> cells = m_bad_cells.next_round();
+    if(cells.empty())
+      return;
+    set_measure_of_badness(Badness_3(m_mesh.enough(), cells.front().quality));
+    for(const Bad_cell& c : cells)
+      m_bad_cells.put_back(c);
+    m_is_lenient = true;
+    improve(max_number_of_last_rounds, true);
+  }
+
   void visit(const Bad_cell& c)
   {
     if(++m_number_of_visits % visits_per_report == 0)
@@ -160,7 +180,8 @@ private:
   bool improve(const Cell_handle c)
   {
     return flip(c) || contract(c) || (m_round > 1 && smooth(c))
-        || (m_round >= first_dear_round && insert(c)) || (m_reconnects && reconnect(c));
+        || (m_round >= first_dear_round && insert(c)) || (m_reconnects && reconnect(c))
+        || (m_is_lenient && m_round >= first_dear_round && insert_near(c));
   }
 
   // Flips what comes from a cell, until that does not help any more.
@@ -254,6 +275,16 @@ private:
     return true;
   }
 
+  bool insert_near(const Cell_handle c)
+  {
+    if(! m_insert_near.find(c))
+      return false;
+    m_insert_near.apply();
+    ++m_counts.number_of_inserted_points;
+    m_bad_cells.push_changed(m_insert_near.new_cells());
+    return true;
+  }
+
   bool reconnect(const Cell_handle c)
   {
     if(! m_reconnect.find(c))
@@ -283,6 +314,7 @@ private:
   Contract_bad_edge_3<Mesh> m_contract;
   Smooth_vertex_3<Mesh> m_smooth;
   Insert_into_bad_cell_3<Mesh> m_insert;
+  Insert_near_bad_cell_3<Mesh> m_insert_near;
   Reconnect_bad_cell_3<Mesh> m_reconnect;
   Center_vertex_3<Mesh> m_center;
   Quality_improvement_counts m_counts;
@@ -291,6 +323,7 @@ private:
   double m_worst = std::numeric_limits<double>::infinity(); // of the qualities of all cells at first
   int m_round = 0;
   bool m_reconnects = false;
+  bool m_is_lenient = false;
   std::size_t m_number_of_visits = 0;
   std::size_t m_expected_visits = 0;
   double m_told_share = 0;

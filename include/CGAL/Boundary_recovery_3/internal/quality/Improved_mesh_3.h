@@ -18,6 +18,7 @@
 #include <CGAL/Boundary_recovery_3/internal/mesh/forget_shape.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_indices.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Allowed_lengths_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Badness_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/sure_roundness.h>
 #include <CGAL/Boundary_recovery_3/internal/util/bare_point.h>
 
@@ -83,23 +84,25 @@ public:
   }
 
   // From now on, cells better than this need not be any better.
-  void set_enough(const double quality)
+  void set_enough(const double quality) { set_measure_of_badness(quality); }
+  double enough() const { return m_badness.enough(); }
+
+  // The same, maybe a lenient one.
+  void set_measure_of_badness(const Badness_3& badness)
   {
-    m_enough = quality;
-    m_inverse = 1 / quality;
-    m_enough_roundness = internal::sure_roundness(m_quality, quality);
+    m_badness = badness;
+    m_enough_roundness = internal::sure_roundness(m_quality, enough());
   }
-  double enough() const { return m_enough; }
+  const Badness_3& measure_of_badness() const { return m_badness; }
 
   // What Volume_length_quality_3 says of cells from this number on makes them good enough.
   double enough_roundness() const { return m_enough_roundness; }
 
   // How bad a cell of this quality is: from 0, good enough, to 1, flat. The sum over all cells never rises.
-  double badness(const double quality) const
-  {
-    const double lack = 1 - quality * m_inverse;
-    return lack > 0 ? lack * lack : 0;
-  }
+  double badness(const double quality) const { return m_badness.of_quality(quality); }
+
+  // The quality that new cells have at least, if that is the one of the worst cell that goes.
+  double least_quality(const double worst) const { return m_badness.least_quality(worst); }
 
   // What cells are together, maybe such that are none yet, given by vertices or corners: the quality of the worst one,
   // and the sum of badness.
@@ -255,8 +258,7 @@ private:
   typename Tr::Geom_traits::Orientation_3 m_orientation;
   Replacement m_replace;
   std::vector<Tetrahedron> m_star;
-  double m_enough = 1;
-  double m_inverse = 1;
+  Badness_3 m_badness = 1;
   double m_enough_roundness = std::numeric_limits<double>::infinity();
   Allowed_lengths_3<Tr> m_lengths;
 };

@@ -54,7 +54,7 @@ public:
     const double bound = account.badness - least_gain;
     if(! (bound > 0))
       return false;
-    const double least = least_badness(account.worst, bound);
+    const double least = least_badness(m_mesh.least_quality(account.worst), bound);
     m_gain = account.badness - least;
     return least < bound;
   }

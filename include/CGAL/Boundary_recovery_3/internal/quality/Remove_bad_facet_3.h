@@ -57,7 +57,7 @@ public:
       return false;
     m_cells.clear();
     m_tetrahedra.clear();
-    m_worst = (std::min)(m_mesh.quality(c), m_mesh.quality(n));
+    m_worst = m_mesh.least_quality((std::min)(m_mesh.quality(c), m_mesh.quality(n)));
     m_gain = 0;
     add(c, n);
     const auto f = internal::facet_vertices(c, i);
@@ -149,7 +149,7 @@ private:
 
   Mesh& m_mesh;
   Vertex_handle m_p, m_q;
-  double m_worst = 0; // of the first two cells
+  double m_worst = 0; // what qualities are to be at least
   double m_gain = 0;
   boost::container::static_vector<Cell_handle, 2 * max_number_of_facets> m_cells;
   boost::container::static_vector<Tetrahedron, max_number_of_facets + 2> m_tetrahedra;

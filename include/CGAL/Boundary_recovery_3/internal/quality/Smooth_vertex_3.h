@@ -43,7 +43,7 @@ public:
   {
     if(! m_star.collect(v))
       return false;
-    m_best_point.clear(m_mesh.enough());
+    m_best_point.clear(m_mesh.measure_of_badness());
     for(const auto& f : m_star.faces())
       m_best_point.add({{ Mesh::coordinates(f[0]), Mesh::coordinates(f[1]), Mesh::coordinates(f[2]) }});
     Coordinates_3 p = Mesh::coordinates(v);

@@ -1,9 +1,9 @@
-// The results that `mesh_surface_mpi` keeps on the disk: a file that is not whole, or of another run, is never taken.
+// What `mesh_surface_mpi` keeps on the disk: a file that is not whole, or of another run, is never taken.
 
 #undef NDEBUG
 #include <cassert>
 
-#include "task_store.h"
+#include "part_store.h"
 
 #include <sys/resource.h>
 #include <unistd.h>
@@ -49,55 +49,70 @@ Bytes some_result(const std::size_t n)
 
 void test_what_is_saved_is_loaded(const std::string& folder)
 {
-  const Task_store store(folder, key);
-  assert(store.is_used() && ! Task_store().is_used());
-  Bytes loaded;
-  assert(! store.load(3, loaded));
-  for(const std::size_t n : { 0, 1, 1000, 300000 })
+  for(const bool is_durable : { false, true })
   {
-    store.save(3, some_result(n)); // in the place of the one before
-    assert(store.load(3, loaded) && loaded == some_result(n));
-    assert(number_of_files(folder) == 1);
+    const Part_store store(folder, key, is_durable);
+    Bytes loaded;
+    assert(! store.load("a", 0, loaded));
+    for(const std::size_t n : { 0, 1, 1000, 300000 })
+    {
+      store.save("a", { some_result(n), some_result(3), some_result(2 * n) }); // in the place of the one before
+      assert(store.load("a", 0, loaded) && loaded == some_result(n));
+      assert(store.load("a", 1, loaded) && loaded == some_result(3));
+      assert(store.load("a", 2, loaded) && loaded == some_result(2 * n));
+      assert(! store.load("a", 3, loaded));
+      assert(number_of_files(folder) == 1);
+    }
+    store.save("nothing", { });
+    assert(! store.load("nothing", 0, loaded));
+    store.remove("a");
+    store.remove("nothing");
+    assert(! store.load("a", 0, loaded) && number_of_files(folder) == 0);
   }
 }
 
 void test_foreign_results(const std::string& folder)
 {
-  const Task_store store(folder, key), other_run(folder, key + 1);
-  store.save(3, some_result(50));
+  const Part_store store(folder, key, true), other_run(folder, key + 1, true);
+  store.save("a", { some_result(50) });
   Bytes loaded;
-  assert(! store.load(4, loaded) && ! other_run.load(3, loaded));
-  std::filesystem::copy_file(store.file_of(3), store.file_of(4)); // under names that are not theirs
-  std::filesystem::copy_file(store.file_of(3), other_run.file_of(3));
-  assert(! store.load(4, loaded) && ! other_run.load(3, loaded) && store.load(3, loaded));
+  assert(! store.load("b", 0, loaded) && ! other_run.load("a", 0, loaded));
+  std::filesystem::copy_file(store.file_of("a"), store.file_of("b")); // under names that are not theirs
+  std::filesystem::copy_file(store.file_of("a"), other_run.file_of("a"));
+  assert(! store.load("b", 0, loaded) && ! other_run.load("a", 0, loaded) && store.load("a", 0, loaded));
 }
 
+// A record that is loaded is as it was saved, whatever happened to the file.
 void test_damaged_files(const std::string& folder)
 {
-  const Task_store store(folder, key);
-  store.save(0, some_result(100));
-  const std::string name = store.file_of(0);
+  const Part_store store(folder, key, true);
+  store.save("a", { some_result(43), some_result(60) });
+  const std::string name = store.file_of("a");
   const Bytes whole = contents(name);
   Bytes loaded;
   for(std::size_t n = 0; n < whole.size(); ++n)
   {
     replace(name, Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(n)));
-    assert(! store.load(0, loaded));
+    assert(! store.load("a", 0, loaded) && ! store.load("a", 1, loaded));
   }
+  const std::size_t begin_of_records = whole.size() - 43 - 60;
   for(std::size_t i = 0; i < whole.size(); ++i)
     for(int bit = 0; bit < 8; ++bit)
     {
       Bytes damaged = whole;
       damaged[i] = static_cast<char>(damaged[i] ^ (1 << bit));
       replace(name, damaged);
-      assert(! store.load(0, loaded));
+      const bool is_first_damaged = i < begin_of_records + 43;
+      const bool is_second_damaged = i < begin_of_records || ! is_first_damaged;
+      assert(store.load("a", 0, loaded) == ! is_first_damaged && (is_first_damaged || loaded == some_result(43)));
+      assert(store.load("a", 1, loaded) == ! is_second_damaged && (is_second_damaged || loaded == some_result(60)));
     }
   Bytes longer = whole;
   longer.push_back(0);
   replace(name, longer);
-  assert(! store.load(0, loaded));
+  assert(! store.load("a", 0, loaded));
   replace(name, whole);
-  assert(store.load(0, loaded) && loaded == some_result(100));
+  assert(store.load("a", 1, loaded) && loaded == some_result(60));
 }
 
 template <typename Function>
@@ -119,13 +134,13 @@ void test_what_cannot_be_written(const std::string& folder)
   std::filesystem::create_directories(folder);
   const std::string file = folder + "/a_file";
   replace(file, some_result(1));
-  assert(message_of([&] { Task_store(file, key); }) == "cannot make the folder " + file);
+  assert(message_of([&] { Part_store(file, key, true); }) == "cannot make the folder " + file);
 
-  const Task_store store(folder, key);
-  std::filesystem::create_directories(store.file_of(1) + "/in_the_way"); // so that it cannot get its name
-  assert(message_of([&] { store.save(1, some_result(9)); }).find("cannot write " + store.file_of(1)) == 0);
+  const Part_store store(folder, key, true);
+  std::filesystem::create_directories(store.file_of("b") + "/in_the_way"); // so that it cannot get its name
+  assert(message_of([&] { store.save("b", { some_result(9) }); }).find("cannot write " + store.file_of("b")) == 0);
   Bytes loaded;
-  assert(! store.load(1, loaded));
+  assert(! store.load("b", 0, loaded));
 
   rlimit limit = {};
   getrlimit(RLIMIT_FSIZE, &limit);
@@ -133,10 +148,10 @@ void test_what_cannot_be_written(const std::string& folder)
   limit.rlim_cur = 1000; // a disk that becomes full
   std::signal(SIGXFSZ, SIG_IGN);
   setrlimit(RLIMIT_FSIZE, &limit);
-  const std::string message = message_of([&] { store.save(2, some_result(2000)); });
+  const std::string message = message_of([&] { store.save("c", { some_result(2000) }); });
   setrlimit(RLIMIT_FSIZE, &previous);
-  assert(message.find("cannot write " + store.file_of(2)) == 0);
-  assert(! store.load(2, loaded));
+  assert(message.find("cannot write " + store.file_of("c")) == 0);
+  assert(! store.load("c", 0, loaded));
   assert(number_of_files(folder) == 2); // nothing unfinished is left
 }
 
@@ -165,7 +180,7 @@ void test_byte_reader()
 int main()
 {
   const std::string root =
-    (std::filesystem::temp_directory_path() / ("task_store_br3_" + std::to_string(::getpid()))).string();
+    (std::filesystem::temp_directory_path() / ("part_store_br3_" + std::to_string(::getpid()))).string();
   int number = 0;
   for(const auto& test : { test_what_is_saved_is_loaded, test_foreign_results, test_damaged_files,
                            test_what_cannot_be_written })

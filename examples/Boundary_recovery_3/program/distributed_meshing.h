@@ -1,0 +1,390 @@
+#ifndef BOUNDARY_RECOVERY_3_PROGRAM_DISTRIBUTED_MESHING_H
+#define BOUNDARY_RECOVERY_3_PROGRAM_DISTRIBUTED_MESHING_H
+
+#include "byte_string.h"
+#include "mpi_exchange.h"
+#include "part_bytes.h"
+#include "part_store.h"
+#include "task_farm.h"
+
+#include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_visitor_3.h>
+#include <CGAL/Boundary_recovery_3/internal/parallel/Join_parts_3.h>
+#include <CGAL/Boundary_recovery_3/internal/parallel/Seams_3.h>
+#include <CGAL/Boundary_recovery_3/internal/parallel/Split_part_3.h>
+#include <CGAL/Boundary_recovery_3/internal/parallel/Subdomain_round.h>
+#include <CGAL/Real_timer.h>
+
+#include <boost/mpi/communicator.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+// What is done in a round. A task is a part of the mesh, or a zone of cells where parts meet.
+struct Round_plan
+{
+  struct Task
+  {
+    std::vector<std::uint32_t> parts; // that have cells in it, in their order
+    std::uint64_t number_of_cells = 0;
+    std::uint32_t owner = 0;          // the one of them that it will belong to
+  };
+
+  std::uint64_t number_of_vertices = 0; // of the mesh; numbers from there on are free
+  std::uint64_t number_of_parts = 0;
+  std::vector<Task> tasks;
+
+  Bytes bytes() const
+  {
+    Bytes result;
+    Byte_writer writer(result);
+    writer.put(number_of_vertices);
+    writer.put(number_of_parts);
+    writer.put(std::uint64_t(tasks.size()));
+    for(const Task& task : tasks)
+    {
+      writer.put(task.number_of_cells);
+      writer.put(task.owner);
+      writer.put(task.parts);
+    }
+    return result;
+  }
+
+  static Round_plan from_bytes(const Bytes& bytes)
+  {
+    Round_plan plan;
+    Byte_reader reader(bytes);
+    plan.number_of_vertices = reader.get<std::uint64_t>();
+    plan.number_of_parts = reader.get<std::uint64_t>();
+    for(std::uint64_t n = reader.get<std::uint64_t>(); n > 0; --n)
+    {
+      Task task;
+      task.number_of_cells = reader.get<std::uint64_t>();
+      task.owner = reader.get<std::uint32_t>();
+      reader.get(task.parts);
+      plan.tasks.push_back(std::move(task));
+    }
+    return plan;
+  }
+};
+
+// what is told of a round that is done
+struct Round_report
+{
+  CGAL::Boundary_recovery_3::internal::Subdomain_round round;
+  double seconds_of_plan = 0, seconds_of_work = 0;
+  std::vector<double> weights;
+  std::vector<Task_report> tasks;
+};
+
+// Fills and improves a mesh that is divided into parts, in rounds. The parts are files that all ranks see. In each
+// round, rank 0 hands out the tasks; what comes of them are files, too. Then each rank looks for the next seams in its
+// share of the parts. So no rank has more than a task, or a part, and the bare tetrahedra of its share.
+//
+// `Work` makes of a part what it is to become.
+template <typename Tr, typename Work>
+class Distributed_meshing
+{
+public:
+  typedef CGAL::Boundary_recovery_3::internal::Mesh_part_3<Tr> Part;
+
+private:
+  typedef CGAL::Boundary_recovery_3::internal::Subdomain_round        Round;
+  typedef CGAL::Boundary_recovery_3::internal::Join_parts_3<Tr>       Join_parts;
+  typedef CGAL::Boundary_recovery_3::internal::Seam_part_3            Seam_part;
+  typedef CGAL::Boundary_recovery_3::internal::Seams_3<Mpi_exchange>  Seams;
+  typedef CGAL::Boundary_recovery_3::internal::Split_part_3<Tr>       Split_part;
+
+  const boost::mpi::communicator& m_world;
+  const Mpi_exchange m_exchange;
+  const Part_store& m_store;
+  const Work& m_work;
+  const std::vector<Round> m_rounds;
+  std::size_t m_round = 0; // that is to be done, or was done last
+  Round_plan m_plan;
+  std::vector<std::vector<std::size_t> > m_tasks_of_part; // those that have cells of it
+  std::vector<std::uint64_t> m_shifts;                    // of the numbers of new vertices, by task
+  std::vector<Round_report> m_reports;
+
+public:
+  Distributed_meshing(const boost::mpi::communicator& world, const Part_store& store, const Work& work,
+                      const std::vector<Round>& rounds)
+    : m_world(world), m_exchange(world), m_store(store), m_work(work), m_rounds(rounds)
+  { }
+
+  // whether an earlier run came to one of the rounds; then it is continued
+  bool resume()
+  {
+    std::size_t number = 0; // of rounds that are begun
+    Bytes ignored;
+    for(std::size_t r = 0; m_exchange.is_first() && r < m_rounds.size(); ++r)
+      if(m_store.load(plan_name(r), 0, ignored))
+        number = r + 1;
+    number = m_exchange.gathered(number).front();
+    if(number > 0)
+      load_plan(number - 1);
+    return number > 0;
+  }
+
+  // Rank 0 has the parts.
+  void begin(std::vector<Part>&& parts, const std::size_t number_of_vertices)
+  {
+    if(m_exchange.is_first())
+    {
+      Round_plan plan;
+      plan.number_of_vertices = number_of_vertices;
+      plan.number_of_parts = parts.size();
+      for(std::uint32_t p = 0; p < parts.size(); ++p)
+      {
+        save(p, 0, Part(), { parts[p] });
+        if(parts[p].number_of_cells() > 0)
+          plan.tasks.push_back({ { p }, parts[p].number_of_cells(), p });
+        parts[p] = Part();
+      }
+      m_store.save(plan_name(0), { plan.bytes() });
+    }
+    m_exchange.wait();
+    load_plan(0);
+  }
+
+  void run()
+  {
+    for(; ; ++m_round)
+    {
+      do_tasks();
+      if(m_round + 1 == m_rounds.size())
+        return;
+      plan_next();
+    }
+  }
+
+  const std::vector<Round_report>& reports() const { return m_reports; }
+  std::size_t number_of_parts() const { return static_cast<std::size_t>(m_plan.number_of_parts); }
+
+  bool is_own(const std::size_t part) const
+  {
+    return static_cast<int>(part % static_cast<std::size_t>(m_exchange.size())) == m_exchange.rank();
+  }
+
+  // a part after the round that was done last
+  Part part(const std::size_t p) const
+  {
+    Join_parts join;
+    join.add(load(parts_name(m_round, p), 0));
+    for(const std::size_t k : m_tasks_of_part[p])
+      if(m_plan.tasks[k].owner == p)
+        join.add(load(result_name(k), 1), static_cast<std::size_t>(m_plan.number_of_vertices),
+                 static_cast<std::size_t>(m_shifts[k]));
+    return join.joined();
+  }
+
+private:
+  static std::string plan_name(const std::size_t round) { return "plan_" + std::to_string(round); }
+
+  static std::string parts_name(const std::size_t round, const std::size_t part)
+  {
+    return "part_" + std::to_string(round) + '_' + std::to_string(part);
+  }
+
+  std::string result_name(const std::size_t task) const
+  {
+    return "result_" + std::to_string(m_round) + '_' + std::to_string(task);
+  }
+
+  Part load(const std::string& name, const std::size_t record) const
+  {
+    Bytes bytes;
+    if(! m_store.load(name, record, bytes))
+      throw std::runtime_error(m_store.file_of(name) + " is not there, or not as it was written");
+    return Part_bytes<Tr>::to_part(bytes);
+  }
+
+  // what is left of a part in a round, and what of it is worked on
+  void save(const std::size_t p, const std::size_t round, const Part& left, const std::vector<Part>& pieces) const
+  {
+    std::vector<Bytes> records(1, Part_bytes<Tr>::from_part(left));
+    for(const Part& piece : pieces)
+      records.push_back(Part_bytes<Tr>::from_part(piece));
+    m_store.save(parts_name(round, p), records);
+  }
+
+  void load_plan(const std::size_t round)
+  {
+    Bytes bytes;
+    if(! m_store.load(plan_name(round), 0, bytes))
+      throw std::runtime_error(m_store.file_of(plan_name(round)) + " is not there: --work has to be a folder that all "
+                               "ranks see");
+    m_round = round;
+    set_plan(Round_plan::from_bytes(bytes));
+  }
+
+  void set_plan(const Round_plan& plan)
+  {
+    m_plan = plan;
+    m_tasks_of_part.assign(number_of_parts(), { });
+    for(std::size_t k = 0; k < plan.tasks.size(); ++k)
+      for(const std::uint32_t p : plan.tasks[k].parts)
+        m_tasks_of_part.at(p).push_back(k);
+  }
+
+  // Where in the file of a part its cells for a task are: behind what is left of it.
+  std::size_t record(const std::uint32_t part, const std::size_t task) const
+  {
+    const auto& tasks = m_tasks_of_part[part];
+    return 1 + static_cast<std::size_t>(std::lower_bound(tasks.begin(), tasks.end(), task) - tasks.begin());
+  }
+
+  // in messages
+  std::string name_of(const std::size_t task) const
+  {
+    const auto& parts = m_plan.tasks[task].parts;
+    std::string name = (parts.size() == 1) ? "sub-domain " : "the seam of the sub-domains ";
+    for(std::size_t k = 0; k < parts.size(); ++k)
+      name += (k > 0 ? ", " : "") + std::to_string(parts[k] + 1);
+    return name;
+  }
+
+  void do_tasks()
+  {
+    Round_report report{ m_rounds[m_round], 0, 0, { }, { } };
+    for(const auto& task : m_plan.tasks)
+      report.weights.push_back(static_cast<double>(task.number_of_cells));
+    CGAL::Real_timer timer;
+    timer.start();
+    report.tasks = Task_farm(m_world, [this](const std::size_t k) { return name_of(k); })
+      (report.weights, [this](const std::size_t k) { return do_task(k); });
+    report.seconds_of_work = timer.time();
+    m_shifts.clear();
+    std::uint64_t sum = 0;
+    for(const Task_report& task : report.tasks)
+    {
+      m_shifts.push_back(sum);
+      sum += task.new_vertices;
+    }
+    m_reports.push_back(report);
+  }
+
+  // The result has two records: the report, and the cells.
+  Task_report do_task(const std::size_t k) const
+  {
+    Bytes bytes;
+    Task_report report;
+    if(m_store.load(result_name(k), 0, bytes) && m_store.load(result_name(k), 1, bytes))
+    {
+      m_store.load(result_name(k), 0, bytes);
+      report = Byte_reader(bytes).get<Task_report>();
+      report.is_stored = true;
+      return report;
+    }
+    Join_parts join;
+    for(const std::uint32_t p : m_plan.tasks[k].parts)
+      join.add(load(parts_name(m_round, p), record(p, k)));
+    Part part = join.joined();
+    CGAL::Default_boundary_constrained_mesh_visitor_3 visitor;
+    const auto work_report = m_work(part, m_rounds[m_round], static_cast<std::size_t>(m_plan.number_of_vertices),
+                                    visitor, (std::numeric_limits<double>::infinity)());
+    check(work_report.filling);
+    for(const auto& v : part.vertices)
+      report.new_vertices += v.number >= m_plan.number_of_vertices;
+    report.tetrahedra = part.number_of_cells();
+    Bytes cells = Part_bytes<Tr>::from_part(part);
+    report.bytes = cells.size();
+    Bytes report_bytes;
+    Byte_writer(report_bytes).put(report);
+    m_store.save(result_name(k), { report_bytes, cells });
+    return report;
+  }
+
+  template <typename Filling>
+  static void check(const Filling& filling)
+  {
+    for(const auto& invalid : filling.invalid_sizes)
+      throw std::runtime_error("a size is no positive number: " + std::to_string(invalid.size) + ' ' + invalid.message);
+    if(! filling)
+      throw std::runtime_error("the mesh gets too large");
+  }
+
+  void plan_next()
+  {
+    CGAL::Real_timer timer;
+    timer.start();
+    Round_plan next;
+    next.number_of_parts = m_plan.number_of_parts;
+    next.number_of_vertices = m_plan.number_of_vertices;
+    for(const Task_report& task : m_reports.back().tasks)
+      next.number_of_vertices += task.new_vertices;
+    if(m_rounds[m_round + 1].works_on_parts())
+      plan_parts(next);
+    else
+      plan_zones(m_rounds[m_round + 1], next);
+    m_exchange.wait(); // all parts are there
+    if(m_exchange.is_first())
+    {
+      m_store.save(plan_name(m_round + 1), { next.bytes() });
+      remove_files_of_round();
+    }
+    m_exchange.wait();
+    set_plan(next);
+    m_reports.back().seconds_of_plan = timer.time();
+  }
+
+  void plan_parts(Round_plan& plan) const
+  {
+    std::vector<std::array<std::uint64_t, 2> > numbers_of_cells;
+    for(std::uint32_t p = 0; p < number_of_parts(); ++p)
+      if(is_own(p))
+      {
+        const Part part = this->part(p);
+        save(p, m_round + 1, Part(), { part });
+        numbers_of_cells.push_back({{ p, part.number_of_cells() }});
+      }
+    m_exchange.gather(numbers_of_cells);
+    std::sort(numbers_of_cells.begin(), numbers_of_cells.end());
+    for(const auto& [p, number] : numbers_of_cells)
+      if(number > 0)
+        plan.tasks.push_back({ { static_cast<std::uint32_t>(p) }, number, static_cast<std::uint32_t>(p) });
+  }
+
+  // Each part is loaded twice, so that it need not be kept.
+  void plan_zones(const Round& round, Round_plan& plan) const
+  {
+    std::vector<Seam_part> seam_parts;
+    for(std::uint32_t p = 0; p < number_of_parts(); ++p)
+      if(is_own(p))
+      {
+        const Part part = this->part(p);
+        seam_parts.emplace_back(p, part);
+        for(std::size_t c = 0; round.repairs() && c < part.number_of_cells(); ++c)
+          if(m_work.is_to_be_repaired(part, c))
+            seam_parts.back().add_start(part, c);
+      }
+    Seams seams(seam_parts, round.number_of_layers, m_exchange);
+    for(const auto& zone : round.repairs() ? seams.find_around_starts() : seams.find(round.number_of_parts))
+      plan.tasks.push_back({ zone.parts, zone.number_of_cells, zone.owner });
+    for(const Seam_part& seam_part : seam_parts)
+    {
+      Part left = part(seam_part.index);
+      std::vector<Part> pieces;
+      for(auto& group : Split_part()(left, seam_part.zone_of_cell))
+        pieces.push_back(std::move(group.second));
+      save(seam_part.index, m_round + 1, left, pieces);
+    }
+  }
+
+  void remove_files_of_round() const
+  {
+    for(std::size_t p = 0; p < number_of_parts(); ++p)
+      m_store.remove(parts_name(m_round, p));
+    for(std::size_t k = 0; k < m_plan.tasks.size(); ++k)
+      m_store.remove(result_name(k));
+    m_store.remove(plan_name(m_round));
+  }
+};
+
+#endif // BOUNDARY_RECOVERY_3_PROGRAM_DISTRIBUTED_MESHING_H

@@ -1,0 +1,59 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_PARALLEL_SUBDOMAIN_ROUND_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_PARALLEL_SUBDOMAIN_ROUND_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/internal/parallel/Seams_3.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+// What is done at the same time: the parts, or zones of cells around their seams, are filled, and maybe improved.
+struct Subdomain_round
+{
+  bool works_on_parts() const { return number_of_parts == 1; }
+  bool repairs() const { return number_of_parts == 0; }
+
+  // Below it, cells are repaired. See "Tuning constants" in the manual.
+  static constexpr double angle_to_be_repaired = 20;
+
+  std::size_t number_of_parts; // that meet in a zone; 1: the parts themselves; 0: zones are around bad cells
+  int         number_of_layers;
+  bool        improves;
+};
+
+// In the end, what is bad is improved again, without anything near it that has to stay.
+inline std::vector<Subdomain_round> subdomain_rounds(const bool improve)
+{
+  constexpr int layers_to_be_filled = 3;
+  constexpr int layers_to_be_improved = 2;
+  constexpr int layers_to_be_repaired = 4;
+  std::vector<Subdomain_round> rounds;
+  for(std::size_t number_of_parts = 1; number_of_parts <= Seams_3<>::last_round; ++number_of_parts)
+    rounds.push_back({ number_of_parts, layers_to_be_filled, false });
+  if(! improve)
+    return rounds;
+  for(std::size_t number_of_parts = 1; number_of_parts <= Seams_3<>::last_round; ++number_of_parts)
+    rounds.push_back({ number_of_parts, layers_to_be_improved, true });
+  rounds.push_back({ 0, layers_to_be_repaired, true });
+  return rounds;
+}
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_PARALLEL_SUBDOMAIN_ROUND_H

@@ -1,0 +1,126 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_PARALLEL_WORK_ON_PART_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_PARALLEL_WORK_ON_PART_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/Mesh_quality_3.h>
+#include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Field_point_insertion_3.h>
+#include <CGAL/Boundary_recovery_3/internal/parallel/Mesh_part_3.h>
+#include <CGAL/Boundary_recovery_3/internal/parallel/Part_domain_3.h>
+#include <CGAL/Boundary_recovery_3/internal/parallel/Part_triangulation_3.h>
+#include <CGAL/Boundary_recovery_3/internal/parallel/Subdomain_round.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Improve_domain_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Measure_quality_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+// What is told of the work on a part of a mesh.
+template <typename Tr>
+struct Part_report_3
+{
+  Field_points_result_3<Tr>  filling;
+  Mesh_quality_3             before; // the improvement; only in its first round
+  Quality_improvement_counts counts;
+  bool                       is_stopped = false;
+};
+
+/*
+ * Steps 6 and 7 for a part of a mesh. What the part becomes depends on nothing else but the round, so it does not
+ * matter who does it, or when.
+ */
+template <typename Tr, typename SizingField, typename Quality>
+class Work_on_part_3
+{
+public:
+  typedef Mesh_part_3<Tr>   Part;
+  typedef Part_report_3<Tr> Report;
+
+  Work_on_part_3(const SizingField& size, const Quality& quality, const double min_dihedral_angle,
+                 const std::size_t max_number_of_vertices)
+    : m_size(size), m_quality(quality), m_min_dihedral_angle(min_dihedral_angle),
+      m_max_number_of_vertices(max_number_of_vertices)
+  { }
+
+  // The mesh has a number of vertices, and numbers from there on are free.
+  template <typename Visitor>
+  Report operator()(Part& part, const Subdomain_round& round, const std::size_t number_of_vertices, Visitor& visitor,
+                    const double seconds_left) const
+  {
+    Part_triangulation_3<Tr> triangulation(std::move(part));
+    Tr& tr = triangulation.triangulation();
+    Part_domain_3<Tr> domain(tr, triangulation.constrained_edges());
+    Report report;
+    report.filling = filled(tr, domain, number_of_vertices, visitor, seconds_left);
+    if(round.improves)
+      improve(tr, domain, round, visitor, seconds_left, report);
+    part = triangulation.part(number_of_vertices);
+    return report;
+  }
+
+  // Whether a cell is to be repaired in the end: it is bad, and it is where parts or zones met.
+  bool is_to_be_repaired(const Part& part, const std::size_t cell) const
+  {
+    const auto vertex = [&](const std::size_t i) -> const auto& { return part.vertices[part.tetrahedra[cell][i]]; };
+    const auto corner = [&](const std::size_t i) { return coordinates_of(vertex(i).point); };
+    return (vertex(0).may_be_shared || vertex(1).may_be_shared || vertex(2).may_be_shared || vertex(3).may_be_shared) &&
+           m_quality({{ corner(0), corner(1), corner(2), corner(3) }})
+             < m_quality.of_angle((std::min)(Subdomain_round::angle_to_be_repaired, m_min_dihedral_angle));
+  }
+
+private:
+  typedef Part_domain_3<Tr> Domain;
+
+  template <typename Visitor>
+  Field_points_result_3<Tr> filled(Tr& tr, Domain& domain, const std::size_t number_of_vertices, Visitor& visitor,
+                                   const double seconds_left) const
+  {
+    const std::size_t number_left = m_max_number_of_vertices - (std::min)(m_max_number_of_vertices, number_of_vertices);
+    const std::size_t max_number = (std::max)(number_left, tr.number_of_vertices() + number_left); // no overflow
+    typedef Field_point_insertion_3<Tr, Domain, SizingField, Visitor> Insertion;
+    return Insertion(tr, domain, m_size, visitor, Forecast_effort::none)(max_number, seconds_left);
+  }
+
+  // What was left beside zones that met is filled now.
+  template <typename Visitor>
+  void improve(Tr& tr, Domain& domain, const Subdomain_round& round, Visitor& visitor, const double seconds_left,
+               Report& report) const
+  {
+    if(round.works_on_parts())
+      report.before = Measure_quality_3<Tr, Domain>(tr, domain)([](const typename Tr::Cell_handle,
+                                                                   const Cell_angles_3&) { });
+    Recovery_context<Visitor> context(visitor);
+    context.set_maximum_running_time(seconds_left);
+    Improve_domain_3<Tr, Domain, Quality, Visitor> improve_domain(tr, domain, m_quality, context);
+    improve_domain(m_min_dihedral_angle);
+    report.counts = improve_domain.counts();
+    report.is_stopped = context.is_stopped();
+  }
+
+  const SizingField& m_size;
+  const Quality m_quality;
+  const double m_min_dihedral_angle;
+  const std::size_t m_max_number_of_vertices;
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_PARALLEL_WORK_ON_PART_3_H

@@ -1,0 +1,239 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_INSERT_NEAR_BAD_CELL_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_INSERT_NEAR_BAD_CELL_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/internal/filling/Unit_frame_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/distances_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Best_point_in_star_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Star_cavity_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/contains.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * Inserts a vertex near a bad cell, where insertion into the cell does not help: beside a thin triangle of the surface,
+ * cells are good if they have their other vertex near the short edge of the triangle, and that is far from the center
+ * of any cell there.
+ *
+ * Points around the shortest edge of the cell are tried, at a distance of twice its length. The cavity of a point is
+ * made of the cells on the way to it, and grows where its star has the worst cell. Of all states on the way, and of all
+ * points, the one that helps most is taken.
+ */
+template <typename Mesh>
+class Insert_near_bad_cell_3
+{
+public:
+  typedef typename Mesh::Cell_handle Cell_handle;
+  typedef typename Mesh::Cells       Cells;
+
+  Insert_near_bad_cell_3(Mesh& mesh, const typename Mesh::Quality& quality)
+    : m_mesh(mesh), m_cavity(mesh), m_best_point(quality)
+  { }
+
+  // Searches for a point. Returns whether the cells would be less bad then, and none worse than the worst one now, or,
+  // if the mesh has it so, than what is tolerated.
+  bool find(const Cell_handle c)
+  {
+    collect_places(c);
+    double best_gain = 0;
+    const Coordinates_3* best = nullptr;
+    for(const Coordinates_3& p : m_places)
+    {
+      const double gain = gain_at(c, p);
+      if(gain > best_gain)
+      {
+        best_gain = gain;
+        best = &p;
+      }
+    }
+    return best != nullptr && gain_at(c, *best) > 0;
+  }
+
+  // Inserts the vertex.
+  void apply() { m_new_cells = &m_cavity.exchange(); }
+
+  const Cells& new_cells() const { return *m_new_cells; }
+
+private:
+  typedef Star_cavity_3<Mesh>   Cavity;
+  typedef typename Cavity::Face Face;
+
+  // See "Tuning constants" in the manual.
+  static constexpr double distance_in_shortest_edges = 2;
+  static constexpr int max_number_of_steps = 20;
+  static constexpr std::size_t max_number_of_cells = 30;
+
+  // Around the middle of the shortest edge, in both directions of the normals of facets.
+  void collect_places(const Cell_handle c)
+  {
+    const auto p = internal::corners(c);
+    Coordinates_3 middle;
+    const double distance = distance_in_shortest_edges * find_shortest_edge(p, middle);
+    m_places.clear();
+    for(int i = 0; i < 4; ++i)
+    {
+      const Coordinates_3 normal = cross_product(difference(p[(i + 2) % 4], p[(i + 1) % 4]),
+                                                 difference(p[(i + 3) % 4], p[(i + 1) % 4]));
+      const double length = std::sqrt(dot_product(normal, normal));
+      if(length > 0)
+        for(const double step : { - distance / length, distance / length })
+          m_places.push_back({{ middle[0] + step * normal[0], middle[1] + step * normal[1],
+                                middle[2] + step * normal[2] }});
+    }
+  }
+
+  // Returns the length.
+  static double find_shortest_edge(const std::array<Coordinates_3, 4>& p, Coordinates_3& middle)
+  {
+    double shortest = std::numeric_limits<double>::infinity();
+    for(int i = 0; i < 4; ++i)
+      for(int j = 0; j < i; ++j)
+      {
+        const double d = internal::squared_distance(p[i], p[j]);
+        if(! (d < shortest))
+          continue;
+        shortest = d;
+        for(int k = 0; k < 3; ++k)
+          middle[k] = 0.5 * (p[i][k] + p[j][k]);
+      }
+    return std::sqrt(shortest);
+  }
+
+  // Makes the cavity of a point. Returns by how much the cells would be less bad; 0: not, or it is not possible.
+  double gain_at(const Cell_handle c, const Coordinates_3& p)
+  {
+    if(! walk(c, p) || ! grow())
+      return 0;
+    const double quality = move_point(), gain = m_cavity.gain();
+    return gain > 0 && quality > 0 && quality >= m_mesh.least_quality(m_cavity.worst_quality()) &&
+           m_cavity.has_nothing_inside() && m_cavity.is_in_size() && m_cavity.is_star() ? gain : 0;
+  }
+
+  // Begins with the cells from c to the one that the point is in.
+  bool walk(Cell_handle c, const Coordinates_3& p)
+  {
+    m_cavity.start(c, p);
+    for(int step = 0; step < max_number_of_steps; ++step)
+    {
+      const int i = facet_before(c, p);
+      if(i < 0)
+        return true;
+      if(m_mesh.domain().is_wall(c, i))
+        return false;
+      c = c->neighbor(i);
+      if(internal::contains(m_cavity.cells(), c))
+        return false;
+      m_cavity.take_in(c);
+    }
+    return false;
+  }
+
+  // The facet beyond which the point is; -1: none.
+  int facet_before(const Cell_handle c, const Coordinates_3& p) const
+  {
+    double worst = 0;
+    int facet = -1;
+    for(int i = 0; i < 4; ++i)
+    {
+      const double q = m_mesh.quality(internal::facet_vertices(c, i), p);
+      if(q < worst)
+      {
+        worst = q;
+        facet = i;
+      }
+    }
+    return facet;
+  }
+
+  // Grows the cavity, and goes back to where the cells are the least bad. Returns false if that is nowhere better.
+  bool grow()
+  {
+    double badness_of_cells = m_mesh.account_of(m_cavity.cells()).badness, best_gain = 0;
+    std::size_t best = 0;
+    while(true)
+    {
+      const double gain = badness_of_cells - set_worst_face();
+      if(gain > best_gain && m_worst > 0 && m_worst >= m_mesh.least_quality(m_cavity.worst_quality()) &&
+         m_cavity.has_nothing_inside())
+      {
+        best_gain = gain;
+        best = m_cavity.cells().size();
+      }
+      if(m_face == nullptr || m_cavity.cells().size() >= max_number_of_cells)
+        break;
+      const Cell_handle next = m_face->cell->neighbor(m_face->index);
+      m_cavity.take_in(next);
+      badness_of_cells += m_mesh.badness(m_mesh.quality(next));
+    }
+    if(best > 0 && best < m_cavity.cells().size())
+      m_cavity.go_back_to(best);
+    return best > 0;
+  }
+
+  // The worst new cell, and its face, if it may be gone through, or that of another one. Returns how bad all are.
+  double set_worst_face()
+  {
+    double badness = 0, worst = m_mesh.enough();
+    m_worst = worst;
+    m_face = nullptr;
+    for(const Face& f : m_cavity.faces())
+    {
+      const double q = m_cavity.quality(f);
+      badness += m_mesh.badness(q);
+      m_worst = (std::min)(m_worst, q);
+      if(q < worst && ! m_cavity.is_wall(f))
+      {
+        worst = q;
+        m_face = &f;
+      }
+    }
+    return badness;
+  }
+
+  // Moves the point to the best place. Returns the quality of the worst new cell.
+  double move_point()
+  {
+    m_best_point.clear(m_mesh.measure_of_badness());
+    for(const Face& f : m_cavity.faces())
+      m_best_point.add({{ Mesh::coordinates(f.vertices[0]), Mesh::coordinates(f.vertices[1]),
+                          Mesh::coordinates(f.vertices[2]) }});
+    Coordinates_3 p = m_cavity.point();
+    m_best_point.improve(p, [](const Coordinates_3&) { return true; });
+    m_cavity.move_point(p);
+    return m_best_point.worst_quality(p);
+  }
+
+  Mesh& m_mesh;
+  Cavity m_cavity;
+  Best_point_in_star_3<typename Mesh::Quality> m_best_point;
+  std::vector<Coordinates_3> m_places;
+  const Face* m_face = nullptr; // of the cavity
+  double m_worst = 0;           // of the qualities of the new cells
+  const Cells* m_new_cells = nullptr;
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_INSERT_NEAR_BAD_CELL_3_H

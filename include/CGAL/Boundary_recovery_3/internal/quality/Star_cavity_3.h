@@ -1,0 +1,210 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_STAR_CAVITY_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_STAR_CAVITY_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/distances_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
+#include <CGAL/Boundary_recovery_3/internal/util/contains.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * Cells that are to be exchanged for the star of a new vertex: they grow one by one, through facets that are no walls.
+ */
+template <typename Mesh>
+class Star_cavity_3
+{
+public:
+  typedef typename Mesh::Vertex_handle Vertex_handle;
+  typedef typename Mesh::Cell_handle   Cell_handle;
+  typedef typename Mesh::Cells         Cells;
+
+  // The facet opposite to the vertex `index` of a cell of the cavity, seen from inside.
+  struct Face
+  {
+    std::array<Vertex_handle, 3> vertices;
+    Cell_handle cell;
+    int index;
+  };
+
+  explicit Star_cavity_3(Mesh& mesh) : m_mesh(mesh) { }
+
+  // One cell, and the place of the vertex.
+  void start(const Cell_handle c, const Coordinates_3& p)
+  {
+    m_cells.assign(1, c);
+    m_faces.clear();
+    for(int i = 0; i < 4; ++i)
+      m_faces.push_back(Face{ internal::facet_vertices(c, i), c, i });
+    m_point = p;
+    m_worst = m_mesh.quality(c);
+  }
+
+  // Adds the neighbor of a cell of the cavity.
+  void take_in(const Cell_handle c)
+  {
+    m_worst = (std::min)(m_worst, m_mesh.quality(c));
+    m_cells.push_back(c);
+    m_faces.erase(std::remove_if(m_faces.begin(), m_faces.end(),
+                                 [&](const Face& f) { return f.cell->neighbor(f.index) == c; }), m_faces.end());
+    for(int i = 0; i < 4; ++i)
+      if(! internal::contains(m_cells, c->neighbor(i)))
+        m_faces.push_back(Face{ internal::facet_vertices(c, i), c, i });
+  }
+
+  // The first ones of the cells are left.
+  void go_back_to(const std::size_t number_of_cells)
+  {
+    const std::vector<Cell_handle> cells(m_cells.begin(), m_cells.begin() + number_of_cells);
+    start(cells.front(), m_point);
+    for(std::size_t i = 1; i < number_of_cells; ++i)
+      take_in(cells[i]);
+  }
+
+  const std::vector<Cell_handle>& cells() const { return m_cells; }
+  const std::vector<Face>& faces() const { return m_faces; }
+
+  const Coordinates_3& point() const { return m_point; }
+  void move_point(const Coordinates_3& p) { m_point = p; }
+
+  // The quality of the worst cell that goes.
+  double worst_quality() const { return m_worst; }
+
+  // Of the new cell at a face.
+  double quality(const Face& f) const { return m_mesh.quality(f.vertices, m_point); }
+
+  bool is_wall(const Face& f) const { return m_mesh.domain().is_wall(f.cell, f.index); }
+
+  // By how much the new cells are less bad.
+  double gain() const
+  {
+    double gain = m_mesh.account_of(m_cells).badness;
+    for(const Face& f : m_faces)
+      gain -= m_mesh.badness(quality(f));
+    return gain;
+  }
+
+  // Whether nothing would be lost. All of the facets between cells of the cavity were gone through, so none is
+  // constrained; but edges may be, and vertices may be inside. Euler's formula tells how many are on the sphere that
+  // its boundary has to be.
+  bool has_nothing_inside()
+  {
+    return is_no_vertex_inside() && ! has_constrained_edge_inside();
+  }
+
+  // Whether the edges of the new vertex, which gets the mean size, would be. The cavity has nothing inside, as
+  // `has_nothing_inside()` found last.
+  bool is_in_size()
+  {
+    const auto& lengths = m_mesh.allowed_lengths();
+    m_size = 0;
+    m_least = std::numeric_limits<double>::infinity();
+    for(const Vertex_handle v : m_vertices)
+    {
+      m_size += Mesh::size(v) / static_cast<double>(m_vertices.size());
+      m_least = (std::min)(m_least, lengths.faded(lengths.least(v), distance(v)));
+    }
+    const double longest = longest_edge();
+    return std::all_of(m_vertices.begin(), m_vertices.end(), [&](const Vertex_handle v)
+    {
+      const auto range = lengths.at(v, m_size, m_least);
+      return distance(v) >= range.least && distance(v) <= (std::max)(range.largest, longest);
+    });
+  }
+
+  // Whether all new cells are positively oriented; that is decided exactly.
+  bool is_star() const
+  {
+    const typename Mesh::Point_3 p(m_point[0], m_point[1], m_point[2]);
+    return std::all_of(m_faces.begin(), m_faces.end(), [&](const Face& f)
+    {
+      return m_mesh.is_positive(Mesh::point(f.vertices[0]), Mesh::point(f.vertices[1]), Mesh::point(f.vertices[2]), p);
+    });
+  }
+
+  // Exchanges the cells. The edges were found to be in size.
+  const Cells& exchange()
+  {
+    return m_mesh.star(m_cells, m_faces, typename Mesh::Point_3(m_point[0], m_point[1], m_point[2]), m_size, m_least);
+  }
+
+private:
+  bool is_no_vertex_inside()
+  {
+    m_vertices.clear();
+    for(const Cell_handle c : m_cells)
+      for(int i = 0; i < 4; ++i)
+      {
+        if(! internal::contains(m_vertices, c->vertex(i)))
+          m_vertices.push_back(c->vertex(i));
+        const Cell_handle n = c->neighbor(i);
+        if(internal::contains(m_cells, n) && m_mesh.domain().is_wall(c, i))
+          return false;
+      }
+    return 2 * m_vertices.size() == m_faces.size() + 4;
+  }
+
+  bool has_constrained_edge_inside() const
+  {
+    if constexpr(Mesh::Domain::has_constrained_edges)
+      for(const Cell_handle c : m_cells)
+        for(int i = 0; i < 4; ++i)
+          for(int j = 0; j < i; ++j)
+            if(m_mesh.domain().is_constrained_edge(c->vertex(i), c->vertex(j)) &&
+               std::none_of(m_faces.begin(), m_faces.end(), [&](const Face& f)
+               {
+                 return internal::contains(f.vertices, c->vertex(i)) && internal::contains(f.vertices, c->vertex(j));
+               }))
+              return true;
+    return false;
+  }
+
+  // Of the cells of the cavity: where edges were longer than they should be, they may be so again.
+  double longest_edge() const
+  {
+    double longest = 0;
+    for(const Cell_handle c : m_cells)
+      for(int i = 0; i < 4; ++i)
+        for(int j = 0; j < i; ++j)
+          longest = (std::max)(longest, internal::squared_distance(Mesh::coordinates(c->vertex(i)),
+                                                                   Mesh::coordinates(c->vertex(j))));
+    return std::sqrt(longest);
+  }
+
+  double distance(const Vertex_handle v) const { return internal::distance(Mesh::coordinates(v), m_point); }
+
+  Mesh& m_mesh;
+  Coordinates_3 m_point;
+  double m_size = 0;
+  double m_least = 0;
+  double m_worst = 0; // of the qualities of the cells
+  std::vector<Cell_handle> m_cells;
+  std::vector<Face> m_faces;
+  std::vector<Vertex_handle> m_vertices;
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_STAR_CAVITY_3_H
