@@ -87,7 +87,7 @@ private:
   void collect_places(const Cell_handle c)
   {
     const auto p = internal::corners(c);
-    Coordinates_3 middle;
+    Coordinates_3 middle = {{ 0, 0, 0 }};
     const double distance = distance_in_shortest_edges * find_shortest_edge(p, middle);
     m_places.clear();
     for(int i = 0; i < 4; ++i)
