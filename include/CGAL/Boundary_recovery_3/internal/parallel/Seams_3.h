@@ -18,8 +18,6 @@
 
 #include <CGAL/tags.h>
 
-#include <boost/pending/disjoint_sets.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -44,10 +42,10 @@ struct No_exchange
 
 /*
  * Where parts of a mesh meet, zones of cells are found, to be worked on at the same time, since no cell is in two of
- * them. In three rounds, no seam is left:
+ * them. In three rounds, hardly any seam is left:
  *  - around the vertices of two parts, for each two of them, without the cells at vertices of more parts;
  *  - the same for three;
- *  - around the vertices of four or more, as far as these are connected by edges.
+ *  - around the vertices of four or more, as far as these are connected by edges, and not too many.
  *
  * Each zone has some layers of cells, and belongs to one of its parts thereafter, so the next seam is elsewhere. That
  * is the part that has the fewest cells then, where the largest zones come first.
@@ -107,7 +105,11 @@ public:
   }
 
 private:
-  // Of vertices given by numbers: those of a group are connected. A component has the position of its first vertex.
+  // See "Tuning constants" in the manual.
+  static constexpr std::size_t max_number_of_connected_vertices = 64;
+
+  // Of vertices given by numbers: those of a group are connected, and some of those that are make up a component, which
+  // has the position of its first vertex. The order of the groups makes no difference.
   class Components
   {
   public:
@@ -118,18 +120,11 @@ private:
         m_numbers.insert(m_numbers.end(), group.begin(), group.end());
       std::sort(m_numbers.begin(), m_numbers.end());
       m_numbers.erase(std::unique(m_numbers.begin(), m_numbers.end()), m_numbers.end());
-      boost::disjoint_sets_with_storage<> sets(m_numbers.size());
-      for(const auto& group : groups)
-        for(std::size_t i = 1; i < N; ++i)
-          sets.union_set(position(group[0]), position(group[i]));
-      std::vector<std::uint32_t> first(m_numbers.size(), none);
-      for(std::size_t v = 0; v < m_numbers.size(); ++v)
-      {
-        std::uint32_t& component = first[sets.find_set(v)];
-        if(component == none)
-          component = static_cast<std::uint32_t>(v);
-        m_components.push_back(component);
-      }
+      m_components.assign(m_numbers.size(), none);
+      const std::vector<std::vector<std::uint32_t> > neighbors = find_neighbors(groups);
+      for(std::uint32_t v = 0; v < m_numbers.size(); ++v)
+        if(m_components[v] == none)
+          form_component(v, neighbors);
     }
 
     // None if the vertex is in no group.
@@ -140,6 +135,37 @@ private:
     }
 
   private:
+    template <std::size_t N>
+    std::vector<std::vector<std::uint32_t> > find_neighbors(const std::vector<std::array<std::size_t, N> >& groups) const
+    {
+      std::vector<std::vector<std::uint32_t> > neighbors(m_numbers.size());
+      for(const auto& group : groups)
+        for(const std::size_t u : group)
+          for(const std::size_t v : group)
+            if(u != v)
+              neighbors[position(u)].push_back(static_cast<std::uint32_t>(position(v)));
+      for(auto& n : neighbors)
+      {
+        std::sort(n.begin(), n.end());
+        n.erase(std::unique(n.begin(), n.end()), n.end());
+      }
+      return neighbors;
+    }
+
+    // In the order of a breadth-first search.
+    void form_component(const std::uint32_t first, const std::vector<std::vector<std::uint32_t> >& neighbors)
+    {
+      std::vector<std::uint32_t> component(1, first);
+      m_components[first] = first;
+      for(std::size_t k = 0; k < component.size(); ++k)
+        for(const std::uint32_t v : neighbors[component[k]])
+          if(m_components[v] == none && component.size() < max_number_of_connected_vertices)
+          {
+            m_components[v] = first;
+            component.push_back(v);
+          }
+    }
+
     std::size_t position(const std::size_t number) const
     {
       return static_cast<std::size_t>(std::lower_bound(m_numbers.begin(), m_numbers.end(), number)
