@@ -12,7 +12,8 @@
 #include <type_traits>
 #include <vector>
 
-inline void pause_briefly() { std::this_thread::sleep_for(std::chrono::milliseconds(1)); }
+// Small tasks are done in some milliseconds: ranks must not wait as long for the next one.
+inline void pause_briefly() { std::this_thread::sleep_for(std::chrono::microseconds(100)); }
 
 // Waits for all ranks. MPI's own waiting takes a core, which a rank that works may need.
 inline void wait_for_all(const boost::mpi::communicator& world)

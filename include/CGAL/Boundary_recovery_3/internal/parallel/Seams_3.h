@@ -121,7 +121,7 @@ private:
       std::sort(m_numbers.begin(), m_numbers.end());
       m_numbers.erase(std::unique(m_numbers.begin(), m_numbers.end()), m_numbers.end());
       m_components.assign(m_numbers.size(), none);
-      const std::vector<std::vector<std::uint32_t> > neighbors = find_neighbors(groups);
+      const auto neighbors = find_neighbors(groups);
       for(std::uint32_t v = 0; v < m_numbers.size(); ++v)
         if(m_components[v] == none)
           form_component(v, neighbors);
@@ -135,10 +135,12 @@ private:
     }
 
   private:
+    typedef std::vector<std::vector<std::uint32_t> > Neighbors;
+
     template <std::size_t N>
-    std::vector<std::vector<std::uint32_t> > find_neighbors(const std::vector<std::array<std::size_t, N> >& groups) const
+    Neighbors find_neighbors(const std::vector<std::array<std::size_t, N> >& groups) const
     {
-      std::vector<std::vector<std::uint32_t> > neighbors(m_numbers.size());
+      Neighbors neighbors(m_numbers.size());
       for(const auto& group : groups)
         for(const std::size_t u : group)
           for(const std::size_t v : group)
@@ -153,7 +155,7 @@ private:
     }
 
     // In the order of a breadth-first search.
-    void form_component(const std::uint32_t first, const std::vector<std::vector<std::uint32_t> >& neighbors)
+    void form_component(const std::uint32_t first, const Neighbors& neighbors)
     {
       std::vector<std::uint32_t> component(1, first);
       m_components[first] = first;
