@@ -23,6 +23,7 @@ BYTES_OF_REPORT, BYTES_OF_ANSWER = 352, 8       # struct Task_report, and a numb
 BYTES_OF_SHARED_VERTEX = 16 + 3 * 8             # in a list of all, and then for each of three layers
 GATHERINGS = 8                                  # of the ranks, between two rounds
 CELLS_PER_VERTEX = 5.7
+COARSENESS, CELLS_OF_BACKGROUND = 8, 1000       # of the mesh that is divided: see "Tuning constants" in the manual
 PASSES = 5                                      # a task reads and writes its cells; a part is read twice, and written
 PAPER_TRIANGLES, PAPER_CELLS = 2.3e6, 122.5e6   # Table 5 of the paper: how many triangles a surface has for the cells
 
@@ -106,10 +107,15 @@ def run_of(report):
                 for r in report["rounds"]])
 
 
-def larger_run(report, cells, number, division_per_triangle):
+def division(cells, number, options):
+    """rank 0 recovers a surface with the triangles that the paper has for so many cells, and fills coarsely"""
+    background = max(cells / COARSENESS ** 3, CELLS_OF_BACKGROUND * number)
+    return options.division * PAPER_TRIANGLES * (cells / PAPER_CELLS) ** (2. / 3) + options.background * background
+
+
+def larger_run(report, cells, number, seconds_of_division):
     """a run with a number of sub-domains of equal weight, whose times scatter as those of the report do"""
     chance = random.Random(1)
-    triangles = PAPER_TRIANGLES * (cells / PAPER_CELLS) ** (2. / 3)
     parts, old_cells = number_of_parts(report), report["number_of_tetrahedra"]
     smaller = (old_cells / parts / (cells / number)) ** (1. / 3)  # seams are a smaller share of larger parts
     rounds = []
@@ -127,7 +133,7 @@ def larger_run(report, cells, number, division_per_triangle):
                             [scale * t["bytes"] for t in typical],
                             r["seconds_seams"] * report["number_of_ranks"] * cells / old_cells, number,
                             shared_vertices(cells, number)))
-    return Run(division_per_triangle * triangles, rounds)
+    return Run(seconds_of_division, rounds)
 
 
 def check(reports, machine):
@@ -177,7 +183,7 @@ def draw(curves, cells, path):
 def draw_scaling(report, path, machine, options):
     curves = []
     for number in options.subdomains:
-        run = larger_run(report, options.cells, number, options.division)
+        run = larger_run(report, options.cells, number, division(options.cells, number, options))
         alone = sum(run.phases(1, machine))
         print("%d sub-domains; one rank: %.0f s" % (number, alone))
         points = []
@@ -224,7 +230,8 @@ def main():
     parser.add_argument("--file-system", type=float, default=1e11, help="bytes per second that all ranks read and write")
     parser.add_argument("--cells", type=float, default=1e9)
     parser.add_argument("--subdomains", type=int, nargs="+", default=[242, 4096, 32768])
-    parser.add_argument("--division", type=float, default=5.3e-5, help="seconds of the division per triangle of the surface")
+    parser.add_argument("--division", type=float, default=1.5e-5, help="seconds of the division per triangle of the surface")
+    parser.add_argument("--background", type=float, default=2e-6, help="seconds of the division per coarse cell")
     parser.add_argument("--free-division", action="store_true", help="draw as well what it would be without that time")
     options = parser.parse_args()
     machine = Machine(options)

@@ -35,12 +35,14 @@ struct Subdomain_round
   bool        improves;
 };
 
-// In the end, what is bad is improved again, without anything near it that has to stay.
+// In the end, what is bad is improved again, without anything near it that has to stay; and once more, what is bad where
+// the zones of that met.
 inline std::vector<Subdomain_round> subdomain_rounds(const bool improve)
 {
   constexpr int layers_to_be_filled = 3;
   constexpr int layers_to_be_improved = 2;
   constexpr int layers_to_be_repaired = 4;
+  constexpr int number_of_repairs = 3;
   std::vector<Subdomain_round> rounds;
   for(std::size_t number_of_parts = 1; number_of_parts <= Seams_3<>::last_round; ++number_of_parts)
     rounds.push_back({ number_of_parts, layers_to_be_filled, false });
@@ -48,7 +50,8 @@ inline std::vector<Subdomain_round> subdomain_rounds(const bool improve)
     return rounds;
   for(std::size_t number_of_parts = 1; number_of_parts <= Seams_3<>::last_round; ++number_of_parts)
     rounds.push_back({ number_of_parts, layers_to_be_improved, true });
-  rounds.push_back({ 0, layers_to_be_repaired, true });
+  for(int k = 0; k < number_of_repairs; ++k)
+    rounds.push_back({ 0, layers_to_be_repaired, true });
   return rounds;
 }
 
