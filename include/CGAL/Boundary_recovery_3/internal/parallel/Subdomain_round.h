@@ -35,8 +35,8 @@ struct Subdomain_round
   bool        improves;
 };
 
-// In the end, what is bad is improved again, without anything near it that has to stay; and once more, what is bad where
-// the zones of that met.
+// In the end, what is bad is improved again, without anything near it that has to stay; and so is what is bad where the
+// zones of that met.
 inline std::vector<Subdomain_round> subdomain_rounds(const bool improve)
 {
   constexpr int layers_to_be_filled = 3;
