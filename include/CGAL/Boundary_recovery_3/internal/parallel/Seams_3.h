@@ -92,7 +92,7 @@ public:
       for(const auto& start : part.starts)
         cells.push_back(start.numbers);
     m_exchange.gather(cells);
-    const Components components(cells);
+    const Components components(cells, std::size_t(-1)); // what is bad for good is better not cut
     for(Part& part : m_parts)
     {
       for(const auto& start : part.starts)
@@ -114,7 +114,8 @@ private:
   {
   public:
     template <std::size_t N>
-    explicit Components(const std::vector<std::array<std::size_t, N> >& groups)
+    Components(const std::vector<std::array<std::size_t, N> >& groups, const std::size_t max_number_of_vertices)
+      : m_max_number_of_vertices(max_number_of_vertices)
     {
       for(const auto& group : groups)
         m_numbers.insert(m_numbers.end(), group.begin(), group.end());
@@ -161,7 +162,7 @@ private:
       m_components[first] = first;
       for(std::size_t k = 0; k < component.size(); ++k)
         for(const std::uint32_t v : neighbors[component[k]])
-          if(m_components[v] == none && component.size() < max_number_of_connected_vertices)
+          if(m_components[v] == none && component.size() < m_max_number_of_vertices)
           {
             m_components[v] = first;
             component.push_back(v);
@@ -174,6 +175,7 @@ private:
                                       - m_numbers.begin());
     }
 
+    const std::size_t m_max_number_of_vertices;
     std::vector<std::size_t> m_numbers; // in ascending order
     std::vector<std::uint32_t> m_components;
   };
@@ -221,7 +223,7 @@ private:
     for(const Part& part : m_parts)
       add_edges_of_starts(part, edges);
     m_exchange.gather(edges);
-    const Components components(edges);
+    const Components components(edges, max_number_of_connected_vertices);
     for(Part& part : m_parts)
       for(const auto& v : part.shared)
         part.zone_of_vertex[v.position] = components.find(v.index);

@@ -108,6 +108,8 @@ private:
     Recovery_context<Visitor> context(visitor);
     context.set_maximum_running_time(seconds_left);
     Improve_domain_3<Tr, Domain, Quality, Visitor> improve_domain(tr, domain, m_quality, context);
+    if(! round.works_on_parts())
+      improve_domain.be_strict();
     improve_domain(m_min_dihedral_angle);
     report.counts = improve_domain.counts();
     report.is_stopped = context.is_stopped();

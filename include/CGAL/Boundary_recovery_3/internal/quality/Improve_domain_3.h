@@ -75,6 +75,10 @@ public:
     m_worst = (std::min)(m_worst, m_bad_cells.push(c));
   }
 
+  // What the strict rounds leave is not worked on. For a mesh that is improved several times: what is tolerated would add
+  // up.
+  void be_strict() { m_is_strict = true; }
+
   // Improves the mesh until all cells are good, or nothing helps, or the context says stop.
   void operator()()
   {
@@ -84,7 +88,8 @@ public:
     {
       set_enough(really_bad_angle);
       improve(max_number_of_last_rounds, true);
-      improve_leniently();
+      if(! m_is_strict)
+        improve_leniently();
     }
     if(m_target > 0)
       center_vertices();
@@ -323,6 +328,7 @@ private:
   double m_worst = std::numeric_limits<double>::infinity(); // of the qualities of all cells at first
   int m_round = 0;
   bool m_reconnects = false;
+  bool m_is_strict = false;
   bool m_is_lenient = false;
   std::size_t m_number_of_visits = 0;
   std::size_t m_expected_visits = 0;
