@@ -75,8 +75,8 @@ public:
     m_worst = (std::min)(m_worst, m_bad_cells.push(c));
   }
 
-  // What the strict rounds leave is not worked on. For a mesh that is improved several times: what is tolerated would add
-  // up.
+  // What the strict rounds leave is not worked on. For a mesh that is improved several times: what is tolerated would
+  // add up.
   void be_strict() { m_is_strict = true; }
 
   // Improves the mesh until all cells are good, or nothing helps, or the context says stop.
