@@ -109,7 +109,7 @@ private:
   std::size_t m_round = 0; // that is to be done, or was done last
   Round_plan m_plan;
   std::vector<std::vector<std::size_t> > m_tasks_of_part; // those that have cells of it
-  std::vector<std::uint64_t> m_shifts;                    // of the numbers of new vertices, by task
+  std::vector<std::uint64_t> m_shifts;                    // of the numbers of new vertices, by task; then their sum
   std::vector<Round_report> m_reports;
 
 public:
@@ -260,25 +260,20 @@ private:
     report.tasks = Task_farm(m_world, [this](const std::size_t k) { return name_of(k); })
       (report.weights, [this](const std::size_t k) { return do_task(k); });
     report.seconds_of_work = timer.time();
-    m_shifts.clear();
-    std::uint64_t sum = 0;
+    m_shifts.assign(1, 0);
     for(const Task_report& task : report.tasks)
-    {
-      m_shifts.push_back(sum);
-      sum += task.new_vertices;
-    }
+      m_shifts.push_back(m_shifts.back() + task.new_vertices);
     m_reports.push_back(report);
   }
 
   // The result has two records: the report, and the cells.
   Task_report do_task(const std::size_t k) const
   {
-    Bytes bytes;
+    Bytes report_bytes, cells;
     Task_report report;
-    if(m_store.load(result_name(k), 0, bytes) && m_store.load(result_name(k), 1, bytes))
+    if(m_store.load(result_name(k), 0, report_bytes) && m_store.load(result_name(k), 1, cells))
     {
-      m_store.load(result_name(k), 0, bytes);
-      report = Byte_reader(bytes).get<Task_report>();
+      report = Byte_reader(report_bytes).get<Task_report>();
       report.is_stored = true;
       return report;
     }
@@ -293,9 +288,9 @@ private:
     for(const auto& v : part.vertices)
       report.new_vertices += v.number >= m_plan.number_of_vertices;
     report.tetrahedra = part.number_of_cells();
-    Bytes cells = Part_bytes<Tr>::from_part(part);
+    cells = Part_bytes<Tr>::from_part(part);
     report.bytes = cells.size();
-    Bytes report_bytes;
+    report_bytes.clear();
     Byte_writer(report_bytes).put(report);
     m_store.save(result_name(k), { report_bytes, cells });
     return report;
@@ -316,9 +311,7 @@ private:
     timer.start();
     Round_plan next;
     next.number_of_parts = m_plan.number_of_parts;
-    next.number_of_vertices = m_plan.number_of_vertices;
-    for(const Task_report& task : m_reports.back().tasks)
-      next.number_of_vertices += task.new_vertices;
+    next.number_of_vertices = m_plan.number_of_vertices + m_shifts.back();
     if(m_rounds[m_round + 1].works_on_parts())
       plan_parts(next);
     else
@@ -357,15 +350,9 @@ private:
     std::vector<Seam_part> seam_parts;
     for(std::uint32_t p = 0; p < number_of_parts(); ++p)
       if(is_own(p))
-      {
-        const Part part = this->part(p);
-        seam_parts.emplace_back(p, part);
-        for(std::size_t c = 0; round.repairs() && c < part.number_of_cells(); ++c)
-          if(m_work.is_to_be_repaired(part, c))
-            seam_parts.back().add_start(part, c);
-      }
+        seam_parts.push_back(m_work.seam_part(p, part(p), round));
     Seams seams(seam_parts, round.number_of_layers, m_exchange);
-    for(const auto& zone : round.repairs() ? seams.find_around_starts() : seams.find(round.number_of_parts))
+    for(const auto& zone : seams.find(round.number_of_parts))
       plan.tasks.push_back({ zone.parts, zone.number_of_cells, zone.owner });
     for(const Seam_part& seam_part : seam_parts)
     {

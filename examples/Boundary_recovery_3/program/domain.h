@@ -145,4 +145,15 @@ private:
   }
 };
 
+// the regions of a triangulation, as its cells have them after it was meshed
+template <typename Tr, typename Result>
+Domain<typename Tr::Point> make_meshed_domain(const Tr& tr, const Result& result)
+{
+  Domain<typename Tr::Point> domain = Domain_builder<Tr>(tr)(
+    result.recovery, result.recovery.surface_facets(),
+    [](const typename Tr::Cell_handle c) { return c->subdomain_index() == 0 ? -1 : c->subdomain_index(); });
+  domain.number_of_regions = result.number_of_regions;
+  return domain;
+}
+
 #endif // BOUNDARY_RECOVERY_3_PROGRAM_DOMAIN_H

@@ -61,12 +61,7 @@ Result mesh(Triangulation& tr, const Surface<Point>& surface, const Size& size, 
 // the regions, unless they are not known: only what is outside would be written otherwise
 Domain<Point> make_domain(const Triangulation& tr, const Result& result)
 {
-  if(! reason_for_no_mesh(result).empty())
-    return Domain<Point>();
-  Domain<Point> domain = Domain_builder<Triangulation>(tr)(result.recovery, result.recovery.surface_facets(),
-    [](const Triangulation::Cell_handle c) { return c->subdomain_index() == 0 ? -1 : c->subdomain_index(); });
-  domain.number_of_regions = result.number_of_regions;
-  return domain;
+  return reason_for_no_mesh(result).empty() ? make_meshed_domain(tr, result) : Domain<Point>();
 }
 
 // without the Delaunay insertion, as `recover_boundary` tells it: the phases of the recovery are not all of it

@@ -29,6 +29,7 @@
 #include <CGAL/Boundary_recovery_3/internal/parallel/Decomposition_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Fill_background_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Part_domain_3.h>
+#include <CGAL/Boundary_recovery_3/internal/parallel/Subdomain_round.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Work_on_part_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Real_timer.h>
@@ -100,10 +101,9 @@ public:
     if(! m_exchange.do_all_agree(read(message)) || ! have_all_the_same_input(message) ||
        ! m_exchange.do_all_agree(open_store(message)))
       return tell(message);
-    const Work work(m_options.insert_field_points ? m_size : m_no_size, Quality(), m_options.min_angle,
+    const Work work(size(), Quality(), m_options.min_angle,
                     m_options.maximum_number_of_vertices);
-    Meshing meshing(m_world, m_store, work,
-                    internal::subdomain_rounds(m_options.improve_quality && m_options.insert_field_points));
+    Meshing meshing(m_world, m_store, work, rounds());
     m_division_timer.start();
     const int status = meshing.resume() ? int(success) : divide(meshing);
     m_division_timer.stop();
@@ -125,6 +125,17 @@ public:
 
 private:
   const Size m_no_size = Size::unbounded();
+
+  const Size& size() const { return m_options.insert_field_points ? m_size : m_no_size; }
+
+  std::vector<internal::Subdomain_round> rounds() const
+  {
+    std::vector<internal::Subdomain_round> rounds = internal::filling_rounds();
+    if(m_options.improve_quality && m_options.insert_field_points)
+      for(const auto& round : internal::improving_rounds())
+        rounds.push_back(round);
+    return rounds;
+  }
 
   int tell(const std::string& message) const
   {
@@ -224,10 +235,9 @@ private:
     typedef internal::Part_domain_3<Triangulation>                  Domain;
     typedef CGAL::Default_boundary_constrained_mesh_visitor_3       Visitor;
     constexpr double forever = std::numeric_limits<double>::infinity();
-    const Size size = m_options.insert_field_points ? m_size : Size::unbounded();
     Visitor visitor;
     Domain domain(tr, result.constrained_edges);
-    internal::Field_point_insertion_3<Triangulation, Domain, Size, Visitor> insertion(tr, domain, size, visitor);
+    internal::Field_point_insertion_3<Triangulation, Domain, Size, Visitor> insertion(tr, domain, size(), visitor);
     const auto forecast = insertion.forecast_only(m_options.maximum_number_of_vertices, forever);
     if(! forecast.invalid_sizes.empty())
       return refuse(forecast.invalid_sizes.front());
@@ -235,9 +245,10 @@ private:
       return cannot_mesh("there would be about "
                          + std::to_string(static_cast<std::uint64_t>(forecast.forecast_of_vertices)) + " points");
     const std::size_t n = m_options.number_of_subdomains;
-    internal::Fill_background_3<Triangulation, Size>(size, forecast.forecast_of_cells, n)(tr, domain, visitor, forever);
+    internal::Fill_background_3<Triangulation, Size>(size(), forecast.forecast_of_cells, n)
+      (tr, domain, visitor, forever);
     internal::Decomposition_3<Triangulation> decomposition(tr);
-    parts = decomposition.divide(size, domain, result.constrained_edges, n, result.recovery.vertices);
+    parts = decomposition.divide(size(), domain, result.constrained_edges, n, result.recovery.vertices);
     number_of_vertices = decomposition.number_of_vertices();
     return success;
   }
@@ -258,9 +269,7 @@ private:
   // What is on both sides of each triangle is needed again for the output.
   void store_sides(const Triangulation& tr, const Result& result) const
   {
-    const Domain<Point> domain = Domain_builder<Triangulation>(tr)(
-      result.recovery, result.recovery.surface_facets(),
-      [](const Triangulation::Cell_handle c) { return c->subdomain_index() == 0 ? -1 : c->subdomain_index(); });
+    const Domain<Point> domain = make_meshed_domain(tr, result);
     const std::vector<Sides> sides = find_sides(domain);
     std::vector<Sides> sides_of_faces(m_program.surface().faces.size(), Sides{{ 0, 0 }});
     for(std::size_t t = 0; t < sides.size(); ++t)

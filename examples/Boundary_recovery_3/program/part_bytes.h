@@ -21,38 +21,27 @@ public:
 
   static Bytes from_part(const Part& part)
   {
-    std::vector<std::uint64_t> numbers;
-    std::vector<double> coordinates, sizes;
-    std::vector<std::array<std::int32_t, 2> > indices;
-    std::vector<char> flags;
+    Arrays arrays;
     for(const auto& v : part.vertices)
     {
-      numbers.push_back(v.number);
+      arrays.numbers.push_back(v.number);
       for(int i = 0; i < 3; ++i)
-        coordinates.push_back(v.point[i]);
-      sizes.push_back(v.size);
-      indices.push_back({{ v.indices.dimension, v.indices.index }});
-      flags.push_back(v.may_be_shared);
+        arrays.coordinates.push_back(v.point[i]);
+      arrays.sizes.push_back(v.size);
+      arrays.indices.push_back({{ v.indices.dimension, v.indices.index }});
+      arrays.flags.push_back(v.may_be_shared);
     }
-    std::vector<std::int32_t> regions;
-    std::vector<Patch> patches;
     for(std::size_t c = 0; c < part.number_of_cells(); ++c)
     {
-      regions.push_back(part.cell_indices[c].subdomain);
+      arrays.regions.push_back(part.cell_indices[c].subdomain);
       for(std::uint32_t i = 0; i < 4; ++i)
         if(part.cell_indices[c].patches[i] != 0)
-          patches.push_back({ static_cast<std::uint32_t>(c), i, part.cell_indices[c].patches[i] });
+          arrays.patches.push_back({ static_cast<std::uint32_t>(c), i, part.cell_indices[c].patches[i] });
     }
     Bytes bytes;
     Byte_writer writer(bytes);
-    writer.put(numbers);
-    writer.put(coordinates);
-    writer.put(sizes);
-    writer.put(indices);
-    writer.put(flags);
+    arrays.for_each([&](const auto& array) { writer.put(array); });
     writer.put(part.tetrahedra);
-    writer.put(regions);
-    writer.put(patches);
     writer.put(part.constrained_edges);
     return bytes;
   }
@@ -60,30 +49,19 @@ public:
   // throws if these are not the bytes of a part
   static Part to_part(const Bytes& bytes)
   {
-    std::vector<std::uint64_t> numbers;
-    std::vector<double> coordinates, sizes;
-    std::vector<std::array<std::int32_t, 2> > indices;
-    std::vector<char> flags;
-    std::vector<std::int32_t> regions;
-    std::vector<Patch> patches;
+    Arrays arrays;
     Part part;
     Byte_reader reader(bytes);
-    reader.get(numbers);
-    reader.get(coordinates);
-    reader.get(sizes);
-    reader.get(indices);
-    reader.get(flags);
+    arrays.for_each([&](auto& array) { reader.get(array); });
     reader.get(part.tetrahedra);
-    reader.get(regions);
-    reader.get(patches);
     reader.get(part.constrained_edges);
-    const std::size_t n = numbers.size();
-    check(reader.is_at_end() && coordinates.size() == 3 * n && sizes.size() == n && indices.size() == n &&
-          flags.size() == n && regions.size() == part.tetrahedra.size());
+    const std::size_t n = arrays.numbers.size();
+    check(reader.is_at_end() && arrays.coordinates.size() == 3 * n && arrays.sizes.size() == n &&
+          arrays.indices.size() == n && arrays.flags.size() == n && arrays.regions.size() == part.tetrahedra.size());
     check_positions(part.tetrahedra, n);
     check_positions(part.constrained_edges, n);
-    add_vertices(numbers, coordinates, sizes, indices, flags, part);
-    add_indices(regions, patches, part);
+    add_vertices(arrays, part);
+    add_indices(arrays, part);
     return part;
   }
 
@@ -96,6 +74,29 @@ private:
   {
     std::uint32_t cell, index;
     std::int32_t patch;
+  };
+
+  // what is stored of vertices and cells, in the order of the bytes
+  struct Arrays
+  {
+    std::vector<std::uint64_t> numbers;
+    std::vector<double> coordinates, sizes;
+    std::vector<std::array<std::int32_t, 2> > indices;
+    std::vector<char> flags;
+    std::vector<std::int32_t> regions;
+    std::vector<Patch> patches;
+
+    template <typename F>
+    void for_each(const F& f)
+    {
+      f(numbers);
+      f(coordinates);
+      f(sizes);
+      f(indices);
+      f(flags);
+      f(regions);
+      f(patches);
+    }
   };
 
   static void check(const bool is_valid)
@@ -112,32 +113,31 @@ private:
         check(v < number_of_vertices);
   }
 
-  static void add_vertices(const std::vector<std::uint64_t>& numbers, const std::vector<double>& coordinates,
-                           const std::vector<double>& sizes, const std::vector<std::array<std::int32_t, 2> >& indices,
-                           const std::vector<char>& flags, Part& part)
+  static void add_vertices(const Arrays& arrays, Part& part)
   {
     typename Tr::Vertex vertex;
-    part.vertices.reserve(numbers.size());
-    for(std::size_t v = 0; v < numbers.size(); ++v)
+    part.vertices.reserve(arrays.numbers.size());
+    for(std::size_t v = 0; v < arrays.numbers.size(); ++v)
     {
-      vertex.set_point(typename Tr::Point(coordinates[3 * v], coordinates[3 * v + 1], coordinates[3 * v + 2]));
-      vertex.set_dimension(indices[v][0]);
-      vertex.set_index(indices[v][1]);
-      vertex.set_meshing_info(sizes[v]);
-      part.vertices.emplace_back(numbers[v], vertex);
-      part.vertices.back().may_be_shared = flags[v] != 0;
+      const double* const p = arrays.coordinates.data() + 3 * v;
+      vertex.set_point(typename Tr::Point(p[0], p[1], p[2]));
+      vertex.set_dimension(arrays.indices[v][0]);
+      vertex.set_index(arrays.indices[v][1]);
+      vertex.set_meshing_info(arrays.sizes[v]);
+      part.vertices.emplace_back(arrays.numbers[v], vertex);
+      part.vertices.back().may_be_shared = arrays.flags[v] != 0;
     }
   }
 
-  static void add_indices(const std::vector<std::int32_t>& regions, const std::vector<Patch>& patches, Part& part)
+  static void add_indices(const Arrays& arrays, Part& part)
   {
     const typename Tr::Cell cell;
-    part.cell_indices.assign(regions.size(), typename Part::Cell_indices(cell));
-    for(std::size_t c = 0; c < regions.size(); ++c)
-      part.cell_indices[c].subdomain = regions[c];
-    for(const Patch& patch : patches)
+    part.cell_indices.assign(arrays.regions.size(), typename Part::Cell_indices(cell));
+    for(std::size_t c = 0; c < arrays.regions.size(); ++c)
+      part.cell_indices[c].subdomain = arrays.regions[c];
+    for(const Patch& patch : arrays.patches)
     {
-      check(patch.cell < regions.size() && patch.index < 4);
+      check(patch.cell < arrays.regions.size() && patch.index < 4);
       part.cell_indices[patch.cell].patches[patch.index] = patch.patch;
     }
   }

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <stdexcept>
 #include <vector>
@@ -46,9 +47,8 @@ public:
         if(indices.patches[i] != 0)
           add_triangle(part, c, i, piece);
     }
-    for(std::size_t f = 0; is_first && f < m_sides.size(); ++f)
-      if(m_sides[f][0] == 0 && m_sides[f][1] == 0)
-        add_triangle_of_nothing(f, piece, numbers);
+    if(is_first)
+      add_triangles_of_nothing(piece, numbers);
     return piece;
   }
 
@@ -139,22 +139,30 @@ private:
     return t[facet[(first + 1) % 3]] == corners[1];
   }
 
-  void add_triangle_of_nothing(const std::size_t face, Domain<Point>& piece, std::vector<std::uint64_t>& numbers) const
+  void add_triangles_of_nothing(Domain<Point>& piece, std::vector<std::uint64_t>& numbers) const
   {
-    std::array<Point_number, 3> corners = triangle(face);
-    for(Point_number& v : corners)
+    std::map<std::uint64_t, Point_number> positions; // filled when there is such a triangle
+    for(std::size_t f = 0; f < m_sides.size(); ++f)
     {
-      const auto found = std::find(numbers.begin(), numbers.end(), std::uint64_t(v));
-      const std::size_t position = static_cast<std::size_t>(found - numbers.begin());
-      if(found == numbers.end())
+      if(m_sides[f][1] != 0) // the larger one
+        continue;
+      if(positions.empty())
+        for(std::size_t k = 0; k < numbers.size(); ++k)
+          positions.emplace(numbers[k], static_cast<Point_number>(k));
+      std::array<Point_number, 3> corners = triangle(f);
+      for(Point_number& v : corners)
       {
-        numbers.push_back(v);
-        piece.points.push_back(m_surface.points[v]);
+        const auto [found, is_new] = positions.try_emplace(v, static_cast<Point_number>(numbers.size()));
+        if(is_new)
+        {
+          numbers.push_back(v);
+          piece.points.push_back(m_surface.points[v]);
+        }
+        v = found->second;
       }
-      v = static_cast<Point_number>(position);
+      piece.triangles.push_back(corners);
+      piece.patches.push_back(patch(f));
     }
-    piece.triangles.push_back(corners);
-    piece.patches.push_back(patch(face));
   }
 };
 

@@ -543,12 +543,6 @@ std::vector<internal::Seam_part_3> seam_parts(const std::vector<Part>& parts)
   return result;
 }
 
-template <typename Exchange>
-auto find_zones(internal::Seams_3<Exchange>& seams, const std::size_t round)
-{
-  return round == 0 ? seams.find_around_starts() : seams.find(round);
-}
-
 // The cells at the vertices where as many parts meet as are looked for, or at those of the starts.
 void test_seams()
 {
@@ -566,7 +560,7 @@ void test_seams()
   {
     auto topologies = seam_parts(parts);
     internal::Seams_3<> seams(topologies, 1);
-    const auto zones = find_zones(seams, round);
+    const auto zones = seams.find(round);
     std::vector<std::size_t> numbers(zones.size(), 0);
     for(std::size_t p = 0; p < parts.size(); ++p)
       for(std::size_t c = 0; c < parts[p].number_of_cells(); ++c)
@@ -602,7 +596,7 @@ void test_seams_of_two_processes()
   {
     auto all = seam_parts(parts);
     internal::Seams_3<> all_seams(all, 2);
-    const auto expected = find_zones(all_seams, round);
+    const auto expected = all_seams.find(round);
     Meeting meeting(2);
     const auto compare = [&](const std::size_t rank)
     {
@@ -611,7 +605,7 @@ void test_seams_of_two_processes()
                 own.end());
       const Thread_exchange exchange{ meeting, rank };
       internal::Seams_3<Thread_exchange> seams(own, 2, exchange);
-      const auto zones = find_zones(seams, round);
+      const auto zones = seams.find(round);
       assert(zones.size() == expected.size());
       for(std::size_t z = 0; z < zones.size(); ++z)
         assert(zones[z].parts == expected[z].parts && zones[z].owner == expected[z].owner &&

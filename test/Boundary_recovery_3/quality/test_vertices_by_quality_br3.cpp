@@ -153,7 +153,7 @@ void test_star_cavities()
   Improvement_options options;
   options.number_of_points = 80;
   Improvement t(3, options, 30);
-  internal::Star_cavity_3<Mesh> cavity(t.mesh);
+  internal::Star_cavity_3<Mesh> cavity(t.mesh, t.quality);
   std::array<int, 2> number = {{ 0, 0 }};
   for(const Cell_handle c : t.scene.cells())
   {

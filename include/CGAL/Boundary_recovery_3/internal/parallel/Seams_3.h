@@ -73,19 +73,22 @@ public:
     : m_parts(parts), m_number_of_layers(number_of_layers), m_exchange(exchange), m_shared(parts, exchange)
   { }
 
-  // The round is the number of the parts that meet: from 2 to `last_round`, which is for more of them, too. The zones
-  // of the cells are in the parts then, by their positions in this list, or none.
+  // The round is the number of the parts that meet: from 2 to `last_round`, which is for more of them, too; with 0,
+  // zones are around the starts of the parts. The zones of the cells are in the parts then, by their positions in this
+  // list, or none.
   std::vector<Zone> find(const std::size_t round)
   {
-    if(round == last_round)
+    if(round == 0)
+      start_at_starts();
+    else if(round == last_round)
       start_at_connected_vertices();
     else
       start_at_vertices_of(round);
-    return zones(round == last_round ? std::size_t(-1) : round);
+    return zones(round == 0 || round == last_round ? std::size_t(-1) : round);
   }
 
-  // The zones around the starts of the parts.
-  std::vector<Zone> find_around_starts()
+private:
+  void start_at_starts()
   {
     std::vector<std::array<std::size_t, 4> > cells;
     for(const Part& part : m_parts)
@@ -101,10 +104,8 @@ public:
       for(const auto& v : part.shared)
         part.zone_of_vertex[v.position] = components.find(v.number);
     }
-    return zones(std::size_t(-1));
   }
 
-private:
   // See "Tuning constants" in the manual.
   static constexpr std::size_t max_number_of_connected_vertices = 64;
 

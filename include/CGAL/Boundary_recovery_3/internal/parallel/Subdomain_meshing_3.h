@@ -176,9 +176,7 @@ private:
   // Those that fill, or those that improve.
   void do_rounds(const bool improving)
   {
-    std::vector<Subdomain_round> rounds = subdomain_rounds(true);
-    rounds.erase(std::remove_if(rounds.begin(), rounds.end(), [&](const auto& r) { return r.improves != improving; }),
-                 rounds.end());
+    const std::vector<Subdomain_round> rounds = improving ? improving_rounds() : filling_rounds();
     for(std::size_t k = 0; k < rounds.size(); ++k)
     {
       std::vector<Task> tasks = rounds[k].works_on_parts() ? parts() : zones(rounds[k]);
@@ -207,14 +205,9 @@ private:
   {
     std::vector<Seam_part_3> seam_parts;
     for(std::size_t p = 0; p < m_parts.size(); ++p)
-    {
-      seam_parts.emplace_back(p, m_parts[p]);
-      for(std::size_t c = 0; round.repairs() && c < m_parts[p].number_of_cells(); ++c)
-        if(m_work.is_to_be_repaired(m_parts[p], c))
-          seam_parts.back().add_start(m_parts[p], c);
-    }
+      seam_parts.push_back(m_work.seam_part(p, m_parts[p], round));
     Seams seams(seam_parts, round.number_of_layers);
-    const auto zones = round.repairs() ? seams.find_around_starts() : seams.find(round.number_of_parts);
+    const auto zones = seams.find(round.number_of_parts);
     std::vector<std::vector<typename Split_part_3<Tr>::Group> > pieces(m_parts.size());
     internal::for_each_task(weights_of_parts(), [&](const std::size_t p)
     {

@@ -35,23 +35,30 @@ struct Subdomain_round
   bool        improves;
 };
 
-// In the end, what is bad is improved again, without anything near it that has to stay; and so is what is bad where the
-// zones of that met.
-inline std::vector<Subdomain_round> subdomain_rounds(const bool improve)
+// The parts, then their seams.
+inline std::vector<Subdomain_round> seam_rounds(const int number_of_layers, const bool improve)
+{
+  std::vector<Subdomain_round> rounds;
+  for(std::size_t number_of_parts = 1; number_of_parts <= Seams_3<>::last_round; ++number_of_parts)
+    rounds.push_back({ number_of_parts, number_of_layers, improve });
+  return rounds;
+}
+
+inline std::vector<Subdomain_round> filling_rounds()
 {
   constexpr int layers_to_be_filled = 3;
+  return seam_rounds(layers_to_be_filled, false);
+}
+
+// In the end, what is bad is improved again, without anything near it that has to stay; and so is what is bad where the
+// zones of that met.
+inline std::vector<Subdomain_round> improving_rounds()
+{
   constexpr int layers_to_be_improved = 2;
   constexpr int layers_to_be_repaired = 4;
   constexpr int number_of_repairs = 3;
-  std::vector<Subdomain_round> rounds;
-  for(std::size_t number_of_parts = 1; number_of_parts <= Seams_3<>::last_round; ++number_of_parts)
-    rounds.push_back({ number_of_parts, layers_to_be_filled, false });
-  if(! improve)
-    return rounds;
-  for(std::size_t number_of_parts = 1; number_of_parts <= Seams_3<>::last_round; ++number_of_parts)
-    rounds.push_back({ number_of_parts, layers_to_be_improved, true });
-  for(int k = 0; k < number_of_repairs; ++k)
-    rounds.push_back({ 0, layers_to_be_repaired, true });
+  std::vector<Subdomain_round> rounds = seam_rounds(layers_to_be_improved, true);
+  rounds.insert(rounds.end(), number_of_repairs, { 0, layers_to_be_repaired, true });
   return rounds;
 }
 

@@ -18,6 +18,7 @@
 #include <CGAL/Boundary_recovery_3/internal/parallel/Mesh_part_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Part_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Part_triangulation_3.h>
+#include <CGAL/Boundary_recovery_3/internal/parallel/Seam_part_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Subdomain_round.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Improve_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Measure_quality_3.h>
@@ -74,6 +75,19 @@ public:
     return report;
   }
 
+  // What has to be known of a part to find the zones of a round.
+  Seam_part_3 seam_part(const std::size_t index, const Part& part, const Subdomain_round& round) const
+  {
+    Seam_part_3 result(index, part);
+    for(std::size_t c = 0; round.repairs() && c < part.number_of_cells(); ++c)
+      if(is_to_be_repaired(part, c))
+        result.add_start(part, c);
+    return result;
+  }
+
+private:
+  typedef Part_domain_3<Tr> Domain;
+
   // Whether a cell is to be repaired in the end: it is bad, and it is where parts or zones met.
   bool is_to_be_repaired(const Part& part, const std::size_t cell) const
   {
@@ -83,9 +97,6 @@ public:
            m_quality({{ corner(0), corner(1), corner(2), corner(3) }})
              < m_quality.of_angle((std::min)(Subdomain_round::angle_to_be_repaired, m_min_dihedral_angle));
   }
-
-private:
-  typedef Part_domain_3<Tr> Domain;
 
   template <typename Visitor>
   Field_points_result_3<Tr> filled(Tr& tr, Domain& domain, const std::size_t number_of_vertices, Visitor& visitor,

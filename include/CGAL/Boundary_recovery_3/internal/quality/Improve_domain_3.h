@@ -166,7 +166,6 @@ private:
     set_measure_of_badness(Badness_3(m_mesh.enough(), cells.front().quality));
     for(const Bad_cell& c : cells)
       m_bad_cells.put_back(c);
-    m_is_lenient = true;
     improve(max_number_of_last_rounds, true);
   }
 
@@ -186,7 +185,7 @@ private:
   {
     return flip(c) || contract(c) || (m_round > 1 && smooth(c))
         || (m_round >= first_dear_round && insert(c)) || (m_reconnects && reconnect(c))
-        || (m_is_lenient && m_round >= first_dear_round && insert_near(c));
+        || (m_mesh.measure_of_badness().is_lenient() && m_round >= first_dear_round && insert_near(c));
   }
 
   // Flips what comes from a cell, until that does not help any more.
@@ -329,7 +328,6 @@ private:
   int m_round = 0;
   bool m_reconnects = false;
   bool m_is_strict = false;
-  bool m_is_lenient = false;
   std::size_t m_number_of_visits = 0;
   std::size_t m_expected_visits = 0;
   double m_told_share = 0;

@@ -13,7 +13,6 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/Best_point_in_star_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Star_cavity_3.h>
 
 #include <cstddef>
@@ -37,7 +36,7 @@ public:
   typedef typename Mesh::Cells         Cells;
 
   Insert_into_bad_cell_3(Mesh& mesh, const typename Mesh::Quality& quality)
-    : m_mesh(mesh), m_cavity(mesh), m_best_point(quality)
+    : m_mesh(mesh), m_cavity(mesh, quality)
   { }
 
   // Searches for a point. Returns whether the cells would be less bad then, and none worse than the worst one now. The
@@ -79,7 +78,7 @@ private:
         break;
       if(! m_cavity.has_nothing_inside())
         return false;
-      quality = move_point();
+      quality = m_cavity.move_point();
       if(quality >= enough)
         break;
     }
@@ -112,22 +111,8 @@ private:
     return has_grown;
   }
 
-  // Moves the point to the best place. Returns the quality of the worst new cell.
-  double move_point()
-  {
-    m_best_point.clear(m_mesh.measure_of_badness());
-    for(const Face& f : m_cavity.faces())
-      m_best_point.add({{ Mesh::coordinates(f.vertices[0]), Mesh::coordinates(f.vertices[1]),
-                          Mesh::coordinates(f.vertices[2]) }});
-    Coordinates_3 p = m_cavity.point();
-    m_best_point.improve(p, [](const Coordinates_3&) { return true; });
-    m_cavity.move_point(p);
-    return m_best_point.worst_quality(p);
-  }
-
   Mesh& m_mesh;
   Cavity m_cavity;
-  Best_point_in_star_3<typename Mesh::Quality> m_best_point;
   const Cells* m_new_cells = nullptr;
 };
 

@@ -15,7 +15,6 @@
 #include <CGAL/Boundary_recovery_3/internal/filling/Unit_frame_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/distances_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/Best_point_in_star_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Star_cavity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 
@@ -47,7 +46,7 @@ public:
   typedef typename Mesh::Cells       Cells;
 
   Insert_near_bad_cell_3(Mesh& mesh, const typename Mesh::Quality& quality)
-    : m_mesh(mesh), m_cavity(mesh), m_best_point(quality)
+    : m_mesh(mesh), m_cavity(mesh, quality)
   { }
 
   // Searches for a point. Returns whether the cells would be less bad then, and none worse than the worst one now, or,
@@ -124,7 +123,7 @@ private:
   {
     if(! walk(c, p) || ! grow())
       return 0;
-    const double quality = move_point(), gain = m_cavity.gain();
+    const double quality = m_cavity.move_point(), gain = m_cavity.gain();
     return gain > 0 && quality > 0 && quality >= m_mesh.least_quality(m_cavity.worst_quality()) &&
            m_cavity.has_nothing_inside() && m_cavity.is_in_size() && m_cavity.is_star() ? gain : 0;
   }
@@ -210,22 +209,8 @@ private:
     return badness;
   }
 
-  // Moves the point to the best place. Returns the quality of the worst new cell.
-  double move_point()
-  {
-    m_best_point.clear(m_mesh.measure_of_badness());
-    for(const Face& f : m_cavity.faces())
-      m_best_point.add({{ Mesh::coordinates(f.vertices[0]), Mesh::coordinates(f.vertices[1]),
-                          Mesh::coordinates(f.vertices[2]) }});
-    Coordinates_3 p = m_cavity.point();
-    m_best_point.improve(p, [](const Coordinates_3&) { return true; });
-    m_cavity.move_point(p);
-    return m_best_point.worst_quality(p);
-  }
-
   Mesh& m_mesh;
   Cavity m_cavity;
-  Best_point_in_star_3<typename Mesh::Quality> m_best_point;
   std::vector<Coordinates_3> m_places;
   const Face* m_face = nullptr; // of the cavity
   double m_worst = 0;           // of the qualities of the new cells

@@ -15,6 +15,7 @@
 #include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/distances_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Best_point_in_star_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 
 #include <algorithm>
@@ -47,7 +48,7 @@ public:
     int index;
   };
 
-  explicit Star_cavity_3(Mesh& mesh) : m_mesh(mesh) { }
+  Star_cavity_3(Mesh& mesh, const typename Mesh::Quality& quality) : m_mesh(mesh), m_best_point(quality) { }
 
   // One cell, and the place of the vertex.
   void start(const Cell_handle c, const Coordinates_3& p)
@@ -84,8 +85,16 @@ public:
   const std::vector<Cell_handle>& cells() const { return m_cells; }
   const std::vector<Face>& faces() const { return m_faces; }
 
-  const Coordinates_3& point() const { return m_point; }
-  void move_point(const Coordinates_3& p) { m_point = p; }
+  // Moves the vertex to the best place. Returns the quality of the worst new cell.
+  double move_point()
+  {
+    m_best_point.clear(m_mesh.measure_of_badness());
+    for(const Face& f : m_faces)
+      m_best_point.add({{ Mesh::coordinates(f.vertices[0]), Mesh::coordinates(f.vertices[1]),
+                          Mesh::coordinates(f.vertices[2]) }});
+    m_best_point.improve(m_point, [](const Coordinates_3&) { return true; });
+    return m_best_point.worst_quality(m_point);
+  }
 
   // The quality of the worst cell that goes.
   double worst_quality() const { return m_worst; }
@@ -194,6 +203,7 @@ private:
   double distance(const Vertex_handle v) const { return internal::distance(Mesh::coordinates(v), m_point); }
 
   Mesh& m_mesh;
+  Best_point_in_star_3<typename Mesh::Quality> m_best_point;
   Coordinates_3 m_point;
   double m_size = 0;
   double m_least = 0;
