@@ -214,7 +214,7 @@ void test_quality()
   };
   for(int i = 1; i < 4; ++i)
     assert(share(found, i) <= 1.1 * share(expected, i));
-  assert(found.share_of_edges_in_size > expected.share_of_edges_in_size - .02);
+  assert(found.share_of_edges_in_size > expected.share_of_edges_in_size - .01);
   assert(found.mean_radius_ratio > expected.mean_radius_ratio - .01);
 }
 

@@ -46,6 +46,7 @@ struct No_exchange
  *  - around the vertices of two parts, for each two of them, without the cells at vertices of more parts;
  *  - the same for three;
  *  - around the vertices of four or more, as far as these are connected by edges, and not too many.
+ * What is left can be the start of further ones.
  *
  * Each zone has some layers of cells, and belongs to one of its parts thereafter, so the next seam is elsewhere. That
  * is the part that has the fewest cells then, where the largest zones come first.
@@ -62,6 +63,9 @@ public:
   static constexpr std::size_t last_round = 4;
   static constexpr std::uint32_t none = Part::none;
 
+  // See "Tuning constants" in the manual.
+  static constexpr std::size_t max_number_of_connected_vertices = 512;
+
   struct Zone
   {
     std::vector<std::uint32_t> parts; // that have cells in it, in their order
@@ -75,27 +79,27 @@ public:
 
   // The round is the number of the parts that meet: from 2 to `last_round`, which is for more of them, too; with 0,
   // zones are around the starts of the parts. The zones of the cells are in the parts then, by their positions in this
-  // list, or none.
-  std::vector<Zone> find(const std::size_t round)
+  // list, or none. Zones are around so many vertices at most that are connected, if they are starts or of more parts.
+  std::vector<Zone> find(const std::size_t round, const std::size_t max_number = max_number_of_connected_vertices)
   {
     if(round == 0)
-      start_at_starts();
+      start_at_starts(max_number);
     else if(round == last_round)
-      start_at_connected_vertices();
+      start_at_connected_vertices(max_number);
     else
       start_at_vertices_of(round);
     return zones(round == 0 || round == last_round ? std::size_t(-1) : round);
   }
 
 private:
-  void start_at_starts()
+  void start_at_starts(const std::size_t max_number_of_vertices)
   {
     std::vector<std::array<std::size_t, 4> > cells;
     for(const Part& part : m_parts)
       for(const auto& start : part.starts)
         cells.push_back(start.numbers);
     m_exchange.gather(cells);
-    const Components components(cells, std::size_t(-1)); // what is bad for good is better not cut
+    const Components components(cells, max_number_of_vertices);
     for(Part& part : m_parts)
     {
       for(const auto& start : part.starts)
@@ -105,9 +109,6 @@ private:
         part.zone_of_vertex[v.position] = components.find(v.number);
     }
   }
-
-  // See "Tuning constants" in the manual.
-  static constexpr std::size_t max_number_of_connected_vertices = 64;
 
   // Of vertices given by numbers: those of a group are connected, and some of those that are make up a component, which
   // has the position of its first vertex. The order of the groups makes no difference.
@@ -218,13 +219,13 @@ private:
           part.zone_of_vertex[v.position] = m_shared.set(v.index);
   }
 
-  void start_at_connected_vertices()
+  void start_at_connected_vertices(const std::size_t max_number_of_vertices)
   {
     std::vector<std::array<std::size_t, 2> > edges;
     for(const Part& part : m_parts)
       add_edges_of_starts(part, edges);
     m_exchange.gather(edges);
-    const Components components(edges, max_number_of_connected_vertices);
+    const Components components(edges, max_number_of_vertices);
     for(Part& part : m_parts)
       for(const auto& v : part.shared)
         part.zone_of_vertex[v.position] = components.find(v.index);

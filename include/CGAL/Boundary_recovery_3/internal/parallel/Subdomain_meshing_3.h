@@ -207,7 +207,7 @@ private:
     for(std::size_t p = 0; p < m_parts.size(); ++p)
       seam_parts.push_back(m_work.seam_part(p, m_parts[p], round));
     Seams seams(seam_parts, round.number_of_layers);
-    const auto zones = seams.find(round.number_of_parts);
+    const auto zones = seams.find(round.number_of_parts, round.max_number_of_connected_vertices());
     std::vector<std::vector<typename Split_part_3<Tr>::Group> > pieces(m_parts.size());
     internal::for_each_task(weights_of_parts(), [&](const std::size_t p)
     {

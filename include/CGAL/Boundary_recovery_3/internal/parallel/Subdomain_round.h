@@ -27,39 +27,46 @@ struct Subdomain_round
   bool works_on_parts() const { return number_of_parts == 1; }
   bool repairs() const { return number_of_parts == 0; }
 
-  // Below it, cells are repaired. See "Tuning constants" in the manual.
-  static constexpr double angle_to_be_repaired = 20;
+  // What is bad for good is better not cut.
+  std::size_t max_number_of_connected_vertices() const
+  {
+    return repairs() && improves ? std::size_t(-1) : Seams_3<>::max_number_of_connected_vertices;
+  }
 
-  std::size_t number_of_parts; // that meet in a zone; 1: the parts themselves; 0: zones are around bad cells
+  // Cells with smaller angles are improved once more in the end, and with longer edges, in sizes, they are filled once
+  // more. See "Tuning constants" in the manual.
+  static constexpr double angle_to_be_repaired = 20;
+  static constexpr double length_to_be_repaired = 2;
+
+  std::size_t number_of_parts; // that meet in a zone; 1: the parts themselves; 0: zones are around what is repaired
   int         number_of_layers;
   bool        improves;
 };
 
-// The parts, then their seams.
-inline std::vector<Subdomain_round> seam_rounds(const int number_of_layers, const bool improve)
+// The parts, then their seams. In the end, what is not as it should be where parts or zones met is done again, without
+// anything near it that has to stay; and so is what is not where the zones of that met.
+inline std::vector<Subdomain_round> rounds_with_repairs(const int layers_at_seams, const int layers_of_repairs,
+                                                        const bool improve)
 {
+  constexpr int number_of_repairs = 3;
   std::vector<Subdomain_round> rounds;
   for(std::size_t number_of_parts = 1; number_of_parts <= Seams_3<>::last_round; ++number_of_parts)
-    rounds.push_back({ number_of_parts, number_of_layers, improve });
+    rounds.push_back({ number_of_parts, layers_at_seams, improve });
+  rounds.insert(rounds.end(), number_of_repairs, { 0, layers_of_repairs, improve });
   return rounds;
 }
 
 inline std::vector<Subdomain_round> filling_rounds()
 {
   constexpr int layers_to_be_filled = 3;
-  return seam_rounds(layers_to_be_filled, false);
+  return rounds_with_repairs(layers_to_be_filled, layers_to_be_filled, false);
 }
 
-// In the end, what is bad is improved again, without anything near it that has to stay; and so is what is bad where the
-// zones of that met.
 inline std::vector<Subdomain_round> improving_rounds()
 {
   constexpr int layers_to_be_improved = 2;
   constexpr int layers_to_be_repaired = 4;
-  constexpr int number_of_repairs = 3;
-  std::vector<Subdomain_round> rounds = seam_rounds(layers_to_be_improved, true);
-  rounds.insert(rounds.end(), number_of_repairs, { 0, layers_to_be_repaired, true });
-  return rounds;
+  return rounds_with_repairs(layers_to_be_improved, layers_to_be_repaired, true);
 }
 
 } // namespace internal

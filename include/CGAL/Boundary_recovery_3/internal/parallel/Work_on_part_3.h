@@ -15,6 +15,7 @@
 #include <CGAL/Boundary_recovery_3/Mesh_quality_3.h>
 #include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Field_point_insertion_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/distances_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Mesh_part_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Part_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Part_triangulation_3.h>
@@ -25,6 +26,7 @@
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -80,7 +82,7 @@ public:
   {
     Seam_part_3 result(index, part);
     for(std::size_t c = 0; round.repairs() && c < part.number_of_cells(); ++c)
-      if(is_to_be_repaired(part, c))
+      if(is_where_parts_met(part, c) && (round.improves ? is_bad(part, c) : is_too_large(part, c)))
         result.add_start(part, c);
     return result;
   }
@@ -88,14 +90,42 @@ public:
 private:
   typedef Part_domain_3<Tr> Domain;
 
-  // Whether a cell is to be repaired in the end: it is bad, and it is where parts or zones met.
-  bool is_to_be_repaired(const Part& part, const std::size_t cell) const
+  static const typename Part::Vertex& vertex(const Part& part, const std::size_t cell, const std::size_t i)
   {
-    const auto vertex = [&](const std::size_t i) -> const auto& { return part.vertices[part.tetrahedra[cell][i]]; };
-    const auto corner = [&](const std::size_t i) { return coordinates_of(vertex(i).point); };
-    return (vertex(0).may_be_shared || vertex(1).may_be_shared || vertex(2).may_be_shared || vertex(3).may_be_shared) &&
-           m_quality({{ corner(0), corner(1), corner(2), corner(3) }})
+    return part.vertices[part.tetrahedra[cell][i]];
+  }
+
+  // Whether parts or zones met at a cell.
+  static bool is_where_parts_met(const Part& part, const std::size_t cell)
+  {
+    return vertex(part, cell, 0).may_be_shared || vertex(part, cell, 1).may_be_shared ||
+           vertex(part, cell, 2).may_be_shared || vertex(part, cell, 3).may_be_shared;
+  }
+
+  bool is_bad(const Part& part, const std::size_t cell) const
+  {
+    const auto corner = [&](const std::size_t i) { return coordinates_of(vertex(part, cell, i).point); };
+    return m_quality({{ corner(0), corner(1), corner(2), corner(3) }})
              < m_quality.of_angle((std::min)(Subdomain_round::angle_to_be_repaired, m_min_dihedral_angle));
+  }
+
+  // Whether a cell is left from the background mesh: an edge is longer than any that the filling leaves. Those between
+  // vertices of constraints are not looked at, for they may have to stay.
+  static bool is_too_large(const Part& part, const std::size_t cell)
+  {
+    for(std::size_t i = 1; i < 4; ++i)
+      for(std::size_t j = 0; j < i; ++j)
+        if(is_too_long(vertex(part, cell, i), vertex(part, cell, j)))
+          return true;
+    return false;
+  }
+
+  static bool is_too_long(const typename Part::Vertex& u, const typename Part::Vertex& v)
+  {
+    const double size = (std::abs(CGAL::to_double(u.size)) + std::abs(CGAL::to_double(v.size))) / 2;
+    const double length = internal::distance(coordinates_of(u.point), coordinates_of(v.point));
+    return (u.indices.dimension == 3 || v.indices.dimension == 3)
+        && length > Subdomain_round::length_to_be_repaired * size;
   }
 
   template <typename Visitor>
