@@ -97,7 +97,7 @@ def test_ranks_do_not_change_the_mesh():
     assert sorted(set(mesh.regions)) == list(range(1, 8))
     assert signed_volume(mesh.points, mesh.tetrahedra) == 6 * 7 * 5 * 3
     assert report['number_of_tetrahedra'] == len(mesh.tetrahedra) == sum(report['histogram_of_dihedral_angles']) / 6
-    assert not glob.glob(os.path.join(tempfile.gettempdir(), 'mesh_surface_mpi_*'))
+    assert not glob.glob(os.path.join(ENVIRONMENT['TMPDIR'], 'mesh_surface_mpi_*'))
 
 
 def by_points(mesh):
@@ -396,6 +396,8 @@ def main():
         if name.startswith('test_'):
             with tempfile.TemporaryDirectory() as folder:
                 os.chdir(folder)
+                ENVIRONMENT['TMPDIR'] = os.path.join(folder, 'tmp') # other runs have folders of their own in the usual one
+                os.mkdir(ENVIRONMENT['TMPDIR'])
                 begin = time.time()
                 test()
                 os.chdir('/')
