@@ -32,7 +32,6 @@
 
 #include <CGAL/tags.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>

@@ -16,6 +16,7 @@
 #include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Field_point_insertion_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/distances_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/tetrahedron_edges.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Mesh_part_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Part_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Part_triangulation_3.h>
@@ -26,6 +27,7 @@
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -102,10 +104,15 @@ private:
            vertex(part, cell, 2).may_be_shared || vertex(part, cell, 3).may_be_shared;
   }
 
-  bool is_bad(const Part& part, const std::size_t cell) const
+  static std::array<Coordinates_3, 4> corners(const Part& part, const std::size_t cell)
   {
     const auto corner = [&](const std::size_t i) { return coordinates_of(vertex(part, cell, i).point); };
-    return m_quality({{ corner(0), corner(1), corner(2), corner(3) }})
+    return {{ corner(0), corner(1), corner(2), corner(3) }};
+  }
+
+  bool is_bad(const Part& part, const std::size_t cell) const
+  {
+    return m_quality(corners(part, cell))
              < m_quality.of_angle((std::min)(Subdomain_round::angle_to_be_repaired, m_min_dihedral_angle));
   }
 
@@ -113,19 +120,15 @@ private:
   // vertices of constraints are not looked at, for they may have to stay.
   static bool is_too_large(const Part& part, const std::size_t cell)
   {
-    for(std::size_t i = 1; i < 4; ++i)
-      for(std::size_t j = 0; j < i; ++j)
-        if(is_too_long(vertex(part, cell, i), vertex(part, cell, j)))
-          return true;
-    return false;
-  }
-
-  static bool is_too_long(const typename Part::Vertex& u, const typename Part::Vertex& v)
-  {
-    const double size = (std::abs(CGAL::to_double(u.size)) + std::abs(CGAL::to_double(v.size))) / 2;
-    const double length = internal::distance(coordinates_of(u.point), coordinates_of(v.point));
-    return (u.indices.dimension == 3 || v.indices.dimension == 3)
-        && length > Subdomain_round::length_to_be_repaired * size;
+    const auto edges = internal::tetrahedron_edges(corners(part, cell));
+    return std::any_of(edges.begin(), edges.end(), [&](const Tetrahedron_edge_3& e)
+    {
+      const auto& u = vertex(part, cell, static_cast<std::size_t>(e.i));
+      const auto& v = vertex(part, cell, static_cast<std::size_t>(e.j));
+      const double size = (std::abs(CGAL::to_double(u.size)) + std::abs(CGAL::to_double(v.size))) / 2;
+      return (u.indices.dimension == 3 || v.indices.dimension == 3)
+          && e.length > Subdomain_round::length_to_be_repaired * size;
+    });
   }
 
   template <typename Visitor>
