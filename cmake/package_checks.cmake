@@ -1,4 +1,4 @@
-# Tests of the package rather than of the code: headers alone, Clang, conventions, data, installation, manual.
+# Tests of the package rather than of the code: headers alone, conventions, data, installation, manual.
 
 set(br3_package_tests ${CMAKE_CURRENT_SOURCE_DIR}/test/Boundary_recovery_3/package)
 
@@ -28,36 +28,6 @@ foreach(header ${br3_headers})
                    -include ${header} ${br3_empty_file} COMMAND_EXPAND_LISTS)
   set_tests_properties(header_alone__${name} PROPERTIES LABELS header)
 endforeach()
-
-# Every program of the examples and tests: only their instantiations show Clang the bodies of our templates.
-# CGAL's targets set -frounding-math for the compiler of the build; Clang 14 accepts it with a warning only. One kernel is
-# enough here where a test goes through the same code with two.
-function(br3_add_clang_tests)
-  foreach(folder examples test)
-    get_property(targets DIRECTORY ${folder}/Boundary_recovery_3 PROPERTY BUILDSYSTEM_TARGETS)
-    foreach(target ${targets})
-      get_target_property(type ${target} TYPE)
-      if(type STREQUAL "EXECUTABLE")
-        get_target_property(sources ${target} SOURCES)
-        set(includes $<TARGET_PROPERTY:${target},INCLUDE_DIRECTORIES>)
-        set(definitions $<TARGET_PROPERTY:${target},COMPILE_DEFINITIONS>)
-        add_test(NAME program_clang__${target}
-                 COMMAND ${BR3_CLANG} ${br3_syntax} -Wno-unknown-warning-option
-                         "$<$<BOOL:${includes}>:-I$<JOIN:${includes},;-I>>"
-                         "$<$<BOOL:${definitions}>:-D$<JOIN:${definitions},;-D>>" -DBR3_TEST_EPICK_ONLY ${sources}
-                 COMMAND_EXPAND_LISTS)
-        set_tests_properties(program_clang__${target} PROPERTIES LABELS "program;clang")
-      endif()
-    endforeach()
-  endforeach()
-endfunction()
-
-find_program(BR3_CLANG NAMES clang++ clang++-19 clang++-16 clang++-15 clang++-14 DOC "Clang, for syntax checks")
-if(BR3_CLANG)
-  br3_add_clang_tests()
-else()
-  br3_add_skipped_test(program_clang "no clang++ was found")
-endif()
 
 find_package(Python3 QUIET COMPONENTS Interpreter)
 if(Python3_FOUND)
