@@ -257,7 +257,8 @@ private:
       report.weights.push_back(static_cast<double>(task.number_of_cells));
     CGAL::Real_timer timer;
     timer.start();
-    report.tasks = Task_farm(m_world, [this](const std::size_t k) { return name_of(k); })
+    report.tasks = Task_farm(m_world, [this](const std::size_t k) { return name_of(k); },
+                             [this] { m_store.remove_temporary_folder(); })
       (report.weights, [this](const std::size_t k) { return do_task(k); });
     report.seconds_of_work = timer.time();
     m_shifts.assign(1, 0);

@@ -73,8 +73,7 @@ class Mpi_mesher
   const Mpi_options& m_options;
   Program<Point>& m_program;
   Size m_size;
-  std::string m_folder;        // where the parts are
-  Part_store m_store;
+  Part_store m_store;          // where the parts are
   std::vector<Sides> m_sides;  // of the triangles of the surface
   std::vector<Round_report> m_reports;
   Mesh_quality m_quality;
@@ -89,9 +88,8 @@ public:
 
   ~Mpi_mesher()
   {
-    std::error_code ignored;
-    if(m_exchange.is_first() && m_options.work.empty() && ! m_folder.empty())
-      std::filesystem::remove_all(m_folder, ignored);
+    if(m_exchange.is_first())
+      m_store.remove_temporary_folder();
   }
 
   // returns the exit status, the same one on all ranks
@@ -179,13 +177,13 @@ private:
   {
     try
     {
-      m_folder = m_options.work;
-      if(m_folder.empty())
+      std::string folder = m_options.work;
+      if(folder.empty())
       {
         const long process = m_exchange.gathered(static_cast<long>(::getpid())).front();
-        m_folder = (std::filesystem::temp_directory_path() / ("mesh_surface_mpi_" + std::to_string(process))).string();
+        folder = (std::filesystem::temp_directory_path() / ("mesh_surface_mpi_" + std::to_string(process))).string();
       }
-      m_store = Part_store(m_folder, key(), ! m_options.work.empty());
+      m_store = Part_store(folder, key(), ! m_options.work.empty());
     }
     catch(const std::exception& e)
     {

@@ -103,6 +103,14 @@ public:
     }
   }
 
+  // removes the folder with all that is in it, unless that is durable
+  void remove_temporary_folder() const
+  {
+    std::error_code ignored;
+    if(! m_is_durable && ! m_folder.empty())
+      std::filesystem::remove_all(m_folder, ignored);
+  }
+
 private:
   // five words, and then two for each record: its size, and its checksum
   Bytes header_of(const std::string& name, const std::vector<Bytes>& records) const

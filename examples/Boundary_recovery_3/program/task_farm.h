@@ -64,6 +64,7 @@ class Task_farm
 
   const Communicator& m_world;
   std::function<std::string(std::size_t)> m_name; // of a task, in messages
+  std::function<void()> m_clean_up;     // before rank 0 ends all ranks
   std::vector<Task> m_order;            // the heaviest first
   std::size_t m_next = 0;
   std::vector<Task> m_under_way;        // of each rank
@@ -72,9 +73,11 @@ class Task_farm
   std::size_t m_number_of_waiting = 0;  // ranks that were told that there is nothing more to do
 
 public:
-  // `name(task)` is what a task is called in messages.
-  template <typename Name>
-  Task_farm(const Communicator& world, const Name& name) : m_world(world), m_name(name) { }
+  // `name(task)` is what a task is called in messages; `clean_up()` is called by rank 0 before all ranks end at once.
+  template <typename Name, typename Clean_up>
+  Task_farm(const Communicator& world, const Name& name, const Clean_up& clean_up)
+    : m_world(world), m_name(name), m_clean_up(clean_up)
+  { }
 
   // does the tasks, and returns what is told of each of them, on all ranks. `work(task)` returns a report. If it
   // throws, or if a rank dies, rank 0 says which task that was, and all ranks end at once.
@@ -187,6 +190,7 @@ private:
     {
       std::cerr << "mesh_surface_mpi: " << name(report.task) << " failed on rank " << report.rank << ": "
                 << report.error << std::endl;
+      m_clean_up();
       boost::mpi::environment::abort(3); // the others may work for long
     }
     m_under_way[static_cast<std::size_t>(report.rank)] = Task_report::no_task;
@@ -215,6 +219,7 @@ private:
       std::cerr << std::endl;
     }
     std::cerr << "mesh_surface_mpi: with --work, what is finished is not meshed again" << std::endl;
+    m_clean_up();
     ::_exit(3); // a thread works still
   }
 

@@ -335,6 +335,17 @@ def test_killed_rank():
     assert report_of(1, 'boxes.off', '--size', '0.6', '--work', 'work')['number_of_stored_tasks'] == 0
 
 
+def test_temporary_folder_after_a_failure():
+    write('boxes.off', boxes())
+    process = start(2, 'boxes.off', '--size', '0.25', '--quiet', '--subdomains', '8', '-o', 'm.mesh')
+    folders = os.path.join(ENVIRONMENT['TMPDIR'], 'mesh_surface_mpi_*')
+    wait_for_results(process, folders, 2)
+    assert len(glob.glob(folders)) == 1
+    os.kill(processes_below(process.pid)[1], signal.SIGKILL)
+    process.communicate(timeout=60)
+    assert process.returncode != 0 and not glob.glob(folders)
+
+
 def test_rank_without_memory():
     write('boxes.off', boxes())
     process = start(2, 'boxes.off', '--size', '0.25', '--quiet', '--subdomains', '8', '--work', 'work', '-o', 'm.mesh')
