@@ -54,10 +54,10 @@ public:
       for(int i = 1; i <= n; ++i)
         add_notch(side, i);
       for(int i = 0; i <= n; ++i) // what the notches leave of the top
-        add_quad(at(side, 8 * i + (i == 0 ? 0 : 1), 0, side * m_height),
-                 at(side, 8 * i + (i == n ? 8 : 7), 0, side * m_height),
-                 at(side, 8 * i + (i == n ? 8 : 7), m_length, side * m_height),
-                 at(side, 8 * i + (i == 0 ? 0 : 1), m_length, side * m_height));
+        add_quad({{ at(side, 8 * i + (i == 0 ? 0 : 1), 0, side * m_height),
+                    at(side, 8 * i + (i == n ? 8 : 7), 0, side * m_height),
+                    at(side, 8 * i + (i == n ? 8 : 7), m_length, side * m_height),
+                    at(side, 8 * i + (i == 0 ? 0 : 1), m_length, side * m_height) }});
       for(const int end : { 0, m_length })
         add_wall(side, end);
     }
@@ -82,17 +82,18 @@ private:
     return at(side, 8 * i, across, i * across + side * m_gap);
   }
 
-  void add_quad(const std::size_t p, const std::size_t q, const std::size_t r, const std::size_t s)
+  // An array, as arguments get their numbers in an order that is the compiler's affair.
+  void add_quad(const std::array<std::size_t, 4>& p)
   {
-    m_plc.triangles.push_back({ p, q, r });
-    m_plc.triangles.push_back({ p, r, s });
+    m_plc.triangles.push_back({ p[0], p[1], p[2] });
+    m_plc.triangles.push_back({ p[0], p[2], p[3] });
   }
 
   void add_notch(const int side, const int i)
   {
     for(const int d : { -1, 1 })
-      add_quad(bottom_of_notch(side, i, 0), bottom_of_notch(side, i, m_length),
-               at(side, 8 * i + d, m_length, side * m_height), at(side, 8 * i + d, 0, side * m_height));
+      add_quad({{ bottom_of_notch(side, i, 0), bottom_of_notch(side, i, m_length),
+                  at(side, 8 * i + d, m_length, side * m_height), at(side, 8 * i + d, 0, side * m_height) }});
   }
 
   // The wall that the notches of a side open to: all of it is seen from the far edge, the notches are so thin.

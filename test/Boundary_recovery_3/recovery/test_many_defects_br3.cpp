@@ -46,10 +46,10 @@ struct Soup
   std::vector<Point_3> points;
   std::vector<std::vector<std::size_t> > faces;
 
-  void add(const Point_3& p, const Point_3& q, const Point_3& r)
+  void add(const std::array<Point_3, 3>& triangle)
   {
     const std::size_t n = points.size();
-    points.insert(points.end(), { p, q, r });
+    points.insert(points.end(), triangle.begin(), triangle.end());
     faces.push_back({ n, n + 1, n + 2 });
   }
 };
@@ -67,10 +67,11 @@ Soup crossing_families(const std::size_t k, const bool is_on_lines)
   for(std::size_t i = 0; i < k; ++i)
   {
     const double t = 10 * (static_cast<double>(i) + .5) / static_cast<double>(k);
-    soup.add(Point_3(-1 + noise(.1), t + noise(.2), noise(.3)), Point_3(11 + noise(.1), t + noise(.2), noise(.3)),
-             Point_3(5 + noise(1), t, 8 + noise(1)));
-    soup.add(Point_3(t + noise(.2), -1 + noise(.1), 3 + noise(.3)),
-             Point_3(t + noise(.2), 11 + noise(.1), 3 + noise(.3)), Point_3(t, 5 + noise(1), -5 + noise(1)));
+    // braces, as only in them the order of the random numbers is the same with all compilers
+    soup.add({ Point_3{ -1 + noise(.1), t + noise(.2), noise(.3) }, Point_3{ 11 + noise(.1), t + noise(.2), noise(.3) },
+               Point_3{ 5 + noise(1), t, 8 + noise(1) } });
+    soup.add({ Point_3{ t + noise(.2), -1 + noise(.1), 3 + noise(.3) },
+               Point_3{ t + noise(.2), 11 + noise(.1), 3 + noise(.3) }, Point_3{ t, 5 + noise(1), -5 + noise(1) } });
   }
   return soup;
 }
@@ -120,7 +121,7 @@ void test_few_defects_among_many_difficulties()
 {
   Soup soup = crossing_families(1, false);
   const std::size_t n = soup.points.size();
-  const br3_test::Plc plc = br3_test::Notched_box(12, 1).plc();
+  const br3_test::Plc plc = br3_test::Notched_box(16, 1).plc();
   for(const auto& c : plc.points)
     soup.points.emplace_back(100 + c[0], c[1], c[2]);
   for(const auto& t : plc.triangles)
