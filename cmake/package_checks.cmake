@@ -8,26 +8,25 @@ function(br3_add_skipped_test name reason)
   set_tests_properties(${name} PROPERTIES SKIP_REGULAR_EXPRESSION "skipped: ")
 endfunction()
 
-# What a compiler must be told to parse our headers, and a file that holds nothing but what `-include` brings.
-set(br3_includes $<TARGET_PROPERTY:Boundary_recovery_3,INTERFACE_INCLUDE_DIRECTORIES>)
-set(br3_definitions $<TARGET_PROPERTY:Boundary_recovery_3,INTERFACE_COMPILE_DEFINITIONS>)
-set(br3_syntax -std=c++17 -frounding-math -fsyntax-only -Wall -Wextra -Werror)
-set(br3_empty_file ${CMAKE_CURRENT_BINARY_DIR}/empty.cpp)
-file(WRITE ${br3_empty_file} "// empty\n")
-
-# Every header alone, internal ones too: a header that leans on what another one includes does not compile. One compiler
-# is enough for that.
+# Every header alone, internal ones too: a header that leans on what another one includes does not compile. Where headers
+# of CGAL are precompiled, only the headers that users include are to name all that they need of it.
 file(GLOB_RECURSE br3_headers CONFIGURE_DEPENDS
      RELATIVE ${CMAKE_CURRENT_SOURCE_DIR}/include ${CMAKE_CURRENT_SOURCE_DIR}/include/CGAL/*.h)
+add_library(headers_alone OBJECT)
+target_link_libraries(headers_alone PRIVATE Boundary_recovery_3)
 foreach(header ${br3_headers})
-  string(REGEX REPLACE "^CGAL/" "" name ${header})
-  string(MAKE_C_IDENTIFIER ${name} name)
-  add_test(NAME header_alone__${name}
-           COMMAND ${CMAKE_CXX_COMPILER} ${br3_syntax} "$<$<BOOL:${br3_includes}>:-I$<JOIN:${br3_includes},;-I>>"
-                   "$<$<BOOL:${br3_definitions}>:-D$<JOIN:${br3_definitions},;-D>>"
-                   -include ${header} ${br3_empty_file} COMMAND_EXPAND_LISTS)
-  set_tests_properties(header_alone__${name} PROPERTIES LABELS header)
+  string(MAKE_C_IDENTIFIER ${header} name)
+  set(source ${CMAKE_CURRENT_BINARY_DIR}/headers_alone/${name}.cpp)
+  file(CONFIGURE OUTPUT ${source} CONTENT "#include <${header}>\n")
+  target_sources(headers_alone PRIVATE ${source})
+  if(NOT header MATCHES "/internal/")
+    set_source_files_properties(${source} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
+  endif()
 endforeach()
+if(BR3_QUICK_BUILD)
+  target_compile_options(headers_alone PRIVATE -O0)
+  target_precompile_headers(headers_alone PRIVATE ${br3_precompiled_headers})
+endif()
 
 find_package(Python3 QUIET COMPONENTS Interpreter)
 if(Python3_FOUND)
@@ -45,7 +44,7 @@ if(Python3_FOUND)
   function(br3_add_program_test test program script)
     if(TARGET ${program})
       add_test(NAME ${test} COMMAND Python3::Interpreter ${br3_package_tests}/${script} $<TARGET_FILE:${program}> ${ARGN})
-      set_tests_properties(${test} PROPERTIES DEPENDS compilation_of__${program})
+      set_tests_properties(${test} PROPERTIES DEPENDS compilation_of__${program} LABELS program)
     endif()
   endfunction()
   br3_add_program_test(program_behaves_as_documented recover_boundary test_program_br3.py)

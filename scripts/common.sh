@@ -33,3 +33,6 @@ install_missing()
 
 # What compiling the package takes.
 build_packages=(g++ make cmake libcgal-dev libboost-dev libeigen3-dev libgmp-dev libmpfr-dev)
+
+# For CMake, which takes the name of precompiled headers of C++ from the compiler of C.
+with_clang=(-DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++)

@@ -22,7 +22,7 @@ endif()
 
 # The consumer lies outside the source tree, so that nothing can be found through a relative path.
 file(COPY ${SOURCE_DIR}/test/Boundary_recovery_3/package/install_test/consumer DESTINATION ${SCRATCH_DIR})
-run(${CMAKE_COMMAND} -S ${SCRATCH_DIR}/consumer -B ${consumer} -DCMAKE_BUILD_TYPE=Release
+run(${CMAKE_COMMAND} -S ${SCRATCH_DIR}/consumer -B ${consumer} -DCMAKE_BUILD_TYPE=None
     -DCMAKE_CXX_COMPILER=${CXX_COMPILER} -DCGAL_DIR=${CGAL_DIR} -DCMAKE_PREFIX_PATH=${prefix}
     -DREQUESTED_VERSION=${VERSION} -DEXPECTED_PREFIX=${prefix})
 run(${CMAKE_COMMAND} --build ${consumer})
