@@ -59,6 +59,11 @@ public:
   {
     for(const Vertex_triple& f : faces)
       add_half_space(from_origin(f[0]), from_origin(f[1]), from_origin(f[2]));
+    // The solver looks at the first ones first, so these are to be those that the origin violates most.
+    std::stable_sort(m_half_spaces.begin(), m_half_spaces.end(), [](const Half_space& a, const Half_space& b)
+    {
+      return a.offset > b.offset;
+    });
   }
 
   // A power of two for each axis, so that products of lengths do not leave the range of floating point numbers.
@@ -208,36 +213,41 @@ private:
 
   // Maximizes objective * x + r_max * r over the points x that are at least as deep as r, 0 <= r <= r_max, in units of
   // the diameter.
+  //
+  // The dual program is what is solved: its variables are the multipliers of the half spaces and of the bound on r. It
+  // has four rows, however many faces there are, and the rows are what the solver's time grows with. The multipliers of
+  // its own solution are x and - r.
   std::optional<Deep_point> maximize(const Vector& objective, const int r_max) const
   {
     typedef CGAL::Quadratic_program<double> Program;
-    Program lp(CGAL::LARGER, false, 0, false, 0);
-    int row = 0;
+    Program lp(CGAL::EQUAL, true, 0, false, 0);
+    int column = 0;
     for(const Half_space& h : m_half_spaces)
     {
       for(int i = 0; i < 3; ++i)
-        lp.set_a(i, row, h.normal[i]);
-      lp.set_a(3, row, -1);
-      lp.set_b(row, h.offset / m_diameter);
-      ++row;
+        lp.set_a(column, i, h.normal[i]);
+      lp.set_a(column, 3, 1);
+      lp.set_c(column, - h.offset / m_diameter);
+      ++column;
     }
+    lp.set_a(column, 3, 1);
+    lp.set_c(column, r_max);
     for(int i = 0; i < 3; ++i)
-      lp.set_c(i, - objective[i]);
-    lp.set_u(3, true, r_max);
-    if(r_max == 0)
-      lp.set_l(3, true, 0);
-    lp.set_c(3, - r_max);
-    // With CGAL's default pricing, which was never seen to cycle. Bland's rule, which cannot, gives the same points and
-    // takes a quarter longer in all on polyhedra that need thousands of points.
+      lp.set_b(i, - objective[i]);
+    lp.set_r(3, CGAL::LARGER);
+    lp.set_b(3, r_max);
+    CGAL::Quadratic_program_options options;
+    options.set_pricing_strategy(CGAL::QP_BLAND); // which cannot cycle: all but one of the right-hand sides may be zero
     const CGAL::Quadratic_program_solution<Exact_float> solution
-      = CGAL::solve_linear_program(lp, Exact_float());
+      = CGAL::solve_linear_program(lp, Exact_float(), options);
     if(! solution.is_optimal())
       return std::nullopt;
     const double denominator = CGAL::to_double(solution.variables_common_denominator());
-    std::array<double, 4> values; // of the three coordinates and r
-    std::transform(solution.variable_numerators_begin(), solution.variable_numerators_end(), values.begin(),
+    std::array<double, 4> values; // of the three coordinates and - r
+    std::transform(solution.optimality_certificate_numerators_begin(), solution.optimality_certificate_numerators_end(),
+                   values.begin(),
                    [&](const Exact_float& numerator) { return CGAL::to_double(numerator) / denominator; });
-    return Deep_point{ Vector(values[0], values[1], values[2]), m_diameter * values[3] };
+    return Deep_point{ Vector(values[0], values[1], values[2]), - m_diameter * values[3] };
   }
 
   static constexpr int max_number_of_bisections = 50;

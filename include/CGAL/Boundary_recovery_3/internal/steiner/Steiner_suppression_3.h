@@ -131,8 +131,8 @@ private:
 
   std::size_t number_of_points() const { return m_mesh.ledger.free_points().size(); }
 
-  // Whether more than one in a hundred of the points is gone. Where there are hundreds, every round finds one more.
-  bool is_worthwhile(const std::size_t before) const { return 100 * (before - number_of_points()) > before; }
+  // Whether more than one in fifty of the points is gone. Where there are hundreds, every round finds one more.
+  bool is_worthwhile(const std::size_t before) const { return 50 * (before - number_of_points()) > before; }
 
   // Whether what takes long should be tried with one more point. So many failed since there were so many.
   bool is_success_likely(const std::size_t before, const std::size_t number_of_failures) const
