@@ -184,6 +184,40 @@ void test_deepest_point()
   }
 }
 
+// Many faces in few planes, which make the linear program degenerate: a cube whose sides are divided into n by n squares,
+// as seen from one of its corners.
+void test_many_faces_in_a_plane()
+{
+  const int n = 8;
+  const auto point = [](const int axis, const int side, const int i, const int j)
+  {
+    br3_test::Coordinates p;
+    p[axis] = side;
+    p[(axis + 1) % 3] = static_cast<double>(i) / n;
+    p[(axis + 2) % 3] = static_cast<double>(j) / n;
+    return p;
+  };
+  std::vector<br3_test::Coordinates> points;
+  std::vector<br3_test::Simplex> triangles;
+  for(int axis = 0; axis < 3; ++axis)
+    for(int side = 0; side < 2; ++side)
+      for(int i = 0; i < n; ++i)
+        for(int j = 0; j < n; ++j)
+        {
+          const std::size_t k = points.size();
+          for(const auto& p : { point(axis, side, i, j), point(axis, side, i + 1, j), point(axis, side, i + 1, j + 1),
+                                point(axis, side, i, j + 1) })
+            points.push_back(p);
+          const std::size_t second = k + (side == 1 ? 1 : 3), fourth = k + (side == 1 ? 3 : 1);
+          triangles.push_back({ k, second, k + 2 });
+          triangles.push_back({ k, k + 2, fourth });
+        }
+  Polyhedron cube(points, triangles);
+  assert(cube.has_deepest_point());
+  for(int i = 0; i < 3; ++i)
+    assert(std::abs(cube.point()[i] - .5) < 1e-9);
+}
+
 // The polyhedron of Schoenhardt is seen from its center, the notched box from nowhere.
 void test_empty_kernel()
 {
@@ -252,6 +286,7 @@ int main()
 {
   test_kernel_alone();
   test_deepest_point();
+  test_many_faces_in_a_plane();
   test_empty_kernel();
   test_ray();
   test_center();
