@@ -184,8 +184,8 @@ void test_deepest_point()
   }
 }
 
-// Many faces in few planes, which make the linear program degenerate: a cube whose sides are divided into n by n squares,
-// as seen from one of its corners.
+// Many faces in few planes, which make the linear program degenerate: a cube whose sides are divided into n by n
+// squares, as seen from one of its corners.
 void test_many_faces_in_a_plane()
 {
   const int n = 8;
