@@ -11,6 +11,7 @@
 
 #undef NDEBUG
 
+#include "box_soup_br3.h"
 #include "brute_force_checker_br3.h"
 #include "steiner_inputs_br3.h"
 
@@ -189,31 +190,28 @@ void test_deepest_point()
 void test_many_faces_in_a_plane()
 {
   const int n = 8;
-  const auto point = [](const int axis, const int side, const int i, const int j)
-  {
-    br3_test::Coordinates p;
-    p[axis] = side;
-    p[(axis + 1) % 3] = static_cast<double>(i) / n;
-    p[(axis + 2) % 3] = static_cast<double>(j) / n;
-    return p;
-  };
-  std::vector<br3_test::Coordinates> points;
-  std::vector<br3_test::Simplex> triangles;
+  br3_test::Box_soup soup;
   for(int axis = 0; axis < 3; ++axis)
-    for(int side = 0; side < 2; ++side)
+    for(const int height : { 0, n })
       for(int i = 0; i < n; ++i)
         for(int j = 0; j < n; ++j)
         {
-          const std::size_t k = points.size();
-          for(const auto& p : { point(axis, side, i, j), point(axis, side, i + 1, j), point(axis, side, i + 1, j + 1),
-                                point(axis, side, i, j + 1) })
-            points.push_back(p);
-          const std::size_t second = k + (side == 1 ? 1 : 3), fourth = k + (side == 1 ? 3 : 1);
-          triangles.push_back({ k, second, k + 2 });
-          triangles.push_back({ k, k + 2, fourth });
+          br3_test::Integer_point low, high;
+          low[axis] = high[axis] = height;
+          low[(axis + 1) % 3] = i;
+          low[(axis + 2) % 3] = j;
+          high[(axis + 1) % 3] = i + 1;
+          high[(axis + 2) % 3] = j + 1;
+          soup.add_rectangle(axis, low, high, height == n);
         }
+  std::vector<br3_test::Coordinates> points;
+  for(const br3_test::Integer_point& p : soup.points)
+    points.push_back({{ 1. * p[0] / n, 1. * p[1] / n, 1. * p[2] / n }});
+  std::vector<br3_test::Simplex> triangles;
+  for(const auto& t : soup.triangles)
+    triangles.emplace_back(t.begin(), t.end());
   Polyhedron cube(points, triangles);
-  assert(cube.has_deepest_point());
+  assert(triangles.size() == 768 && cube.has_deepest_point());
   for(int i = 0; i < 3; ++i)
     assert(std::abs(cube.point()[i] - .5) < 1e-9);
 }

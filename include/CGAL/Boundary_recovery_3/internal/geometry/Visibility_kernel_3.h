@@ -20,6 +20,7 @@
 #include <CGAL/Origin.h>
 #include <CGAL/QP_functions.h>
 #include <CGAL/QP_models.h>
+#include <CGAL/QP_options.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/number_utils.h>
 
