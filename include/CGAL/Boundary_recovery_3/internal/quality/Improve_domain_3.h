@@ -45,7 +45,8 @@ namespace internal {
  *
  * Then, only those cells count that are really bad, and others may get worse for them; for what that leaves, beside the
  * thin triangles of a surface, a few cells may become very bad so that many are not, and vertices are tried at many
- * places. At last, all the others get rounder, where that is for nothing.
+ * places. Those that are nearly as bad are worked on afterwards, so that the worst ones have the choice. At last, all
+ * the others get rounder, where that is for nothing.
  */
 template <typename Tr, typename Domain, typename Quality, typename Visitor>
 class Improve_domain_3
@@ -89,7 +90,10 @@ public:
       set_enough(really_bad_angle);
       improve(max_number_of_last_rounds, true);
       if(! m_is_strict)
+      {
         improve_leniently();
+        improve_nearly_as_bad_cells();
+      }
     }
     if(m_target > 0)
       center_vertices();
@@ -114,6 +118,7 @@ private:
 
   // See "Tuning constants" in the manual.
   static constexpr double really_bad_angle = 12;
+  static constexpr double nearly_as_bad_angle = 16;
   static constexpr int max_number_of_rounds = 6;
   static constexpr int max_number_of_last_rounds = 12;
   static constexpr int first_dear_round = 3;
@@ -155,6 +160,16 @@ private:
         if(m_bad_cells.contains(c.cell) && m_context.go_further_after_short_step())
           visit(c);
     }
+  }
+
+  // The list has only those that were bad enough before.
+  void improve_nearly_as_bad_cells()
+  {
+    set_enough((std::min)(m_target, nearly_as_bad_angle));
+    for(const Cell_handle c : m_mesh.triangulation().finite_cell_handles())
+      if(m_mesh.domain().contains(c))
+        m_bad_cells.push(c);
+    improve(max_number_of_last_rounds, true);
   }
 
   // No cell gets worse than the worst one is.
