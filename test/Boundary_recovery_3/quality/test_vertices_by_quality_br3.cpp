@@ -338,6 +338,16 @@ double best_of_grid(const Star_of_point& star, const Place& p)
   return best.first;
 }
 
+// Smooths a vertex whose best point takes this part of the badness away: that is done if it is worth it.
+void check_smoothing(Improvement& t, const Vertex_handle v, const double gain)
+{
+  internal::Smooth_vertex_3<Mesh> smooth(t.mesh, t.quality);
+  const Place before = Mesh::coordinates(v);
+  const bool is_moved = smooth(v);
+  assert(is_moved == (Mesh::coordinates(v) != before));
+  assert(is_moved == (gain >= 0.02));
+}
+
 void test_best_points()
 {
   double possible = 0, reached = 0;
@@ -366,8 +376,10 @@ void test_best_points()
       const Place before = Mesh::coordinates(v);
       Place p = before;
       assert(best_point.worst_quality(p) == of_point(p).second);
-      const bool is_moved = best_point.improve(p, [](const Place&) { return true; });
-      assert(is_moved == (p != before));
+      const double gain = best_point.improve(p, [](const Place&) { return true; });
+      const bool is_moved = p != before;
+      const double expected_gain = is_moved ? 1 - of_point(p).first / of_point(before).first : 0;
+      assert(std::abs(gain - expected_gain) < 1e-12);
       assert(of_point(p).second >= of_point(before).second);
       assert(is_moved ? of_point(p).first < of_point(before).first : p == before);
       possible += of_point(before).first - best_of_grid(of_point, before);
@@ -386,6 +398,7 @@ void test_best_points()
         best_point.add(f);
       if(of_point(before).second > 0)
         assert(! best_point.improve(q, [](const Place&) { return true; }) && q == before);
+      check_smoothing(t, v, gain);
     }
   }
   std::cout << "smoothing: " << number << " vertices, " << moved << " moved; reached " << reached / possible

@@ -64,13 +64,13 @@ public:
 
   // Moves the point to better places, until all cells are good enough, or nothing helps. The worst cell never gets
   // worse, or not more than the measure of badness tolerates. `is_allowed` tells where the point may be. Returns
-  // whether the point was moved.
+  // which part of the badness of the cells is gone, 0 if the point was not moved.
   template <typename IsAllowed>
-  bool improve(Coordinates_3& p, const IsAllowed& is_allowed)
+  double improve(Coordinates_3& p, const IsAllowed& is_allowed)
   {
-    const Coordinates_3 before = p;
     m_least = -std::numeric_limits<double>::infinity();
-    double badness = set_qualities(p);
+    const double badness_before = set_qualities(p);
+    double badness = badness_before;
     double step = 0.25 * typical_length(p);
     for(int round = 0; round < max_number_of_rounds && badness > 0; ++round)
     {
@@ -88,7 +88,7 @@ public:
       if(is_slow)
         break;
     }
-    return p != before;
+    return badness < badness_before ? 1 - badness / badness_before : 0;
   }
 
 private:

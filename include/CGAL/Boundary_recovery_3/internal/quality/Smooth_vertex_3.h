@@ -25,7 +25,7 @@ namespace internal {
 
 /*
  * Moves a free vertex to where the cells around it are less bad, and none is worse than the worst one was: optimising
- * smoothing.
+ * smoothing. Moves that hardly help are not made, so that it is the turn of other operations.
  */
 template <typename Mesh>
 class Smooth_vertex_3
@@ -38,7 +38,7 @@ public:
     : m_mesh(mesh), m_star(mesh), m_best_point(quality)
   { }
 
-  // Moves v. Returns whether the cells at v are less bad now.
+  // Moves v. Returns whether the cells at v are less bad now. Otherwise, nothing is changed.
   bool operator()(const Vertex_handle v)
   {
     if(! m_star.collect(v))
@@ -48,13 +48,16 @@ public:
       m_best_point.add({{ Mesh::coordinates(f[0]), Mesh::coordinates(f[1]), Mesh::coordinates(f[2]) }});
     Coordinates_3 p = Mesh::coordinates(v);
     m_limits.assign(m_mesh.allowed_lengths(), v, m_star.neighbors());
-    return m_best_point.improve(p, m_limits) && m_mesh.move(v, p, m_star.cells(), m_star.faces());
+    return m_best_point.improve(p, m_limits) >= least_progress && m_mesh.move(v, p, m_star.cells(), m_star.faces());
   }
 
   // The cells around the vertex that was treated last.
   const std::vector<Cell_handle>& cells() const { return m_star.cells(); }
 
 private:
+  // See "Tuning constants" in the manual.
+  static constexpr double least_progress = 0.02;
+
   Mesh& m_mesh;
   Free_star_3<Mesh> m_star;
   Best_point_in_star_3<typename Mesh::Quality> m_best_point;
