@@ -76,8 +76,7 @@ public:
     m_worst = (std::min)(m_worst, m_bad_cells.push(c));
   }
 
-  // What the strict rounds leave is not worked on. For a mesh that is improved several times: what is tolerated would
-  // add up.
+  // Nothing is tolerated. For a mesh that is improved several times: that would add up.
   void be_strict() { m_is_strict = true; }
 
   // Improves the mesh until all cells are good, or nothing helps, or the context says stop.
@@ -90,10 +89,8 @@ public:
       set_enough(really_bad_angle);
       improve(max_number_of_last_rounds, true);
       if(! m_is_strict)
-      {
         improve_leniently();
-        improve_nearly_as_bad_cells();
-      }
+      improve_nearly_as_bad_cells();
     }
     if(m_target > 0)
       center_vertices();
