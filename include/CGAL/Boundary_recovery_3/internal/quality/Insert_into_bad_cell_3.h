@@ -95,14 +95,11 @@ private:
       double worst = enough;
       const Face* face = nullptr;
       for(const Face& f : m_cavity.faces())
-      {
-        const double q = m_cavity.quality(f);
-        if(q < worst && (minds_walls || ! m_cavity.is_wall(f)))
+        if(f.quality < worst && (minds_walls || ! m_cavity.is_wall(f)))
         {
-          worst = q;
+          worst = f.quality;
           face = &f;
         }
-      }
       if(face == nullptr || m_cavity.is_wall(*face))
         break;
       m_cavity.take_in(face->cell->neighbor(face->index));

@@ -16,7 +16,6 @@
 #include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/distances_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Star_cavity_3.h>
-#include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 
 #include <algorithm>
 #include <array>
@@ -134,44 +133,39 @@ private:
     m_cavity.start(c, p);
     for(int step = 0; step < max_number_of_steps; ++step)
     {
-      const int i = facet_before(c, p);
-      if(i < 0)
+      const Face* face = face_before(c);
+      if(face == nullptr)
         return true;
-      if(m_mesh.domain().is_wall(c, i))
+      if(m_cavity.is_wall(*face))
         return false;
-      c = c->neighbor(i);
-      if(internal::contains(m_cavity.cells(), c))
-        return false;
+      c = c->neighbor(face->index);
       m_cavity.take_in(c);
     }
     return false;
   }
 
-  // The facet beyond which the point is; -1: none.
-  int facet_before(const Cell_handle c, const Coordinates_3& p) const
+  // That of a cell beyond which the point is.
+  const Face* face_before(const Cell_handle c) const
   {
     double worst = 0;
-    int facet = -1;
-    for(int i = 0; i < 4; ++i)
-    {
-      const double q = m_mesh.quality(internal::facet_vertices(c, i), p);
-      if(q < worst)
+    const Face* face = nullptr;
+    for(const Face& f : m_cavity.faces())
+      if(f.cell == c && f.quality < worst)
       {
-        worst = q;
-        facet = i;
+        worst = f.quality;
+        face = &f;
       }
-    }
-    return facet;
+    return face;
   }
 
   // Grows the cavity, and goes back to where the cells are the least bad. Returns false if that is nowhere better.
   bool grow()
   {
-    double badness_of_cells = m_mesh.account_of(m_cavity.cells()).badness, best_gain = 0;
+    double best_gain = 0;
     std::size_t best = 0;
     while(true)
     {
-      const double gain = badness_of_cells - set_worst_face();
+      const double gain = m_cavity.badness() - set_worst_face();
       if(gain > best_gain && m_worst > 0 && m_worst >= m_mesh.least_quality(m_cavity.worst_quality()) &&
          m_cavity.has_nothing_inside())
       {
@@ -180,9 +174,7 @@ private:
       }
       if(m_face == nullptr || m_cavity.cells().size() >= max_number_of_cells)
         break;
-      const Cell_handle next = m_face->cell->neighbor(m_face->index);
-      m_cavity.take_in(next);
-      badness_of_cells += m_mesh.badness(m_mesh.quality(next));
+      m_cavity.take_in(m_face->cell->neighbor(m_face->index));
     }
     if(best > 0 && best < m_cavity.cells().size())
       m_cavity.go_back_to(best);
@@ -197,12 +189,11 @@ private:
     m_face = nullptr;
     for(const Face& f : m_cavity.faces())
     {
-      const double q = m_cavity.quality(f);
-      badness += m_mesh.badness(q);
-      m_worst = (std::min)(m_worst, q);
-      if(q < worst && ! m_cavity.is_wall(f))
+      badness += m_mesh.badness(f.quality);
+      m_worst = (std::min)(m_worst, f.quality);
+      if(f.quality < worst && ! m_cavity.is_wall(f))
       {
-        worst = q;
+        worst = f.quality;
         m_face = &f;
       }
     }

@@ -46,6 +46,7 @@ public:
     std::array<Vertex_handle, 3> vertices;
     Cell_handle cell;
     int index;
+    double quality; // of the new cell there
   };
 
   Star_cavity_3(Mesh& mesh, const typename Mesh::Quality& quality) : m_mesh(mesh), m_best_point(quality) { }
@@ -53,24 +54,20 @@ public:
   // One cell, and the place of the vertex.
   void start(const Cell_handle c, const Coordinates_3& p)
   {
-    m_cells.assign(1, c);
-    m_faces.clear();
-    for(int i = 0; i < 4; ++i)
-      m_faces.push_back(Face{ internal::facet_vertices(c, i), c, i });
     m_point = p;
-    m_worst = m_mesh.quality(c);
+    m_faces.clear();
+    m_cells.clear();
+    m_worst = std::numeric_limits<double>::infinity();
+    m_badness = 0;
+    add(c);
   }
 
   // Adds the neighbor of a cell of the cavity.
   void take_in(const Cell_handle c)
   {
-    m_worst = (std::min)(m_worst, m_mesh.quality(c));
-    m_cells.push_back(c);
     m_faces.erase(std::remove_if(m_faces.begin(), m_faces.end(),
                                  [&](const Face& f) { return f.cell->neighbor(f.index) == c; }), m_faces.end());
-    for(int i = 0; i < 4; ++i)
-      if(! internal::contains(m_cells, c->neighbor(i)))
-        m_faces.push_back(Face{ internal::facet_vertices(c, i), c, i });
+    add(c);
   }
 
   // The first ones of the cells are left.
@@ -93,23 +90,27 @@ public:
       m_best_point.add({{ Mesh::coordinates(f.vertices[0]), Mesh::coordinates(f.vertices[1]),
                           Mesh::coordinates(f.vertices[2]) }});
     m_best_point.improve(m_point, [](const Coordinates_3&) { return true; });
-    return m_best_point.worst_quality(m_point);
+    double worst = std::numeric_limits<double>::infinity();
+    for(Face& f : m_faces)
+    {
+      f.quality = m_mesh.quality(f.vertices, m_point);
+      worst = (std::min)(worst, f.quality);
+    }
+    return worst;
   }
 
-  // The quality of the worst cell that goes.
+  // The quality of the worst cell that goes, and the sum of badness of all.
   double worst_quality() const { return m_worst; }
-
-  // Of the new cell at a face.
-  double quality(const Face& f) const { return m_mesh.quality(f.vertices, m_point); }
+  double badness() const { return m_badness; }
 
   bool is_wall(const Face& f) const { return m_mesh.domain().is_wall(f.cell, f.index); }
 
   // By how much the new cells are less bad.
   double gain() const
   {
-    double gain = m_mesh.account_of(m_cells).badness;
+    double gain = m_badness;
     for(const Face& f : m_faces)
-      gain -= m_mesh.badness(quality(f));
+      gain -= m_mesh.badness(f.quality);
     return gain;
   }
 
@@ -158,6 +159,21 @@ public:
   }
 
 private:
+  // With those of its facets that the cavity ends at.
+  void add(const Cell_handle c)
+  {
+    const double quality = m_mesh.quality(c);
+    m_worst = (std::min)(m_worst, quality);
+    m_badness += m_mesh.badness(quality);
+    m_cells.push_back(c);
+    for(int i = 0; i < 4; ++i)
+      if(! internal::contains(m_cells, c->neighbor(i)))
+      {
+        const auto vertices = internal::facet_vertices(c, i);
+        m_faces.push_back(Face{ vertices, c, i, m_mesh.quality(vertices, m_point) });
+      }
+  }
+
   bool is_no_vertex_inside()
   {
     m_vertices.clear();
@@ -208,6 +224,7 @@ private:
   double m_size = 0;
   double m_least = 0;
   double m_worst = 0; // of the qualities of the cells
+  double m_badness = 0; // of the cells
   std::vector<Cell_handle> m_cells;
   std::vector<Face> m_faces;
   std::vector<Vertex_handle> m_vertices;
