@@ -43,10 +43,10 @@ namespace internal {
  * No operation leaves a cell that is worse than the worst one of those that it changes, and each makes the sum of the
  * badness of the cells smaller. So the work ends, and the worst cell of the mesh does not get worse.
  *
- * Then, only those cells count that are really bad, and others may get worse for them; for what that leaves, beside the
- * thin triangles of a surface, a few cells may become very bad so that many are not, and vertices are tried at many
- * places. Those that are nearly as bad are worked on afterwards, so that the worst ones have the choice. At last, all
- * the others get rounder, where that is for nothing.
+ * Then, only those cells count that are really bad, others may get worse for them, and all operations are tried. For
+ * what that leaves, beside the thin triangles of a surface, a few cells may become very bad so that many are not. Those
+ * that are nearly as bad are worked on afterwards, so that the worst ones have the choice. At last, all the others get
+ * rounder, where that is for nothing.
  */
 template <typename Tr, typename Domain, typename Quality, typename Visitor>
 class Improve_domain_3
@@ -133,7 +133,7 @@ private:
     m_vain_smoothings.clear();
   }
 
-  void improve(const int max_number, const bool reconnects)
+  void improve(const int max_number, const bool tries_all)
   {
     double last_badness = 0;
     for(m_round = 1; m_round <= max_number && m_context.go_further(); ++m_round)
@@ -151,7 +151,7 @@ private:
       last_badness = m_bad_cells.badness();
       if(m_number_of_visits == 0)
         m_expected_visits = expected_number_of_visits * cells.size();
-      m_reconnects = reconnects && m_round >= first_dear_round;
+      m_tries_all = tries_all && m_round >= first_dear_round;
       ++m_counts.number_of_rounds;
       for(const Bad_cell& c : cells)
         if(m_bad_cells.contains(c.cell) && m_context.go_further_after_short_step())
@@ -196,8 +196,7 @@ private:
   bool improve(const Cell_handle c)
   {
     return flip(c) || contract(c) || (m_round > 1 && smooth(c))
-        || (m_round >= first_dear_round && insert(c)) || (m_reconnects && reconnect(c))
-        || (m_mesh.measure_of_badness().is_lenient() && m_round >= first_dear_round && insert_near(c));
+        || (m_round >= first_dear_round && insert(c)) || (m_tries_all && (reconnect(c) || insert_near(c)));
   }
 
   // Flips what comes from a cell, until that does not help any more.
@@ -338,7 +337,7 @@ private:
   double m_target = 0;
   double m_worst = std::numeric_limits<double>::infinity(); // of the qualities of all cells at first
   int m_round = 0;
-  bool m_reconnects = false;
+  bool m_tries_all = false; // operations
   bool m_is_strict = false;
   std::size_t m_number_of_visits = 0;
   std::size_t m_expected_visits = 0;

@@ -12,17 +12,12 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/internal/filling/Unit_frame_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/distances_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Places_near_cell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Star_cavity_3.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
-#include <limits>
-#include <vector>
 
 namespace CGAL {
 namespace Boundary_recovery_3 {
@@ -30,12 +25,11 @@ namespace internal {
 
 /*
  * Inserts a vertex near a bad cell, where insertion into the cell does not help: beside a thin triangle of the surface,
- * cells are good if they have their other vertex near the short edge of the triangle, and that is far from the center
- * of any cell there.
+ * cells are good if they have their other vertices near its short edge, or beside its long ones, and that is far from
+ * the center of any cell there.
  *
- * Points around the shortest edge of the cell are tried, at a distance of twice its length. The cavity of a point is
- * made of the cells on the way to it, and grows where its star has the worst cell. Of all states on the way, and of all
- * points, the one that helps most is taken.
+ * Several places are tried. The cavity of a place is made of the cells on the way to it, and grows where its star has
+ * the worst cell. Of all states on the way, and of all places, the one that helps most is taken.
  */
 template <typename Mesh>
 class Insert_near_bad_cell_3
@@ -52,10 +46,9 @@ public:
   // if the mesh has it so, than what is tolerated.
   bool find(const Cell_handle c)
   {
-    collect_places(c);
     double best_gain = 0;
     const Coordinates_3* best = nullptr;
-    for(const Coordinates_3& p : m_places)
+    for(const Coordinates_3& p : m_places_near(internal::corners(c)))
     {
       const double gain = gain_at(c, p);
       if(gain > best_gain)
@@ -77,45 +70,8 @@ private:
   typedef typename Cavity::Face Face;
 
   // See "Tuning constants" in the manual.
-  static constexpr double distance_in_shortest_edges = 2;
   static constexpr int max_number_of_steps = 20;
   static constexpr std::size_t max_number_of_cells = 30;
-
-  // Around the middle of the shortest edge, in both directions of the normals of facets.
-  void collect_places(const Cell_handle c)
-  {
-    const auto p = internal::corners(c);
-    Coordinates_3 middle = {{ 0, 0, 0 }};
-    const double distance = distance_in_shortest_edges * find_shortest_edge(p, middle);
-    m_places.clear();
-    for(int i = 0; i < 4; ++i)
-    {
-      const Coordinates_3 normal = cross_product(difference(p[(i + 2) % 4], p[(i + 1) % 4]),
-                                                 difference(p[(i + 3) % 4], p[(i + 1) % 4]));
-      const double length = std::sqrt(dot_product(normal, normal));
-      if(length > 0)
-        for(const double step : { - distance / length, distance / length })
-          m_places.push_back({{ middle[0] + step * normal[0], middle[1] + step * normal[1],
-                                middle[2] + step * normal[2] }});
-    }
-  }
-
-  // Returns the length.
-  static double find_shortest_edge(const std::array<Coordinates_3, 4>& p, Coordinates_3& middle)
-  {
-    double shortest = std::numeric_limits<double>::infinity();
-    for(int i = 0; i < 4; ++i)
-      for(int j = 0; j < i; ++j)
-      {
-        const double d = internal::squared_distance(p[i], p[j]);
-        if(! (d < shortest))
-          continue;
-        shortest = d;
-        for(int k = 0; k < 3; ++k)
-          middle[k] = 0.5 * (p[i][k] + p[j][k]);
-      }
-    return std::sqrt(shortest);
-  }
 
   // Makes the cavity of a point. Returns by how much the cells would be less bad; 0: not, or it is not possible.
   double gain_at(const Cell_handle c, const Coordinates_3& p)
@@ -166,13 +122,13 @@ private:
     while(true)
     {
       const double gain = m_cavity.badness() - set_worst_face();
-      if(gain > best_gain && m_worst > 0 && m_worst >= m_mesh.least_quality(m_cavity.worst_quality()) &&
-         m_cavity.has_nothing_inside())
+      const double least = m_mesh.least_quality(m_cavity.worst_quality());
+      if(gain > best_gain && m_worst > 0 && m_worst >= least && m_cavity.has_nothing_inside())
       {
         best_gain = gain;
         best = m_cavity.cells().size();
       }
-      if(m_face == nullptr || m_cavity.cells().size() >= max_number_of_cells)
+      if(m_face == nullptr || m_worst_at_wall < least || m_cavity.cells().size() >= max_number_of_cells)
         break;
       m_cavity.take_in(m_face->cell->neighbor(m_face->index));
     }
@@ -181,17 +137,22 @@ private:
     return best > 0;
   }
 
-  // The worst new cell, and its face, if it may be gone through, or that of another one. Returns how bad all are.
+  // The worst new cell, and its face, if it may be gone through, or that of another one; and the worst one at a wall,
+  // which stays whatever the cavity grows to. Returns how bad all are.
   double set_worst_face()
   {
     double badness = 0, worst = m_mesh.enough();
-    m_worst = worst;
+    m_worst = m_worst_at_wall = worst;
     m_face = nullptr;
     for(const Face& f : m_cavity.faces())
     {
       badness += m_mesh.badness(f.quality);
       m_worst = (std::min)(m_worst, f.quality);
-      if(f.quality < worst && ! m_cavity.is_wall(f))
+      if(! (f.quality < (std::max)(worst, m_worst_at_wall)))
+        continue;
+      if(m_cavity.is_wall(f))
+        m_worst_at_wall = (std::min)(m_worst_at_wall, f.quality);
+      else if(f.quality < worst)
       {
         worst = f.quality;
         m_face = &f;
@@ -202,9 +163,10 @@ private:
 
   Mesh& m_mesh;
   Cavity m_cavity;
-  std::vector<Coordinates_3> m_places;
+  Places_near_cell_3 m_places_near;
   const Face* m_face = nullptr; // of the cavity
   double m_worst = 0;           // of the qualities of the new cells
+  double m_worst_at_wall = 0;
   const Cells* m_new_cells = nullptr;
 };
 

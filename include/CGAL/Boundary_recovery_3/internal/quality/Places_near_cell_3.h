@@ -1,0 +1,115 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_PLACES_NEAR_CELL_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_PLACES_NEAR_CELL_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/internal/filling/Unit_frame_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/distances_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/tetrahedron_edges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * Places where a vertex may make cells good that are beside thin triangles of the surface. With w, the length of the
+ * shortest edge of such a cell, they are
+ *
+ * - around this edge,
+ * - from there towards the opposite edge, in distances that double: cells are to become larger this way;
+ * - and beside the longest edge. Four consecutive points of a helix have dihedral angles of 30 to 120 degrees, however
+ *   much it is stretched; so the cells between two thin triangles that have this edge in common are good if their other
+ *   vertices are one or two w away from it.
+ */
+class Places_near_cell_3
+{
+public:
+  typedef std::array<Coordinates_3, 4> Corners;
+
+  // None if the cell has an edge without length.
+  const std::vector<Coordinates_3>& operator()(const Corners& p)
+  {
+    m_places.clear();
+    const std::array<Tetrahedron_edge_3, 6> edges = internal::edges_from_long_to_short(p);
+    if(edges.back().length > 0)
+    {
+      add_around_shortest_edge(p, edges.back());
+      add_towards_opposite_edge(p, edges.back());
+      add_along_longest_edge(p, edges.front(), edges.back().length);
+    }
+    return m_places;
+  }
+
+private:
+  // See "Tuning constants" in the manual.
+  static constexpr double distance_in_shortest_edges = 2;
+  static constexpr double growth_of_distances = 2;
+  static constexpr double height_in_shortest_edges = 1.6;
+  static constexpr double spacing_in_shortest_edges = 2;
+  static constexpr double max_number_along_edge = 15;
+
+  // In both directions of the normals of the facets.
+  void add_around_shortest_edge(const Corners& p, const Tetrahedron_edge_3& e)
+  {
+    for(int i = 0; i < 4; ++i)
+      add_above_and_below(internal::midpoint(p[e.i], p[e.j]), normal(p, i), distance_in_shortest_edges * e.length);
+  }
+
+  void add_towards_opposite_edge(const Corners& p, const Tetrahedron_edge_3& e)
+  {
+    const int i = (e.i + 1) % 4 == e.j ? (e.i + 2) % 4 : (e.i + 1) % 4, j = 6 - e.i - e.j - i;
+    const Coordinates_3 from = internal::midpoint(p[e.i], p[e.j]), to = internal::midpoint(p[i], p[j]);
+    const double length = internal::distance(from, to);
+    for(double d = growth_of_distances * e.length; d < length; d *= growth_of_distances)
+      m_places.push_back(internal::point_between(from, to, d / length));
+  }
+
+  // Above and below the two facets that have it in common.
+  void add_along_longest_edge(const Corners& p, const Tetrahedron_edge_3& e, const double shortest)
+  {
+    const double ratio = e.length / shortest;
+    const int n = static_cast<int>((std::min)(max_number_along_edge, ratio / spacing_in_shortest_edges));
+    for(int i = 0; i < 4; ++i)
+      if(i != e.i && i != e.j)
+        for(int k = 1; k <= n; ++k)
+          add_above_and_below(internal::point_between(p[e.i], p[e.j], static_cast<double>(k) / (n + 1)), normal(p, i),
+                              height_in_shortest_edges * shortest);
+  }
+
+  // Of the facet opposite to a corner, not of length 1.
+  static Coordinates_3 normal(const Corners& p, const int i)
+  {
+    return cross_product(difference(p[(i + 2) % 4], p[(i + 1) % 4]), difference(p[(i + 3) % 4], p[(i + 1) % 4]));
+  }
+
+  void add_above_and_below(const Coordinates_3& p, const Coordinates_3& normal, const double height)
+  {
+    const double length = std::sqrt(dot_product(normal, normal));
+    if(length > 0)
+      for(const double step : { - height / length, height / length })
+        m_places.push_back({{ p[0] + step * normal[0], p[1] + step * normal[1], p[2] + step * normal[2] }});
+  }
+
+  std::vector<Coordinates_3> m_places;
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_PLACES_NEAR_CELL_3_H
