@@ -13,11 +13,13 @@
 #include <CGAL/Boundary_recovery_3/internal/quality/Bad_cells_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Badness_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Best_point_in_star_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Cell_angles_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Center_vertex_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Contract_bad_edge_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Free_star_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Insert_into_bad_cell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Insert_near_bad_cell_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Places_near_cell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Smooth_vertex_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Star_cavity_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -146,6 +148,27 @@ std::array<int, 4> test_all_steps(const unsigned seed, const bool is_lenient)
   return number;
 }
 
+// How bad the cells of a cavity are, and the new ones with the vertex at this place, and at the best one.
+void check_account(Improvement& t, internal::Star_cavity_3<Mesh> cavity, const Place& p)
+{
+  double badness = 0, of_star = 0;
+  for(const Cell_handle c : cavity.cells())
+    badness += t.mesh.badness(t.mesh.quality(c));
+  for(const auto& f : cavity.faces())
+  {
+    assert(f.quality == t.mesh.quality(f.vertices, p));
+    of_star += t.mesh.badness(f.quality);
+  }
+  assert(std::abs(cavity.badness() - badness) < 1e-9);
+  assert(std::abs(cavity.gain() - (badness - of_star)) < 1e-9);
+  const double gain = cavity.gain();
+  double worst = 2;
+  const double told_worst = cavity.move_point();
+  for(const auto& f : cavity.faces())
+    worst = (std::min)(worst, f.quality);
+  assert(told_worst == worst && cavity.gain() >= gain);
+}
+
 // A cavity knows its faces and its worst cell, also after cells were taken out again; and whether its boundary has all
 // vertices.
 void test_star_cavities()
@@ -191,6 +214,7 @@ void test_star_cavities()
       outside.insert(f.vertices.begin(), f.vertices.end());
     }
     assert(cavity.faces().size() == number_of_faces && cavity.worst_quality() == worst);
+    check_account(t, cavity, internal::centroid(internal::corners(c)));
     const bool is_possible = cavity.has_nothing_inside();
     ++number[is_possible];
     if(is_possible)
@@ -226,6 +250,41 @@ int test_centered_vertices(const unsigned seed)
     assert(! is_moved || roundness_at(t.scene, v) > before);
     return is_moved;
   });
+}
+
+// ------------------------------------------------ where vertices are inserted near a cell
+
+// The smaller one of the smallest angles, in degrees, of the cells between a point and two thin triangles, the ones at
+// a long edge, whose short edges are at different ends.
+double smallest_angle_between_needles(const Place& p, const double length)
+{
+  const Place a = {{ 0, 0, 0 }}, b = {{ 0, 0, length }}, left = {{ -1, 0, 0.01 * length }},
+              right = {{ 1, 0, 0.99 * length }};
+  return (std::min)(internal::Cell_angles_3({{ a, b, left, p }}).smallest(),
+                    internal::Cell_angles_3({{ b, a, right, p }}).smallest());
+}
+
+// One of the places near a cell at a thin triangle is such that both cells at the long edge are as good as one vertex
+// can make them; none is where nothing can be.
+void test_places_near_cells()
+{
+  internal::Places_near_cell_3 places_near;
+  for(const double length : { 8., 10., 16., 20. })
+  {
+    // a thin triangle in the wall y = 0, and a vertex that is far away, for its width
+    const std::array<Place, 4> p = {{ {{ 0, 0, 0 }}, {{ 0, 0, length }}, {{ 1, 0, 0.99 * length }},
+                                      {{ 0.5, 0.3 * length, 0.5 * length }} }};
+    double best = 0;
+    for(const Place& q : places_near(p))
+      if(q[1] > 0)
+        best = (std::max)(best, smallest_angle_between_needles(q, length));
+    assert(best * length > 145);
+  }
+  // without length, or without area
+  const Place a = {{ 0, 0, 0 }}, b = {{ 1, 0, 0 }}, c = {{ 0, 1, 0 }};
+  assert(places_near({{ a, b, c, a }}).empty());
+  for(const Place& q : places_near({{ a, b, {{ 2, 0, 0 }}, {{ 8, 0, 0 }} }}))
+    assert(q[1] == 0 && q[2] == 0 && q[0] > 0 && q[0] < 8);
 }
 
 // ------------------------------------------------ which vertices are free, and where they go
@@ -672,6 +731,7 @@ int main()
     assert(number[0] > 50 && number[1] > 50 && number[2] > 50 && number[3] > 50);
   }
   test_star_cavities();
+  test_places_near_cells();
   int number_of_centered_vertices = 0;
   for(unsigned seed = 0; seed < 6; ++seed)
     number_of_centered_vertices += test_centered_vertices(seed);
