@@ -407,6 +407,13 @@ void check_smoothing(Improvement& t, const Vertex_handle v, const double gain)
   assert(is_moved == (gain >= 0.02));
 }
 
+// With the point where it was left.
+double worst_quality(const Best_point& best_point)
+{
+  assert(best_point.qualities().size() == best_point.number_of_faces());
+  return *std::min_element(best_point.qualities().begin(), best_point.qualities().end());
+}
+
 void test_best_points()
 {
   double possible = 0, reached = 0;
@@ -434,8 +441,10 @@ void test_best_points()
       const Star_of_point of_point = { faces, t.mesh.enough() };
       const Place before = Mesh::coordinates(v);
       Place p = before;
-      assert(best_point.worst_quality(p) == of_point(p).second);
+      assert(best_point.improve(p, [](const Place&) { return false; }) == 0 && p == before);
+      assert(worst_quality(best_point) == of_point(p).second);
       const double gain = best_point.improve(p, [](const Place&) { return true; });
+      assert(worst_quality(best_point) == of_point(p).second);
       const bool is_moved = p != before;
       const double expected_gain = is_moved ? 1 - of_point(p).first / of_point(before).first : 0;
       assert(std::abs(gain - expected_gain) < 1e-12);

@@ -53,14 +53,8 @@ public:
 
   std::size_t number_of_faces() const { return m_faces.size(); }
 
-  // The quality of the worst cell with the point.
-  double worst_quality(const Coordinates_3& p) const
-  {
-    double worst = 2;
-    for(std::size_t k = 0; k < m_faces.size(); ++k)
-      worst = (std::min)(worst, quality(k, p));
-    return worst;
-  }
+  // Of the cells of the faces and the point, where `improve` left it.
+  const std::vector<double>& qualities() const { return m_qualities; }
 
   // Moves the point to better places, until all cells are good enough, or nothing helps. The worst cell never gets
   // worse, or not more than the measure of badness tolerates. `is_allowed` tells where the point may be. Returns

@@ -17,6 +17,8 @@
 #include <CGAL/Boundary_recovery_3/internal/filling/distances_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/tetrahedron_edges.h>
 
+#include <CGAL/Triangulation_utils_3.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -72,7 +74,8 @@ private:
 
   void add_towards_opposite_edge(const Corners& p, const Tetrahedron_edge_3& e)
   {
-    const int i = (e.i + 1) % 4 == e.j ? (e.i + 2) % 4 : (e.i + 1) % 4, j = 6 - e.i - e.j - i;
+    const int i = Triangulation_utils_3::next_around_edge(e.i, e.j);
+    const int j = Triangulation_utils_3::next_around_edge(e.j, e.i);
     const Coordinates_3 from = internal::midpoint(p[e.i], p[e.j]), to = internal::midpoint(p[i], p[j]);
     const double length = internal::distance(from, to);
     for(double d = growth_of_distances * e.length; d < length; d *= growth_of_distances)

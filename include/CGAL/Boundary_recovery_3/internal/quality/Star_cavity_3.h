@@ -90,13 +90,10 @@ public:
       m_best_point.add({{ Mesh::coordinates(f.vertices[0]), Mesh::coordinates(f.vertices[1]),
                           Mesh::coordinates(f.vertices[2]) }});
     m_best_point.improve(m_point, [](const Coordinates_3&) { return true; });
-    double worst = std::numeric_limits<double>::infinity();
-    for(Face& f : m_faces)
-    {
-      f.quality = m_mesh.quality(f.vertices, m_point);
-      worst = (std::min)(worst, f.quality);
-    }
-    return worst;
+    const std::vector<double>& qualities = m_best_point.qualities();
+    for(std::size_t k = 0; k < m_faces.size(); ++k)
+      m_faces[k].quality = qualities[k];
+    return *std::min_element(qualities.begin(), qualities.end());
   }
 
   // The quality of the worst cell that goes, and the sum of badness of all.
@@ -223,7 +220,7 @@ private:
   Coordinates_3 m_point;
   double m_size = 0;
   double m_least = 0;
-  double m_worst = 0; // of the qualities of the cells
+  double m_worst = 0;   // of the qualities of the cells
   double m_badness = 0; // of the cells
   std::vector<Cell_handle> m_cells;
   std::vector<Face> m_faces;
