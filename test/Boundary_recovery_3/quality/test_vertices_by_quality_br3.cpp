@@ -254,14 +254,16 @@ int test_centered_vertices(const unsigned seed)
 
 // ------------------------------------------------ where vertices are inserted near a cell
 
+double smallest_angle(const std::array<Place, 4>& corners) { return internal::Cell_angles_3(corners).smallest(); }
+
 // The smaller one of the smallest angles, in degrees, of the cells between a point and two thin triangles, the ones at
 // a long edge, whose short edges are at different ends.
 double smallest_angle_between_needles(const Place& p, const double length)
 {
   const Place a = {{ 0, 0, 0 }}, b = {{ 0, 0, length }}, left = {{ -1, 0, 0.01 * length }},
               right = {{ 1, 0, 0.99 * length }};
-  return (std::min)(internal::Cell_angles_3({{ a, b, left, p }}).smallest(),
-                    internal::Cell_angles_3({{ b, a, right, p }}).smallest());
+  return (std::min)(smallest_angle({{ a, b, left, p }}),
+                    smallest_angle({{ b, a, right, p }}));
 }
 
 // One of the places near a cell at a thin triangle is such that both cells at the long edge are as good as one vertex
