@@ -32,7 +32,7 @@ namespace internal {
  * bad as possible, see `Badness_3`.
  *
  * From the point at hand, it goes in the direction in which their badness falls most; by half of the step, and again,
- * where that is too far. Gradients are differences, so any quality will do.
+ * where that is too far. Gradients are one-sided differences, so any quality will do.
  */
 template <typename Quality>
 class Best_point_in_star_3
@@ -161,10 +161,9 @@ private:
     Coordinates_3 g;
     for(int i = 0; i < 3; ++i)
     {
-      Coordinates_3 lower = p, upper = p;
-      lower[i] -= h;
-      upper[i] += h;
-      g[i] = (quality(k, upper) - quality(k, lower)) / (2 * h);
+      Coordinates_3 q = p;
+      q[i] += h;
+      g[i] = (quality(k, q) - m_qualities[k]) / h;
     }
     return g;
   }

@@ -15,9 +15,11 @@
 #include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Places_near_cell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Star_cavity_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Boundary_recovery_3 {
@@ -76,42 +78,56 @@ private:
   // Makes the cavity of a point. Returns by how much the cells would be less bad; 0: not, or it is not possible.
   double gain_at(const Cell_handle c, const Coordinates_3& p)
   {
-    if(! walk(c, p) || ! grow())
+    if(! walk(c, p))
+      return 0;
+    begin(p);
+    if(! grow())
       return 0;
     const double quality = m_cavity.move_point(), gain = m_cavity.gain();
     return gain > 0 && quality > 0 && quality >= m_mesh.least_quality(m_cavity.worst_quality()) &&
            m_cavity.has_nothing_inside() && m_cavity.is_in_size() && m_cavity.is_star() ? gain : 0;
   }
 
-  // Begins with the cells from c to the one that the point is in.
+  // Collects the cells from c to the one that the point is in. Returns false if there is a wall before, or it is far.
   bool walk(Cell_handle c, const Coordinates_3& p)
   {
-    m_cavity.start(c, p);
+    m_way.clear();
     for(int step = 0; step < max_number_of_steps; ++step)
     {
-      const Face* face = face_before(c);
-      if(face == nullptr)
+      m_way.push_back(c);
+      const int i = facet_before(c, p);
+      if(i < 0)
         return true;
-      if(m_cavity.is_wall(*face))
+      if(m_mesh.domain().is_wall(c, i))
         return false;
-      c = c->neighbor(face->index);
-      m_cavity.take_in(c);
+      c = c->neighbor(i);
     }
     return false;
   }
 
-  // That of a cell beyond which the point is.
-  const Face* face_before(const Cell_handle c) const
+  // That of the last cell of the way beyond which the point is, the farthest; -1: it is in the cell.
+  int facet_before(const Cell_handle c, const Coordinates_3& p) const
   {
-    double worst = 0;
-    const Face* face = nullptr;
-    for(const Face& f : m_cavity.faces())
-      if(f.cell == c && f.quality < worst)
+    const auto corners = internal::corners(c);
+    double least = 0;
+    int facet = -1;
+    for(int i = 0; i < 4; ++i)
+    {
+      const double volume = internal::volume_times_6_with(corners, i, p);
+      if(volume < least && ! internal::contains(m_way, c->neighbor(i)))
       {
-        worst = f.quality;
-        face = &f;
+        least = volume;
+        facet = i;
       }
-    return face;
+    }
+    return facet;
+  }
+
+  void begin(const Coordinates_3& p)
+  {
+    m_cavity.start(m_way.front(), p);
+    for(std::size_t k = 1; k < m_way.size(); ++k)
+      m_cavity.take_in(m_way[k]);
   }
 
   // Grows the cavity, and goes back to where the cells are the least bad. Returns false if that is nowhere better.
@@ -163,6 +179,7 @@ private:
 
   Mesh& m_mesh;
   Cavity m_cavity;
+  std::vector<Cell_handle> m_way; // from the bad cell to the point
   Places_near_cell_3 m_places_near;
   const Face* m_face = nullptr; // of the cavity
   double m_worst = 0;           // of the qualities of the new cells

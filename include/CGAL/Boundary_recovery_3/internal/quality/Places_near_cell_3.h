@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <CGAL/Boundary_recovery_3/internal/filling/Cell_shape_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Unit_frame_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/distances_3.h>
@@ -41,18 +42,17 @@ namespace internal {
 class Places_near_cell_3
 {
 public:
-  typedef std::array<Coordinates_3, 4> Corners;
-
   // None if the cell has an edge without length.
-  const std::vector<Coordinates_3>& operator()(const Corners& p)
+  const std::vector<Coordinates_3>& operator()(const Cell_corners_3& p)
   {
     m_places.clear();
     const std::array<Tetrahedron_edge_3, 6> edges = internal::edges_from_long_to_short(p);
     if(edges.back().length > 0)
     {
-      add_around_shortest_edge(p, edges.back());
+      const Cell_shape_3 shape(p);
+      add_around_shortest_edge(p, edges.back(), shape.normals);
       add_towards_opposite_edge(p, edges.back());
-      add_along_longest_edge(p, edges.front(), edges.back().length);
+      add_along_longest_edge(p, edges.front(), edges.back().length, shape.normals);
     }
     return m_places;
   }
@@ -65,14 +65,16 @@ private:
   static constexpr double spacing_in_shortest_edges = 2;
   static constexpr double max_number_along_edge = 15;
 
+  typedef std::array<Coordinates_3, 4> Normals; // of the facets opposite to the corners, not of length 1
+
   // In both directions of the normals of the facets.
-  void add_around_shortest_edge(const Corners& p, const Tetrahedron_edge_3& e)
+  void add_around_shortest_edge(const Cell_corners_3& p, const Tetrahedron_edge_3& e, const Normals& normals)
   {
-    for(int i = 0; i < 4; ++i)
-      add_above_and_below(internal::midpoint(p[e.i], p[e.j]), normal(p, i), distance_in_shortest_edges * e.length);
+    for(const Coordinates_3& n : normals)
+      add_above_and_below(internal::midpoint(p[e.i], p[e.j]), n, distance_in_shortest_edges * e.length);
   }
 
-  void add_towards_opposite_edge(const Corners& p, const Tetrahedron_edge_3& e)
+  void add_towards_opposite_edge(const Cell_corners_3& p, const Tetrahedron_edge_3& e)
   {
     const int i = Triangulation_utils_3::next_around_edge(e.i, e.j);
     const int j = Triangulation_utils_3::next_around_edge(e.j, e.i);
@@ -83,21 +85,16 @@ private:
   }
 
   // Above and below the two facets that have it in common.
-  void add_along_longest_edge(const Corners& p, const Tetrahedron_edge_3& e, const double shortest)
+  void add_along_longest_edge(const Cell_corners_3& p, const Tetrahedron_edge_3& e, const double shortest,
+                              const Normals& normals)
   {
     const double ratio = e.length / shortest;
     const int n = static_cast<int>((std::min)(max_number_along_edge, ratio / spacing_in_shortest_edges));
     for(int i = 0; i < 4; ++i)
       if(i != e.i && i != e.j)
         for(int k = 1; k <= n; ++k)
-          add_above_and_below(internal::point_between(p[e.i], p[e.j], static_cast<double>(k) / (n + 1)), normal(p, i),
+          add_above_and_below(internal::point_between(p[e.i], p[e.j], static_cast<double>(k) / (n + 1)), normals[i],
                               height_in_shortest_edges * shortest);
-  }
-
-  // Of the facet opposite to a corner, not of length 1.
-  static Coordinates_3 normal(const Corners& p, const int i)
-  {
-    return cross_product(difference(p[(i + 2) % 4], p[(i + 1) % 4]), difference(p[(i + 3) % 4], p[(i + 1) % 4]));
   }
 
   void add_above_and_below(const Coordinates_3& p, const Coordinates_3& normal, const double height)
