@@ -325,8 +325,8 @@ public:
     m_is_known = true;
   }
 
-  // What an operation did since remember_all() is right.
-  void check(const Lengths_slack slack) const
+  // What an operation did since remember_all() is right, also if it makes cells worse, in sum by less than this.
+  void check(const Lengths_slack slack, const double tolerated_loss = 0) const
   {
     check_constraints();
     const Cells after = cells();
@@ -336,7 +336,7 @@ public:
                         is_before);
     std::set_difference(after.begin(), after.end(), m_cells.begin(), m_cells.end(), std::inserter(come, come.end()),
                         is_before);
-    check_exchange(gone, come);
+    check_exchange(gone, come, tolerated_loss);
     check_lengths(gone, come, after, slack);
   }
 
@@ -509,8 +509,8 @@ private:
                             br3_test::to_rational(c.corners[2]), br3_test::to_rational(c.corners[3]));
   }
 
-  // Cells of one region of the domain are exchanged for better ones, or for good ones.
-  void check_exchange(const Cells& gone, const Cells& come) const
+  // Cells of one region of the domain are exchanged for better ones, or for good ones, or are not much worse in sum.
+  void check_exchange(const Cells& gone, const Cells& come, const double tolerated_loss) const
   {
     assert(! gone.empty() && ! come.empty());
     Rational sum = 0;
@@ -534,7 +534,7 @@ private:
     }
     assert(sum == 0);
     assert(worst_after >= (std::min)(least_quality(worst), m_mesh.enough()) - rounding);
-    assert(badness_after < badness + 1e-14);
+    assert(badness_after < badness + tolerated_loss + 1e-14);
   }
 
   double lack(const double quality) const
@@ -628,7 +628,8 @@ struct Improvement_trial
 // Tries an operation on the cells of the domain, which the judge watches. `attempt` returns whether it was done.
 // Returns how often that was so.
 template <typename Scene, typename Mesh, typename Attempt>
-int try_on_all_cells(Scene& scene, const Mesh& mesh, const Lengths_slack slack, const Attempt& attempt)
+int try_on_all_cells(Scene& scene, const Mesh& mesh, const Lengths_slack slack, const Attempt& attempt,
+                     const double tolerated_loss = 0)
 {
   Improvement_judge<Scene, Mesh> judge(scene, mesh);
   int number = 0;
@@ -639,7 +640,7 @@ int try_on_all_cells(Scene& scene, const Mesh& mesh, const Lengths_slack slack, 
       if(attempt(c))
       {
         ++number;
-        judge.check(slack);
+        judge.check(slack, tolerated_loss);
         judge.remember_all();
       }
       else

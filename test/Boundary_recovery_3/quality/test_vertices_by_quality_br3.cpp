@@ -82,70 +82,95 @@ void be_lenient(Improvement& t)
   t.mesh.set_measure_of_badness(internal::Badness_3(t.mesh.enough(), qualities[qualities.size() / 20]));
 }
 
-// Vertices are inserted as `insert` does it.
-template <typename Insert>
-int test_insertion(Improvement& t, Insert& insert, const double size)
+// How many vertices were inserted, and how many went for them.
+struct Insertions
+{
+  int number = 0;
+  std::size_t number_of_removed_vertices = 0;
+};
+
+// Vertices are inserted as `attempt` does it.
+template <typename Insert, typename Attempt>
+void test_insertion(Improvement& t, const Insert& insert, const Attempt& attempt, const double size,
+                    Insertions& insertions, const double tolerated_loss = 0)
 {
   const std::set<Vertex_handle> before(t.scene.tr.finite_vertex_handles().begin(),
                                        t.scene.tr.finite_vertex_handles().end());
-  const int number = try_on_all_cells(t.scene, t.mesh, Lengths_slack::longest_edge, insert);
+  const auto counted_attempt = [&](const Cell_handle c)
+  {
+    const std::size_t number = t.scene.tr.number_of_vertices();
+    if(! attempt(c))
+      return false;
+    assert(t.scene.tr.number_of_vertices() + insert.number_of_removed_vertices() == number + 1);
+    insertions.number_of_removed_vertices += insert.number_of_removed_vertices();
+    return true;
+  };
+  insertions.number += try_on_all_cells(t.scene, t.mesh, Lengths_slack::longest_edge, counted_attempt, tolerated_loss);
   for(const Vertex_handle v : t.scene.tr.finite_vertex_handles())
   {
     assert(before.count(v) > 0 || v->in_dimension() == 3);
     assert(v->meshing_info() >= size && v->meshing_info() <= 2 * size);
   }
-  return number;
 }
 
-// All steps on random meshes. Returns how many there were of each kind.
-std::array<int, 4> test_all_steps(const unsigned seed, const bool is_lenient)
+void test_insertion_near_cells(Improvement& t, const double size, Insertions& insertions, const double tolerated_loss)
+{
+  internal::Insert_near_bad_cell_3<Mesh> insert(t.mesh, t.quality);
+  const auto attempt = [&](const Cell_handle c)
+  {
+    const bool is_found = insert.find(c, tolerated_loss);
+    assert(is_found || ! insert.find(c)); // what needs no loss is found, too
+    if(is_found)
+      insert.apply();
+    return is_found;
+  };
+  test_insertion(t, insert, attempt, size, insertions, tolerated_loss);
+}
+
+// What was done on random meshes.
+struct Steps
+{
+  int number_of_moved_vertices = 0;
+  int number_of_contractions = 0;
+  Insertions into_cells, near_cells, near_cells_at_a_loss;
+};
+
+void test_all_steps(const unsigned seed, const bool is_lenient, Steps& steps)
 {
   Improvement_options options;
   options.is_grid = seed % 4 == 0;
   options.size = seed % 3 == 0 ? 0.06 : seed % 3 == 1 ? 0.4 : 0;
   options.number_of_points = seed % 5 == 0 ? 60 : 120;
-  std::array<int, 4> number = {{ 0, 0, 0, 0 }};
   const double degrees = 10 + seed % 4 * 10;
-  const bool is_random = seed % 5 == 4;
+  const auto on_mesh = [&](const auto& test)
   {
-    Improvement t(seed, options, degrees, is_random);
+    Improvement t(seed, options, degrees, seed % 5 == 4);
     if(is_lenient)
       be_lenient(t);
+    test(t);
+  };
+  on_mesh([&](Improvement& t)
+  {
     internal::Smooth_vertex_3<Mesh> smooth(t.mesh, t.quality);
     for(int i = 0; i < 4; ++i)
-      number[0] += try_on_all_cells(t.scene, t.mesh, Lengths_slack::none,
-                                    [&](const Cell_handle c) { return smooth(c->vertex(i)); });
-  }
+      steps.number_of_moved_vertices += try_on_all_cells(t.scene, t.mesh, Lengths_slack::none, [&](const Cell_handle c)
+                                                         { return smooth(c->vertex(i)); });
+  });
+  on_mesh([&](Improvement& t)
   {
-    Improvement t(seed, options, degrees, is_random);
-    if(is_lenient)
-      be_lenient(t);
     internal::Contract_bad_edge_3<Mesh> contract(t.mesh);
     for(int i = 0; i < 4; ++i)
-      number[1] += try_on_all_cells(t.scene, t.mesh, Lengths_slack::none, [&](const Cell_handle c)
-                                    { return contract.find(c->vertex(i), 0) && contract.apply(); });
-  }
+      steps.number_of_contractions += try_on_all_cells(t.scene, t.mesh, Lengths_slack::none, [&](const Cell_handle c)
+                                                       { return contract.find(c->vertex(i), 0) && contract.apply(); });
+  });
+  on_mesh([&](Improvement& t)
   {
-    Improvement t(seed, options, degrees, is_random);
-    if(is_lenient)
-      be_lenient(t);
     internal::Insert_into_bad_cell_3<Mesh> insert(t.mesh, t.quality);
-    const auto step = [&](const Cell_handle c) { return insert.find(c) && insert.apply(); };
-    number[2] = test_insertion(t, step, options.size);
-  }
-  Improvement t(seed, options, degrees, is_random);
-  if(is_lenient)
-    be_lenient(t);
-  internal::Insert_near_bad_cell_3<Mesh> insert(t.mesh, t.quality);
-  const auto step = [&](const Cell_handle c)
-  {
-    const bool is_found = insert.find(c);
-    if(is_found)
-      insert.apply();
-    return is_found;
-  };
-  number[3] = test_insertion(t, step, options.size);
-  return number;
+    const auto attempt = [&](const Cell_handle c) { return insert.find(c) && insert.apply(); };
+    test_insertion(t, insert, attempt, options.size, steps.into_cells);
+  });
+  on_mesh([&](Improvement& t) { test_insertion_near_cells(t, options.size, steps.near_cells, 0); });
+  on_mesh([&](Improvement& t) { test_insertion_near_cells(t, options.size, steps.near_cells_at_a_loss, 0.5); });
 }
 
 // How bad the cells of a cavity are, and the new ones with the vertex at this place, and at the best one.
@@ -169,28 +194,52 @@ void check_account(Improvement& t, internal::Star_cavity_3<Mesh> cavity, const P
   assert(told_worst == worst && cavity.gain() >= gain);
 }
 
-// A cavity knows its faces and its worst cell, also after cells were taken out again; and whether its boundary has all
-// vertices.
+void take_in_some(Scene& scene, internal::Star_cavity_3<Mesh>& cavity)
+{
+  for(int step = 0; step < 12; ++step)
+  {
+    const auto& f = cavity.faces()[static_cast<std::size_t>(scene.random_int(int(cavity.faces().size())))];
+    if(! cavity.is_wall(f))
+      cavity.take_in(f.cell->neighbor(f.index));
+  }
+  if(cavity.cells().size() > 3)
+    cavity.go_back_to(cavity.cells().size() - 2);
+}
+
+// All cells at a vertex of the cavity that are not behind a wall.
+void take_in_all_around(const Vertex_handle v, internal::Star_cavity_3<Mesh>& cavity)
+{
+  while(true)
+  {
+    const auto it = std::find_if(cavity.faces().begin(), cavity.faces().end(), [&](const auto& f)
+                                 { return internal::contains(f.vertices, v) && ! cavity.is_wall(f); });
+    if(it == cavity.faces().end())
+      return;
+    cavity.take_in(it->cell->neighbor(it->index));
+  }
+}
+
+// A cavity knows its faces and its worst cell, also after cells were taken out again; and whether all of its vertices
+// are on its boundary, or free.
 void test_star_cavities()
 {
   Improvement_options options;
   options.number_of_points = 80;
   Improvement t(3, options, 30);
   internal::Star_cavity_3<Mesh> cavity(t.mesh, t.quality);
+  const br3_test::Improvement_judge<Scene, Mesh> judge(t.scene, t.mesh);
   std::array<int, 2> number = {{ 0, 0 }};
+  std::size_t number_inside = 0;
+  int number_of_cells = 0;
   for(const Cell_handle c : t.scene.cells())
   {
     if(! t.scene.contains(c))
       continue;
     cavity.start(c, internal::centroid(internal::corners(c)));
-    for(int step = 0; step < 12; ++step)
-    {
-      const auto& f = cavity.faces()[static_cast<std::size_t>(t.scene.random_int(int(cavity.faces().size())))];
-      if(! cavity.is_wall(f))
-        cavity.take_in(f.cell->neighbor(f.index));
-    }
-    if(cavity.cells().size() > 3)
-      cavity.go_back_to(cavity.cells().size() - 2);
+    if(++number_of_cells % 2 == 0)
+      take_in_all_around(c->vertex(number_of_cells % 4), cavity);
+    else
+      take_in_some(t.scene, cavity);
     const std::set<Cell_handle> cells(cavity.cells().begin(), cavity.cells().end());
     std::set<Vertex_handle> vertices, outside;
     std::size_t number_of_faces = 0;
@@ -215,12 +264,19 @@ void test_star_cavities()
     }
     assert(cavity.faces().size() == number_of_faces && cavity.worst_quality() == worst);
     check_account(t, cavity, internal::centroid(internal::corners(c)));
-    const bool is_possible = cavity.has_nothing_inside();
+    const bool is_possible = cavity.has_only_free_vertices_inside();
     ++number[is_possible];
-    if(is_possible)
-      assert(! is_wall_inside && outside == vertices);
+    if(! is_possible)
+      continue;
+    assert(! is_wall_inside && 2 * outside.size() == cavity.faces().size() + 4);
+    assert(vertices.size() == outside.size() + cavity.number_of_vertices_inside());
+    number_inside += cavity.number_of_vertices_inside();
+    for(const Vertex_handle v : vertices)
+      assert(outside.count(v) > 0 || judge.is_free(v));
   }
-  assert(number[0] > 5 && number[1] > 50);
+  std::cout << number[1] << " of " << number[0] + number[1] << " cavities, " << number_inside << " vertices inside"
+            << std::endl;
+  assert(number[0] > 5 && number[1] > 50 && number_inside > 0);
 }
 
 // How round the cells of the mesh at a vertex are together.
@@ -730,16 +786,17 @@ int main()
 {
   for(const bool is_lenient : { false, true })
   {
-    std::array<int, 4> number = {{ 0, 0, 0, 0 }};
+    Steps steps;
     for(unsigned seed = 0; seed < 16; ++seed)
-    {
-      const auto more = test_all_steps(seed, is_lenient);
-      for(int i = 0; i < 4; ++i)
-        number[i] += more[i];
-    }
-    std::cout << number[0] << " moved, " << number[1] << " removed, " << number[2] << " inserted, " << number[3]
-              << " near bad cells" << std::endl;
-    assert(number[0] > 50 && number[1] > 50 && number[2] > 50 && number[3] > 50);
+      test_all_steps(seed, is_lenient, steps);
+    std::cout << steps.number_of_moved_vertices << " moved, " << steps.number_of_contractions << " contracted, "
+              << steps.into_cells.number << " inserted, " << steps.near_cells.number << " near bad cells, "
+              << steps.near_cells_at_a_loss.number << " also at a loss; there, "
+              << steps.near_cells_at_a_loss.number_of_removed_vertices << " removed" << std::endl;
+    assert(steps.number_of_moved_vertices > 50 && steps.number_of_contractions > 50);
+    assert(steps.into_cells.number > 50 && steps.near_cells.number > 50);
+    assert(steps.near_cells_at_a_loss.number > steps.near_cells.number);
+    assert(steps.near_cells_at_a_loss.number_of_removed_vertices > 0);
   }
   test_star_cavities();
   test_places_near_cells();

@@ -69,7 +69,7 @@ public:
           return false;
         m_tetrahedra.push_back(Tetrahedron{{ f[0], f[1], f[2], m_to }});
       }
-    m_new_cells = &m_mesh.replace(m_star.cells(), m_tetrahedra, m_v);
+    m_new_cells = &m_mesh.replace(m_star.cells(), m_tetrahedra, std::array<Vertex_handle, 1>{{ m_v }});
     return true;
   }
 

@@ -13,7 +13,6 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/mesh_indices.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 
 #include <array>
@@ -46,7 +45,7 @@ public:
   // Returns false if the vertex is not free, or has too many cells.
   bool collect(const Vertex_handle v)
   {
-    if(is_on_constraint_by_dimension(v) || ! m_mesh.domain().contains(v->cell()))
+    if(Mesh::is_on_constraint_by_dimension(v) || ! m_mesh.domain().contains(v->cell()))
       return false;
     m_cells.clear();
     m_faces.clear();
@@ -76,14 +75,6 @@ public:
   }
 
 private:
-  static bool is_on_constraint_by_dimension(const Vertex_handle v)
-  {
-    if constexpr(Has_vertex_indices<typename Mesh::Triangulation::Vertex>::value)
-      return v->in_dimension() >= 0 && v->in_dimension() < 3;
-    else
-      return false;
-  }
-
   // Adds the face of a cell and its neighbors at the vertex. Returns false if something is constrained there.
   bool go_on_from(const Cell_handle c, const Vertex_handle v)
   {

@@ -44,9 +44,9 @@ namespace internal {
  * badness of the cells smaller. So the work ends, and the worst cell of the mesh does not get worse.
  *
  * Then, only those cells count that are really bad, others may get worse for them, and all operations are tried. For
- * what that leaves, beside the thin triangles of a surface, a few cells may become very bad so that many are not. Those
- * that are nearly as bad are worked on afterwards, so that the worst ones have the choice. At last, all the others get
- * rounder, where that is for nothing.
+ * what that leaves, beside the thin triangles of a surface, a few cells may become very bad so that many are not; and a
+ * few times, the mesh is perturbed, which the next operations make up for. Those that are nearly as bad are worked on
+ * afterwards, so that the worst ones have the choice. At last, all the others get rounder, where that is for nothing.
  */
 template <typename Tr, typename Domain, typename Quality, typename Visitor>
 class Improve_domain_3
@@ -89,7 +89,7 @@ public:
       set_enough(really_bad_angle);
       improve(max_number_of_last_rounds, true);
       if(! m_is_strict)
-        improve_leniently();
+        improve_with_perturbations();
       improve_nearly_as_bad_cells();
     }
     if(m_target > 0)
@@ -120,6 +120,9 @@ private:
   static constexpr int max_number_of_last_rounds = 12;
   static constexpr int first_dear_round = 3;
   static constexpr double least_progress = 0.1;
+  static constexpr int number_of_perturbations = 2;
+  static constexpr std::size_t max_number_of_perturbed_cells = 2500;
+  static constexpr double tolerated_loss = 1;
   static constexpr std::size_t max_number_of_flips = 50;
   static constexpr std::size_t visits_per_report = 2048;
   static constexpr std::size_t expected_number_of_visits = 3; // of each cell that is bad at first
@@ -169,6 +172,36 @@ private:
     improve(max_number_of_last_rounds, true);
   }
 
+  // *Iterated local search*: where nothing helps any more, vertices are inserted near the worst cells though that makes
+  // others bad, and all operations have another turn. That gets out of states that no single operation makes better.
+  void improve_with_perturbations()
+  {
+    improve_leniently();
+    m_visits_only_changed = true;
+    for(int k = 0; k < number_of_perturbations && m_context.go_further(); ++k)
+    {
+      perturb();
+      set_enough(really_bad_angle);
+      improve(max_number_of_last_rounds, true);
+      improve_leniently();
+    }
+    m_visits_only_changed = false;
+  }
+
+  void perturb()
+  {
+    std::size_t number = 0;
+    for(const Bad_cell& c : m_bad_cells.next_round())
+    {
+      if(! m_bad_cells.contains(c.cell))
+        continue;
+      m_bad_cells.begin_visit();
+      const bool is_turn = number++ < max_number_of_perturbed_cells && m_context.go_further_after_short_step();
+      if(! is_turn || ! insert_near(c.cell, tolerated_loss))
+        m_bad_cells.put_back(c);
+    }
+  }
+
   // No cell gets worse than the worst one is.
   void improve_leniently()
   {
@@ -186,7 +219,7 @@ private:
     if(++m_number_of_visits % visits_per_report == 0)
       tell_progress((std::max)(m_expected_visits, m_number_of_visits));
     m_bad_cells.begin_visit();
-    if(m_round > first_dear_round && ! m_bad_cells.has_changed(c))
+    if((m_round > first_dear_round || m_visits_only_changed) && ! m_bad_cells.has_changed(c))
       m_bad_cells.put_back(c);
     else if(! improve(c.cell))
       m_bad_cells.push(c.cell);
@@ -285,19 +318,25 @@ private:
   {
     if(! m_insert.find(c) || ! m_insert.apply())
       return false;
-    ++m_counts.number_of_inserted_points;
-    m_bad_cells.push_changed(m_insert.new_cells());
+    note_insertion(m_insert);
     return true;
   }
 
-  bool insert_near(const Cell_handle c)
+  bool insert_near(const Cell_handle c, const double tolerated_loss = 0)
   {
-    if(! m_insert_near.find(c))
+    if(! m_insert_near.find(c, tolerated_loss))
       return false;
     m_insert_near.apply();
-    ++m_counts.number_of_inserted_points;
-    m_bad_cells.push_changed(m_insert_near.new_cells());
+    note_insertion(m_insert_near);
     return true;
+  }
+
+  template <typename Insertion>
+  void note_insertion(const Insertion& insertion)
+  {
+    ++m_counts.number_of_inserted_points;
+    m_counts.number_of_removed_vertices += insertion.number_of_removed_vertices();
+    m_bad_cells.push_changed(insertion.new_cells());
   }
 
   bool reconnect(const Cell_handle c)
@@ -338,6 +377,7 @@ private:
   double m_worst = std::numeric_limits<double>::infinity(); // of the qualities of all cells at first
   int m_round = 0;
   bool m_tries_all = false; // operations
+  bool m_visits_only_changed = false; // cells, also in the first rounds
   bool m_is_strict = false;
   std::size_t m_number_of_visits = 0;
   std::size_t m_expected_visits = 0;

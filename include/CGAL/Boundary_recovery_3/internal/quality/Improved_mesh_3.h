@@ -83,6 +83,15 @@ public:
     return m_quality({{ coordinates(t[0]), coordinates(t[1]), coordinates(t[2]), coordinates(t[3]) }});
   }
 
+  // Whether a vertex is on a constraint, as far as it has a dimension that tells.
+  static bool is_on_constraint_by_dimension(const Vertex_handle v)
+  {
+    if constexpr(Has_vertex_indices<typename Tr::Vertex>::value)
+      return v->in_dimension() >= 0 && v->in_dimension() < 3;
+    else
+      return false;
+  }
+
   // From now on, cells better than this need not be any better.
   void set_enough(const double quality) { set_measure_of_badness(quality); }
   double enough() const { return m_badness.enough(); }
@@ -175,17 +184,18 @@ public:
   }
 
   // Exchanges cells of a region for the star of a new vertex at p, which has this size, and edges that may have the
-  // length `least`. The `vertices` of the faces, seen from inside, are those of the outer facets of the cells.
-  template <typename CellRange, typename FaceRange>
+  // length `least`. The `vertices` of the faces, seen from inside, are those of the outer facets of the cells; those
+  // that are `dropped` go with the cells.
+  template <typename CellRange, typename FaceRange, typename VertexRange>
   const Cells& star(const CellRange& old_cells, const FaceRange& faces, const Point_3& p, const double size,
-                    const double least)
+                    const double least, const VertexRange& dropped)
   {
     const Vertex_handle v = create_vertex(p, (*old_cells.begin())->subdomain_index(), size, least);
     try {
       m_star.clear();
       for(const auto& f : faces)
         m_star.push_back(Tetrahedron{{ f.vertices[0], f.vertices[1], f.vertices[2], v }});
-      return replace(old_cells, m_star);
+      return replace(old_cells, m_star, dropped);
     } catch(...) {
       if(v->cell() == Cell_handle()) // else the star is there, and the visitor threw afterwards
         m_tr.tds().delete_vertex(v);
@@ -193,11 +203,11 @@ public:
     }
   }
 
-  // Exchanges cells of a region for positively oriented ones with the same outer facets. The vertex `dropped`, if
-  // given, goes with the old cells. If memory is lacking, or the visitor throws beforehand, nothing is changed.
-  template <typename CellRange, typename TetrahedronRange>
+  // Exchanges cells of a region for positively oriented ones with the same outer facets. The vertices that are
+  // `dropped` go with the old cells. If memory is lacking, or the visitor throws beforehand, nothing is changed.
+  template <typename CellRange, typename TetrahedronRange, typename VertexRange = std::array<Vertex_handle, 0>>
   const Cells& replace(const CellRange& old_cells, const TetrahedronRange& tetrahedra,
-                       const Vertex_handle dropped = Vertex_handle())
+                       const VertexRange& dropped = VertexRange())
   {
     const Subdomain_index region = (*old_cells.begin())->subdomain_index();
     m_visitor.before_cells_removal(old_cells);
@@ -210,8 +220,8 @@ public:
         m_domain.add(c);
       throw;
     }
-    if(dropped != Vertex_handle())
-      m_tr.tds().delete_vertex(dropped);
+    for(const Vertex_handle v : dropped)
+      m_tr.tds().delete_vertex(v);
     for(const Cell_handle c : m_replace.new_cells())
       set_indices(c, region);
     m_visitor.after_cells_creation(m_replace.new_cells());

@@ -57,6 +57,9 @@ public:
 
   const Cells& new_cells() const { return *m_new_cells; }
 
+  // Free vertices around which all cells are new.
+  std::size_t number_of_removed_vertices() const { return m_cavity.number_of_vertices_inside(); }
+
 private:
   typedef Star_cavity_3<Mesh>   Cavity;
   typedef typename Cavity::Face Face;
@@ -76,7 +79,7 @@ private:
       const bool has_grown = grow(enough, minds_walls);
       if(turn > 0 && ! has_grown)
         break;
-      if(! m_cavity.has_nothing_inside())
+      if(! m_cavity.has_only_free_vertices_inside())
         return false;
       quality = m_cavity.move_point();
       if(quality >= enough)

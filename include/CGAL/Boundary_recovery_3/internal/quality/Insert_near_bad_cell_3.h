@@ -44,11 +44,12 @@ public:
     : m_mesh(mesh), m_cavity(mesh, quality)
   { }
 
-  // Searches for a point. Returns whether the cells would be less bad then, and none worse than the worst one now, or,
-  // if the mesh has it so, than what is tolerated.
-  bool find(const Cell_handle c)
+  // Searches for a point. Returns whether the cells would be less bad then, or worse by less than `tolerated_loss`, and
+  // none worse than the worst one now, or, if the mesh has it so, than what is tolerated.
+  bool find(const Cell_handle c, const double tolerated_loss = 0)
   {
-    double best_gain = 0;
+    m_least_gain = - tolerated_loss;
+    double best_gain = m_least_gain;
     const Coordinates_3* best = nullptr;
     for(const Coordinates_3& p : m_places_near(internal::corners(c)))
     {
@@ -59,13 +60,16 @@ public:
         best = &p;
       }
     }
-    return best != nullptr && gain_at(c, *best) > 0;
+    return best != nullptr && gain_at(c, *best) > m_least_gain;
   }
 
   // Inserts the vertex.
   void apply() { m_new_cells = &m_cavity.exchange(); }
 
   const Cells& new_cells() const { return *m_new_cells; }
+
+  // Free vertices around which all cells are new.
+  std::size_t number_of_removed_vertices() const { return m_cavity.number_of_vertices_inside(); }
 
 private:
   typedef Star_cavity_3<Mesh>   Cavity;
@@ -75,17 +79,18 @@ private:
   static constexpr int max_number_of_steps = 20;
   static constexpr std::size_t max_number_of_cells = 30;
 
-  // Makes the cavity of a point. Returns by how much the cells would be less bad; 0: not, or it is not possible.
+  // Makes the cavity of a point. Returns by how much the cells would be less bad; the least gain: not by more than that,
+  // or it is not possible.
   double gain_at(const Cell_handle c, const Coordinates_3& p)
   {
     if(! walk(c, p))
-      return 0;
+      return m_least_gain;
     begin(p);
     if(! grow())
-      return 0;
+      return m_least_gain;
     const double quality = m_cavity.move_point(), gain = m_cavity.gain();
-    return gain > 0 && quality > 0 && quality >= m_mesh.least_quality(m_cavity.worst_quality()) &&
-           m_cavity.has_nothing_inside() && m_cavity.is_in_size() && m_cavity.is_star() ? gain : 0;
+    return gain > m_least_gain && quality > 0 && quality >= m_mesh.least_quality(m_cavity.worst_quality()) &&
+           m_cavity.has_only_free_vertices_inside() && m_cavity.is_in_size() && m_cavity.is_star() ? gain : m_least_gain;
   }
 
   // Collects the cells from c to the one that the point is in. Returns false if there is a wall before, or it is far.
@@ -130,16 +135,17 @@ private:
       m_cavity.take_in(m_way[k]);
   }
 
-  // Grows the cavity, and goes back to where the cells are the least bad. Returns false if that is nowhere better.
+  // Grows the cavity, and goes back to where the cells are the least bad. Returns false if that is nowhere as
+  // good as it has to be.
   bool grow()
   {
-    double best_gain = 0;
+    double best_gain = m_least_gain;
     std::size_t best = 0;
     while(true)
     {
       const double gain = m_cavity.badness() - set_worst_face();
       const double least = m_mesh.least_quality(m_cavity.worst_quality());
-      if(gain > best_gain && m_worst > 0 && m_worst >= least && m_cavity.has_nothing_inside())
+      if(gain > best_gain && m_worst > 0 && m_worst >= least && m_cavity.has_only_free_vertices_inside())
       {
         best_gain = gain;
         best = m_cavity.cells().size();
@@ -184,6 +190,7 @@ private:
   const Face* m_face = nullptr; // of the cavity
   double m_worst = 0;           // of the qualities of the new cells
   double m_worst_at_wall = 0;
+  double m_least_gain = 0;
   const Cells* m_new_cells = nullptr;
 };
 

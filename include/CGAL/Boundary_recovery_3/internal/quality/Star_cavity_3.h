@@ -31,6 +31,7 @@ namespace internal {
 
 /*
  * Cells that are to be exchanged for the star of a new vertex: they grow one by one, through facets that are no walls.
+ * Free vertices that come to be inside go with them.
  */
 template <typename Mesh>
 class Star_cavity_3
@@ -111,16 +112,17 @@ public:
     return gain;
   }
 
-  // Whether nothing would be lost. All of the facets between cells of the cavity were gone through, so none is
-  // constrained; but edges may be, and vertices may be inside. Euler's formula tells how many are on the sphere that
-  // its boundary has to be.
-  bool has_nothing_inside()
+  // Whether nothing but free vertices would be lost. All of the facets between cells of the cavity were gone through,
+  // so none is constrained; but edges and vertices inside may be. Euler's formula tells how many vertices are on the
+  // sphere that its boundary has to be.
+  bool has_only_free_vertices_inside()
   {
-    return is_no_vertex_inside() && ! has_constrained_edge_inside();
+    set_vertices_of_faces();
+    return 2 * m_vertices.size() == m_faces.size() + 4 && set_free_vertices_inside() && ! has_constrained_edge_inside();
   }
 
-  // Whether the edges of the new vertex, which gets the mean size, would be. The cavity has nothing inside, as
-  // `has_nothing_inside()` found last.
+  // Whether the edges of the new vertex, which gets the mean size, would be. The cavity has only free vertices inside,
+  // as `has_only_free_vertices_inside()` found last.
   bool is_in_size()
   {
     const auto& lengths = m_mesh.allowed_lengths();
@@ -152,8 +154,12 @@ public:
   // Exchanges the cells. The edges were found to be in size.
   const Cells& exchange()
   {
-    return m_mesh.star(m_cells, m_faces, typename Mesh::Point_3(m_point[0], m_point[1], m_point[2]), m_size, m_least);
+    return m_mesh.star(m_cells, m_faces, typename Mesh::Point_3(m_point[0], m_point[1], m_point[2]), m_size, m_least,
+                       m_vertices_inside);
   }
+
+  // How many vertices go, or are gone.
+  std::size_t number_of_vertices_inside() const { return m_vertices_inside.size(); }
 
 private:
   // With those of its facets that the cavity ends at.
@@ -171,19 +177,32 @@ private:
       }
   }
 
-  bool is_no_vertex_inside()
+  void set_vertices_of_faces()
   {
     m_vertices.clear();
+    for(const Face& f : m_faces)
+      for(const Vertex_handle v : f.vertices)
+        if(! internal::contains(m_vertices, v))
+          m_vertices.push_back(v);
+  }
+
+  // Returns false if one is not free, or a wall was gone around.
+  bool set_free_vertices_inside()
+  {
+    m_vertices_inside.clear();
     for(const Cell_handle c : m_cells)
       for(int i = 0; i < 4; ++i)
       {
-        if(! internal::contains(m_vertices, c->vertex(i)))
-          m_vertices.push_back(c->vertex(i));
-        const Cell_handle n = c->neighbor(i);
-        if(internal::contains(m_cells, n) && m_mesh.domain().is_wall(c, i))
+        if(m_mesh.domain().is_wall(c, i) && internal::contains(m_cells, c->neighbor(i)))
           return false;
+        const Vertex_handle v = c->vertex(i);
+        if(internal::contains(m_vertices, v) || internal::contains(m_vertices_inside, v))
+          continue;
+        if(Mesh::is_on_constraint_by_dimension(v))
+          return false;
+        m_vertices_inside.push_back(v);
       }
-    return 2 * m_vertices.size() == m_faces.size() + 4;
+    return true;
   }
 
   bool has_constrained_edge_inside() const
@@ -224,7 +243,8 @@ private:
   double m_badness = 0; // of the cells
   std::vector<Cell_handle> m_cells;
   std::vector<Face> m_faces;
-  std::vector<Vertex_handle> m_vertices;
+  std::vector<Vertex_handle> m_vertices; // of the faces
+  std::vector<Vertex_handle> m_vertices_inside;
 };
 
 } // namespace internal
