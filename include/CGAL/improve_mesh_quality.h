@@ -35,7 +35,8 @@ namespace CGAL {
  *
  * This is step 7 of [CZZ+17, Section 4.1]. Cells are made better one after the other, the worst ones first: edges and
  * facets are removed, vertices are moved, inserted or removed. Nothing is changed unless it makes the cells that
- * are concerned better together, and none of them worse than the worst of them was.
+ * are concerned better together, and none of them worse than the worst of them was; in the end, where cells are really
+ * bad, a few may get worse so that others can become better, but none is worse than the worst one of the mesh was.
  *
  * The triangulation may come from `insert_field_points()`, from CGAL's remeshing, or, by
  * `convert_to_triangulation_3()`, from Mesh_3. Constrained are the facets for which `is_facet_on_surface()` holds,

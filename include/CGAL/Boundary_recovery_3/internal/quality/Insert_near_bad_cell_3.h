@@ -79,18 +79,11 @@ private:
   static constexpr int max_number_of_steps = 20;
   static constexpr std::size_t max_number_of_cells = 30;
 
-  // Makes the cavity of a point. Returns by how much the cells would be less bad; the least gain: not by more than that,
-  // or it is not possible.
+  // Returns by how much the cells would be less bad with a vertex there; the least gain: not by more, or it is not
+  // possible.
   double gain_at(const Cell_handle c, const Coordinates_3& p)
   {
-    if(! walk(c, p))
-      return m_least_gain;
-    begin(p);
-    if(! grow())
-      return m_least_gain;
-    const double quality = m_cavity.move_point(), gain = m_cavity.gain();
-    return gain > m_least_gain && quality > 0 && quality >= m_mesh.least_quality(m_cavity.worst_quality()) &&
-           m_cavity.has_only_free_vertices_inside() && m_cavity.is_in_size() && m_cavity.is_star() ? gain : m_least_gain;
+    return walk(c, p) && make_cavity(p) ? m_cavity.gain() : m_least_gain;
   }
 
   // Collects the cells from c to the one that the point is in. Returns false if there is a wall before, or it is far.
@@ -110,7 +103,8 @@ private:
     return false;
   }
 
-  // That of the last cell of the way beyond which the point is, the farthest; -1: it is in the cell.
+  // That of a cell beyond which the point is, with the largest volume between them; -1: it is in the cell, or only
+  // behind facets that lead back.
   int facet_before(const Cell_handle c, const Coordinates_3& p) const
   {
     const auto corners = internal::corners(c);
@@ -128,11 +122,18 @@ private:
     return facet;
   }
 
-  void begin(const Coordinates_3& p)
+  // Begins with the cells of the way, and moves the point in the end. Returns false if the cells would be too bad.
+  bool make_cavity(const Coordinates_3& p)
   {
     m_cavity.start(m_way.front(), p);
     for(std::size_t k = 1; k < m_way.size(); ++k)
       m_cavity.take_in(m_way[k]);
+    if(! grow())
+      return false;
+    const double quality = m_cavity.move_point();
+    return m_cavity.gain() > m_least_gain && quality > 0
+        && quality >= m_mesh.least_quality(m_cavity.worst_quality())
+        && m_cavity.has_only_free_vertices_inside() && m_cavity.is_in_size() && m_cavity.is_star();
   }
 
   // Grows the cavity, and goes back to where the cells are the least bad. Returns false if that is nowhere as
