@@ -217,6 +217,16 @@ Improvement_options options_of(const unsigned seed)
   return options;
 }
 
+// Each exchange is counted; vertices are removed by themselves, or go where others are inserted.
+void check_counts(const BR3::Quality_improvement_counts& counts, const std::size_t number_of_exchanges,
+                  const std::size_t number_of_more_vertices)
+{
+  assert(counts.number_of_inserted_points - counts.number_of_removed_vertices == number_of_more_vertices);
+  const std::size_t others = counts.number_of_removed_edges + counts.number_of_removed_facets +
+                             counts.number_of_inserted_points + counts.number_of_reconnected_polyhedra;
+  assert(others <= number_of_exchanges && number_of_exchanges <= others + counts.number_of_removed_vertices);
+}
+
 template <typename Kernel>
 void test_random_meshes(const unsigned first, const unsigned last)
 {
@@ -226,12 +236,12 @@ void test_random_meshes(const unsigned first, const unsigned last)
   {
     Improvement<Kernel> t(seed, options_of(seed)), again(seed, options_of(seed));
     number_before += t.number_of_bad_cells();
+    const std::size_t number_of_vertices = t.scene.tr.number_of_vertices();
     const auto counts = t(20 + seed % 3 * 5);
     number_after += t.number_of_bad_cells();
     t.check();
     assert(! t.context.is_stopped());
-    assert(counts.number_of_removed_edges + counts.number_of_removed_facets + counts.number_of_removed_vertices +
-           counts.number_of_inserted_points + counts.number_of_reconnected_polyhedra == t.visitor.number_of_exchanges);
+    check_counts(counts, t.visitor.number_of_exchanges, t.scene.tr.number_of_vertices() - number_of_vertices);
     sum.number_of_removed_edges += counts.number_of_removed_edges;
     sum.number_of_removed_facets += counts.number_of_removed_facets;
     sum.number_of_removed_vertices += counts.number_of_removed_vertices;
