@@ -8,6 +8,7 @@
 
 #include <CGAL/Boundary_recovery_3/Cell_quality_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Cell_shape_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/facet_towards.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/forget_shape.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Allowed_lengths_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Bad_cells_3.h>
@@ -343,6 +344,31 @@ void test_places_near_cells()
   assert(places_near({{ a, b, c, a }}).empty());
   for(const Place& q : places_near({{ a, b, {{ 2, 0, 0 }}, {{ 8, 0, 0 }} }}))
     assert(q[1] == 0 && q[2] == 0 && q[0] > 0 && q[0] < 8);
+}
+
+// A facet that the center of a cell's neighbor is behind leads there; none does from the center of the cell itself. If
+// it is excluded, the point is behind another one, or behind none.
+void test_steps_towards_points()
+{
+  Improvement t(3, Improvement_options(), 30);
+  int number = 0;
+  for(const Cell_handle c : t.scene.tr.finite_cell_handles())
+  {
+    assert(internal::facet_towards(c, internal::centroid(internal::corners(c))) < 0);
+    for(int i = 0; i < 4; ++i)
+    {
+      if(t.scene.tr.is_infinite(c->neighbor(i)))
+        continue;
+      const Place q = internal::centroid(internal::corners(c->neighbor(i)));
+      const int first = internal::facet_towards(c, q);
+      const int other = internal::facet_towards(c, q, [&](const int k) { return k != first; });
+      const auto volume = [&](const int k) { return internal::volume_times_6_with(internal::corners(c), k, q); };
+      assert(first >= 0 && volume(first) <= volume(i) && volume(i) < 0 && other != first);
+      assert(other < 0 || (volume(other) < 0 && volume(first) <= volume(other)));
+      number += other >= 0;
+    }
+  }
+  assert(number > 50);
 }
 
 // ------------------------------------------------ which vertices are free, and where they go
@@ -800,6 +826,7 @@ int main()
   }
   test_star_cavities();
   test_places_near_cells();
+  test_steps_towards_points();
   int number_of_centered_vertices = 0;
   for(unsigned seed = 0; seed < 6; ++seed)
     number_of_centered_vertices += test_centered_vertices(seed);

@@ -19,6 +19,7 @@
 #include <CGAL/Boundary_recovery_3/internal/filling/Remove_long_edge_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Unit_frame_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/facet_towards.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/tetrahedron_edges.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_indices.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
@@ -233,7 +234,7 @@ private:
       return Cell_handle();
     for(int step = 0; step < max_number_of_steps; ++step)
     {
-      const int i = facet_towards(c, q);
+      const int i = internal::facet_towards(c, q);
       if(i < 0)
         return is_in_box(c, q) ? c : Cell_handle();
       if(m_domain.is_wall(c, i))
@@ -250,24 +251,6 @@ private:
     for(const Coordinates_3& p : internal::corners(c))
       box.add(p);
     return box.contains(q);
-  }
-
-  // The facet of a cell that has the point most clearly behind it; negative if the cell contains the point.
-  static int facet_towards(const Cell_handle c, const Coordinates_3& q)
-  {
-    const Corners p = internal::corners(c);
-    int facet = -1;
-    double smallest_volume = 0;
-    for(int i = 0; i < 4; ++i)
-    {
-      const double volume = internal::volume_times_6_with(p, i, q);
-      if(volume < smallest_volume)
-      {
-        smallest_volume = volume;
-        facet = i;
-      }
-    }
-    return facet;
   }
 
   // The cell contains the point. Returns whether a vertex is there now. At a seam that is much too large, points would

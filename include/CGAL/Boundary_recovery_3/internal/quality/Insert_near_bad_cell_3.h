@@ -13,6 +13,7 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/facet_towards.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Places_near_cell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Star_cavity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
@@ -86,14 +87,15 @@ private:
     return walk(c, p) && make_cavity(p) ? m_cavity.gain() : m_least_gain;
   }
 
-  // Collects the cells from c to the one that the point is in. Returns false if there is a wall before, or it is far.
+  // Collects the cells from c to the one that the point is in, none of them twice. Returns false if there is a wall
+  // before, or it is far.
   bool walk(Cell_handle c, const Coordinates_3& p)
   {
     m_way.clear();
     for(int step = 0; step < max_number_of_steps; ++step)
     {
       m_way.push_back(c);
-      const int i = facet_before(c, p);
+      const int i = internal::facet_towards(c, p, [&](const int k) { return ! is_on_way(c->neighbor(k)); });
       if(i < 0)
         return true;
       if(m_mesh.domain().is_wall(c, i))
@@ -103,24 +105,7 @@ private:
     return false;
   }
 
-  // That of a cell beyond which the point is, with the largest volume between them; -1: it is in the cell, or only
-  // behind facets that lead back.
-  int facet_before(const Cell_handle c, const Coordinates_3& p) const
-  {
-    const auto corners = internal::corners(c);
-    double least = 0;
-    int facet = -1;
-    for(int i = 0; i < 4; ++i)
-    {
-      const double volume = internal::volume_times_6_with(corners, i, p);
-      if(volume < least && ! internal::contains(m_way, c->neighbor(i)))
-      {
-        least = volume;
-        facet = i;
-      }
-    }
-    return facet;
-  }
+  bool is_on_way(const Cell_handle c) const { return internal::contains(m_way, c); }
 
   // Begins with the cells of the way, and moves the point in the end. Returns false if the cells would be too bad.
   bool make_cavity(const Coordinates_3& p)
