@@ -47,7 +47,8 @@ int main()
     {
       const Triangulation::Facet f = bad.facets[i];
       const int triangle = f.first->surface_patch_index(f.second) - 1; // patches are numbered from 1
-      std::cout << (i == 0 ? ": triangle " : " and ") << triangle;
+      std::cout << (i == 1 ? " and " : bad.reason == Reason::not_improved ? " beside triangle " : ": triangle ")
+                << triangle;
       if(bad.reason == Reason::forced)
         blamed.insert(triangle);
     }

@@ -24,6 +24,8 @@ void print_bad_tetrahedron(std::ostream& os, const Bad_tetrahedron& bad, const D
     os << ", forced: triangles of the surface meet at " << bad.surface_angle << " degrees";
   else if(bad.reason == Bad_cell_reason::needle)
     os << ", needle: a triangle of the surface has an angle of " << bad.surface_angle << " degrees";
+  else if(! bad.facets.empty())
+    os << ", not improved: a triangle beside it has an angle of " << bad.surface_angle << " degrees";
   os << '\n';
 }
 

@@ -31,7 +31,7 @@ enum class Bad_cell_reason
                ///< mesh with these facets that has no such cell there
   needle,      ///< it has a constrained facet with a plane angle below the target: only a cell as thin as that facet
                ///< could do better
-  not_improved ///< neither: there may be better cells
+  not_improved ///< neither: there may be better cells, though they are hard to find beside a needle
 };
 
 /*!
@@ -59,18 +59,19 @@ struct Bad_cell_3
   Bad_cell_reason reason; ///< why it is bad
 
   /// `forced`: the two constrained facets; they share an edge of the cell, maybe another one than `edge`, and there may
-  /// be other cells between them. `needle`: the first one is the constrained facet, the second one is
-  /// `Triangulation::Facet()`. `not_improved`: both are `Triangulation::Facet()`.
+  /// be other cells between them. `needle`: the first one is the constrained facet. `not_improved`: if constrained
+  /// facets with a plane angle below the target have an edge of the cell, or else a vertex, the first one is that with
+  /// the smallest angle; it may be the cause, but need not be. What is not named is `Triangulation::Facet()`.
   std::array<Facet, 2> facets;
 
-  /// `forced`: the angle between both facets. `needle`: the smallest plane angle of the facet. It is below the target,
-  /// in degrees. `not_improved`: NaN.
+  /// The angle between both facets that are named, or the smallest plane angle of the only one. It is below the target,
+  /// in degrees. NaN: none is named.
   double surface_angle = std::numeric_limits<double>::quiet_NaN();
 
   /// returns how many facets are named.
   int number_of_facets() const
   {
-    return reason == Bad_cell_reason::forced ? 2 : reason == Bad_cell_reason::needle ? 1 : 0;
+    return static_cast<int>(std::count_if(facets.begin(), facets.end(), [](const Facet& f) { return f != Facet(); }));
   }
 };
 

@@ -87,7 +87,8 @@ Quality_certificate_3<Triangulation> quality_certificate(const Triangulation& tr
 {
   typedef typename Triangulation::Cell_handle Cell_handle;
   const auto domain = internal::selected_domain(tr, np);
-  internal::Explain_bad_cells_3<Triangulation, std::decay_t<decltype(domain)> > explain(domain, min_dihedral_angle);
+  internal::Explain_bad_cells_3<Triangulation, std::decay_t<decltype(domain)> >
+    explain(tr, domain, min_dihedral_angle);
   if(tr.dimension() == 3)
     for(const Cell_handle c : tr.finite_cell_handles())
       if(domain.contains(c))

@@ -222,22 +222,60 @@ struct Scene
       }
     for(int i = 0; i < 4; ++i)
       if(is_wall(c, i))
-        needle = (std::min)(needle, br3_test::smallest_plane_angle({{ place(c->vertex((i + 1) % 4)),
-                                      place(c->vertex((i + 2) % 4)), place(c->vertex((i + 3) % 4)) }}));
-    const int number_of_facets = forced < target ? 2 : needle < target ? 1 : 0;
+        needle = (std::min)(needle, plane_angle(Facet(c, i)));
+    assert(bad.reason == (forced < target ? Bad_cell_reason::forced :
+                          needle < target ? Bad_cell_reason::needle : Bad_cell_reason::not_improved));
+    const int number_of_facets = bad.reason == Bad_cell_reason::forced ? 2 :
+                                 bad.reason == Bad_cell_reason::needle ? 1 : check_needle_nearby(bad, target);
     assert(bad.number_of_facets() == number_of_facets);
     for(int k = 0; k < 2; ++k)
       assert((bad.facets[k] != Facet()) == (number_of_facets > k));
-    assert(bad.reason == (number_of_facets == 2 ? Bad_cell_reason::forced :
-                          number_of_facets == 1 ? Bad_cell_reason::needle : Bad_cell_reason::not_improved));
-    assert(number_of_facets == 0 ? std::isnan(bad.surface_angle)
-                                 : is_near(bad.surface_angle, number_of_facets == 2 ? forced : needle));
     for(int k = 0; k < number_of_facets; ++k)
       assert(is_wall(bad.facets[k].first, bad.facets[k].second));
+    if(bad.reason != Bad_cell_reason::not_improved)
+      assert(is_near(bad.surface_angle, number_of_facets == 2 ? forced : needle));
     if(number_of_facets == 2)
       assert(walls_of_forced.count({ vertices(bad.facets[0]), vertices(bad.facets[1]) }) == 1);
-    if(number_of_facets == 1)
+    if(bad.reason == Bad_cell_reason::needle)
       assert(bad.facets[0].first == c);
+  }
+
+  // That the sharpest one of all needles is named that have an edge of the cell, or else a vertex. Returns 1, or 0 if
+  // there is none.
+  int check_needle_nearby(const Bad_cell& bad, const double target) const
+  {
+    std::array<double, 3> sharpest = {{ 360, 360, 360 }}; // with one and two vertices in common
+    for(const Cell_handle c : tr.finite_cell_handles())
+      for(int i = 0; i < 4; ++i)
+        if(contains(c) && is_wall(c, i))
+        {
+          const int n = number_of_common_vertices(bad.cell, Facet(c, i));
+          assert(n < 3 || ! (plane_angle(Facet(c, i)) < target));
+          if(n < 3)
+            sharpest[n] = (std::min)(sharpest[n], plane_angle(Facet(c, i)));
+        }
+    const int n = sharpest[2] < target ? 2 : sharpest[1] < target ? 1 : 0;
+    assert(n == 0 ? std::isnan(bad.surface_angle) : is_near(bad.surface_angle, sharpest[n]));
+    if(n > 0)
+      assert(number_of_common_vertices(bad.cell, bad.facets[0]) == n
+             && is_near(plane_angle(bad.facets[0]), bad.surface_angle) && contains(bad.facets[0].first));
+    return n > 0 ? 1 : 0;
+  }
+
+  static int number_of_common_vertices(const Cell_handle c, const Facet& f)
+  {
+    int n = 0;
+    for(int i = 1; i < 4; ++i)
+      n += c->has_vertex(f.first->vertex((f.second + i) % 4));
+    return n;
+  }
+
+  static double plane_angle(const Facet& f)
+  {
+    std::array<Vector, 3> corners;
+    for(int i = 0; i < 3; ++i)
+      corners[i] = place(f.first->vertex((f.second + i + 1) % 4));
+    return br3_test::smallest_plane_angle(corners);
   }
 
   void check_certificate(const Certificate& certificate, const double target) const

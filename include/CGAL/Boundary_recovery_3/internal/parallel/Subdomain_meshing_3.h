@@ -166,7 +166,7 @@ private:
   void measure()
   {
     const Domain whole = whole_domain();
-    Explain_bad_cells_3<Tr, Domain> explain(whole, m_min_dihedral_angle);
+    Explain_bad_cells_3<Tr, Domain> explain(m_tr, whole, m_min_dihedral_angle);
     m_result.improvement.after = Measure_quality_3<Tr, Domain>(m_tr, whole)(
       [&](const Cell_handle c, const Cell_angles_3& angles) { explain.add(c, angles); });
     m_result.improvement.certificate = explain.certificate();

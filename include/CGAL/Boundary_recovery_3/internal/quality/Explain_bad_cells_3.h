@@ -19,9 +19,14 @@
 #include <CGAL/Boundary_recovery_3/internal/filling/Cell_shape_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Edge_walk_3.h>
 
+#include <CGAL/Unique_hash_map.h>
+
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <optional>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Boundary_recovery_3 {
@@ -32,6 +37,8 @@ namespace internal {
  *
  * All cells between two walls that meet at an edge at less than the target have such an angle there, and so have those
  * of any other mesh between them.
+ *
+ * Most of those that nothing explains are beside a needle. That proves nothing, but it tells where to look.
  */
 template <typename Tr, typename Domain>
 class Explain_bad_cells_3
@@ -43,8 +50,8 @@ public:
   typedef Quality_certificate_3<Tr>    Certificate;
   typedef Bad_cell_3<Tr>               Bad_cell;
 
-  Explain_bad_cells_3(const Domain& domain, const double min_dihedral_angle)
-    : m_domain(domain)
+  Explain_bad_cells_3(const Tr& tr, const Domain& domain, const double min_dihedral_angle)
+    : m_tr(tr), m_domain(domain)
   {
     m_certificate.min_dihedral_angle = min_dihedral_angle;
   }
@@ -63,8 +70,12 @@ public:
     for(int k = 0; k < 6; ++k)
       if(angles[k] < target())
         look_for_walls(bad, k, angles[k]);
-    if(bad.reason == Bad_cell_reason::not_improved)
+    if(bad.number_of_facets() == 0)
       look_for_needle(bad);
+    if(bad.number_of_facets() == 0)
+      look_for_needle_at_edges(bad);
+    if(bad.number_of_facets() == 0)
+      look_for_needle_at_vertices(bad);
     m_certificate.cells.push_back(bad);
   }
 
@@ -122,16 +133,75 @@ private:
   void look_for_needle(Bad_cell& bad) const
   {
     for(int i = 0; i < 4; ++i)
+      if(m_domain.is_wall(bad.cell, i) && blame(bad, Facet(bad.cell, i)))
+        bad.reason = Bad_cell_reason::needle;
+  }
+
+  // Needles that have an edge of the cell.
+  void look_for_needle_at_edges(Bad_cell& bad) const
+  {
+    for(int k = 0; k < 6; ++k)
     {
-      if(! m_domain.is_wall(bad.cell, i))
-        continue;
-      const double angle = internal::smallest_plane_angle(corners_of_facet(bad.cell, i));
-      if(! (angle < target()) || (bad.reason == Bad_cell_reason::needle && ! (angle < bad.surface_angle)))
-        continue;
-      bad.reason = Bad_cell_reason::needle;
-      bad.facets[0] = Facet(bad.cell, i);
-      bad.surface_angle = angle;
+      Edge_walk_3<Tr> walk(bad.cell, edges_of_cell[5 - k][0], edges_of_cell[5 - k][1]);
+      do
+      {
+        const Cell_handle c = walk.cell();
+        if(m_domain.contains(c))
+          for(const int i : { walk.next_facet(), c->index(walk.apex()) })
+            if(m_domain.is_wall(c, i))
+              blame(bad, Facet(c, i));
+        ++walk;
+      }
+      while(walk.cell() != bad.cell);
     }
+  }
+
+  void look_for_needle_at_vertices(Bad_cell& bad)
+  {
+    for(int i = 0; i < 4; ++i)
+      if(const std::optional<Facet>& needle = sharpest_facet(bad.cell->vertex(i)))
+        blame(bad, *needle);
+  }
+
+  // The constrained facet at a vertex with the smallest plane angle. It is searched for once: there may be many bad
+  // cells at a vertex of many cells.
+  const std::optional<Facet>& sharpest_facet(const Vertex_handle v)
+  {
+    if(m_sharpest_facets.is_defined(v))
+      return m_sharpest_facets[v];
+    m_star.clear();
+    m_tr.tds().incident_cells(v, std::back_inserter(m_star));
+    std::optional<Facet> sharpest;
+    double smallest = 180;
+    for(const Cell_handle c : m_star)
+      for(int i = 0; i < 4 && m_domain.contains(c); ++i)
+      {
+        if(c->vertex(i) == v || ! m_domain.is_wall(c, i))
+          continue;
+        const double angle = plane_angle(Facet(c, i));
+        if(angle < smallest)
+        {
+          smallest = angle;
+          sharpest = Facet(c, i);
+        }
+      }
+    return m_sharpest_facets[v] = sharpest;
+  }
+
+  // Names a constrained facet if it is a needle, and none with a smaller angle is named. Returns whether it did.
+  bool blame(Bad_cell& bad, const Facet& f) const
+  {
+    const double angle = plane_angle(f);
+    if(! (angle < target()) || angle >= bad.surface_angle)
+      return false;
+    bad.facets[0] = f;
+    bad.surface_angle = angle;
+    return true;
+  }
+
+  static double plane_angle(const Facet& f)
+  {
+    return internal::smallest_plane_angle(corners_of_facet(f.first, f.second));
   }
 
   static std::array<Coordinates_3, 3> corners_of_facet(const Cell_handle c, const int i)
@@ -142,8 +212,11 @@ private:
     return p;
   }
 
+  const Tr& m_tr;
   const Domain& m_domain;
   Certificate m_certificate;
+  CGAL::Unique_hash_map<Vertex_handle, std::optional<Facet> > m_sharpest_facets;
+  std::vector<Cell_handle> m_star;
 };
 
 } // namespace internal

@@ -73,7 +73,7 @@ private:
     m_result.before = measure_before([&](const Cell_handle c, const Cell_angles_3&) { improve_domain.add(c); });
     improve_domain();
     m_result.counts = improve_domain.counts();
-    Explain_bad_cells_3<Tr, Domain> explain(m_domain, min_dihedral_angle);
+    Explain_bad_cells_3<Tr, Domain> explain(m_tr, m_domain, min_dihedral_angle);
     m_result.after = measure_after([&](const Cell_handle c, const Cell_angles_3& angles) { explain.add(c, angles); });
     m_result.certificate = explain.certificate();
     m_result.status = m_context.is_stopped() ? Meshing_status::stopped : Meshing_status::meshed;
