@@ -323,6 +323,12 @@ double smallest_angle_between_needles(const Place& p, const double length)
                     smallest_angle({{ b, a, right, p }}));
 }
 
+// A thin triangle in the wall y = 0, and a vertex that is far away, for its width.
+std::array<Place, 4> cell_at_needle(const double length, const double third)
+{
+  return {{ {{ 0, 0, 0 }}, {{ 0, 0, length }}, {{ 1, 0, third }}, {{ 0.5, 0.3 * length, 0.5 * length }} }};
+}
+
 // One of the places near a cell at a thin triangle is such that both cells at the long edge are as good as one vertex
 // can make them; none is where nothing can be.
 void test_places_near_cells()
@@ -330,14 +336,22 @@ void test_places_near_cells()
   internal::Places_near_cell_3 places_near;
   for(const double length : { 8., 10., 16., 20. })
   {
-    // a thin triangle in the wall y = 0, and a vertex that is far away, for its width
-    const std::array<Place, 4> p = {{ {{ 0, 0, 0 }}, {{ 0, 0, length }}, {{ 1, 0, 0.99 * length }},
-                                      {{ 0.5, 0.3 * length, 0.5 * length }} }};
     double best = 0;
-    for(const Place& q : places_near(p))
+    for(const Place& q : places_near(cell_at_needle(length, 0.99 * length)))
       if(q[1] > 0)
         best = (std::max)(best, smallest_angle_between_needles(q, length));
     assert(best * length > 145);
+  }
+  // beside the middle of the long edge, unless it is so long that places beside it are few and far between
+  for(const double ratio : { 100., 127., 129., 1000. })
+  {
+    const double length = ratio * std::sqrt(2.);
+    const auto& places = places_near(cell_at_needle(length, length - 1));
+    const bool is_beside = std::any_of(places.begin(), places.end(), [&](const Place& q)
+    {
+      return q[1] > 0 && q[1] < 3 && std::abs(q[2] - 0.5 * length) < 0.1 * length;
+    });
+    assert(is_beside == (ratio < 128));
   }
   // without length, or without area
   const Place a = {{ 0, 0, 0 }}, b = {{ 1, 0, 0 }}, c = {{ 0, 1, 0 }};

@@ -64,6 +64,7 @@ private:
   static constexpr double height_in_shortest_edges = 1.6;
   static constexpr double spacing_in_shortest_edges = 2;
   static constexpr double max_number_along_edge = 15;
+  static constexpr double largest_ratio_along_edge = 128;
 
   typedef std::array<Coordinates_3, 4> Normals; // of the facets opposite to the corners, not of length 1
 
@@ -84,11 +85,13 @@ private:
       m_places.push_back(internal::point_between(from, to, d / length));
   }
 
-  // Above and below the two facets that have it in common.
+  // Above and below the two facets that have it in common. None if they would be too far from each other to help.
   void add_along_longest_edge(const Cell_corners_3& p, const Tetrahedron_edge_3& e, const double shortest,
                               const Normals& normals)
   {
     const double ratio = e.length / shortest;
+    if(ratio > largest_ratio_along_edge)
+      return;
     const int n = static_cast<int>((std::min)(max_number_along_edge, ratio / spacing_in_shortest_edges));
     for(int i = 0; i < 4; ++i)
       if(i != e.i && i != e.j)
