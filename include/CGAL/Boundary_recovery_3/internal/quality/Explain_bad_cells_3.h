@@ -13,10 +13,11 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/Quality_certificate_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Cell_shape_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Unit_frame_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Cell_angles_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/Cell_shape_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Edge_walk_3.h>
 
 #include <CGAL/Unique_hash_map.h>
@@ -24,7 +25,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
-#include <optional>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -70,12 +71,8 @@ public:
     for(int k = 0; k < 6; ++k)
       if(angles[k] < target())
         look_for_walls(bad, k, angles[k]);
-    if(bad.number_of_facets() == 0)
+    if(bad.reason == Bad_cell_reason::not_improved)
       look_for_needle(bad);
-    if(bad.number_of_facets() == 0)
-      look_for_needle_at_edges(bad);
-    if(bad.number_of_facets() == 0)
-      look_for_needle_at_vertices(bad);
     m_certificate.cells.push_back(bad);
   }
 
@@ -130,92 +127,102 @@ private:
     return Cell_angles_3(corners)[0]; // the first edge is that of the first two corners
   }
 
-  void look_for_needle(Bad_cell& bad) const
+  // The constrained facet with the smallest plane angle of those that were looked at, if that is below the target.
+  struct Needle
   {
-    for(int i = 0; i < 4; ++i)
-      if(m_domain.is_wall(bad.cell, i) && blame(bad, Facet(bad.cell, i)))
-        bad.reason = Bad_cell_reason::needle;
+    Facet facet;
+    double angle = std::numeric_limits<double>::infinity();
+  };
+
+  // One of the cell, or else one that has an edge of it, or else a vertex.
+  void look_for_needle(Bad_cell& bad)
+  {
+    if(name(needle_of(bad.cell), bad))
+      bad.reason = Bad_cell_reason::needle;
+    else if(! name(needle_at_edges(bad.cell), bad))
+      name(needle_at_vertices(bad.cell), bad);
   }
 
-  // Needles that have an edge of the cell.
-  void look_for_needle_at_edges(Bad_cell& bad) const
+  // Returns whether there is one.
+  static bool name(const Needle& needle, Bad_cell& bad)
   {
-    for(int k = 0; k < 6; ++k)
-    {
-      Edge_walk_3<Tr> walk(bad.cell, edges_of_cell[5 - k][0], edges_of_cell[5 - k][1]);
-      do
-      {
-        const Cell_handle c = walk.cell();
-        if(m_domain.contains(c))
-          for(const int i : { walk.next_facet(), c->index(walk.apex()) })
-            if(m_domain.is_wall(c, i))
-              blame(bad, Facet(c, i));
-        ++walk;
-      }
-      while(walk.cell() != bad.cell);
-    }
-  }
-
-  void look_for_needle_at_vertices(Bad_cell& bad)
-  {
-    for(int i = 0; i < 4; ++i)
-      if(const std::optional<Facet>& needle = sharpest_facet(bad.cell->vertex(i)))
-        blame(bad, *needle);
-  }
-
-  // The constrained facet at a vertex with the smallest plane angle. It is searched for once: there may be many bad
-  // cells at a vertex of many cells.
-  const std::optional<Facet>& sharpest_facet(const Vertex_handle v)
-  {
-    if(m_sharpest_facets.is_defined(v))
-      return m_sharpest_facets[v];
-    m_star.clear();
-    m_tr.tds().incident_cells(v, std::back_inserter(m_star));
-    std::optional<Facet> sharpest;
-    double smallest = 180;
-    for(const Cell_handle c : m_star)
-      for(int i = 0; i < 4 && m_domain.contains(c); ++i)
-      {
-        if(c->vertex(i) == v || ! m_domain.is_wall(c, i))
-          continue;
-        const double angle = plane_angle(Facet(c, i));
-        if(angle < smallest)
-        {
-          smallest = angle;
-          sharpest = Facet(c, i);
-        }
-      }
-    return m_sharpest_facets[v] = sharpest;
-  }
-
-  // Names a constrained facet if it is a needle, and none with a smaller angle is named. Returns whether it did.
-  bool blame(Bad_cell& bad, const Facet& f) const
-  {
-    const double angle = plane_angle(f);
-    if(! (angle < target()) || angle >= bad.surface_angle)
+    if(needle.facet == Facet())
       return false;
-    bad.facets[0] = f;
-    bad.surface_angle = angle;
+    bad.facets[0] = needle.facet;
+    bad.surface_angle = needle.angle;
     return true;
   }
 
-  static double plane_angle(const Facet& f)
+  Needle needle_of(const Cell_handle c) const
   {
-    return internal::smallest_plane_angle(corners_of_facet(f.first, f.second));
+    Needle needle;
+    for(int i = 0; i < 4; ++i)
+      look_at(c, i, needle);
+    return needle;
   }
 
-  static std::array<Coordinates_3, 3> corners_of_facet(const Cell_handle c, const int i)
+  Needle needle_at_edges(const Cell_handle c) const
   {
-    std::array<Coordinates_3, 3> p;
-    for(int j = 0; j < 3; ++j)
-      p[j] = coordinates_of(c->vertex((i + j + 1) % 4)->point());
-    return p;
+    Needle needle;
+    for(int k = 0; k < 6; ++k)
+    {
+      Edge_walk_3<Tr> walk(c, edges_of_cell[5 - k][0], edges_of_cell[5 - k][1]);
+      do
+      {
+        if(m_domain.contains(walk.cell()))
+          for(const int i : { walk.next_facet(), walk.cell()->index(walk.apex()) })
+            look_at(walk.cell(), i, needle);
+        ++walk;
+      }
+      while(walk.cell() != c);
+    }
+    return needle;
+  }
+
+  Needle needle_at_vertices(const Cell_handle c)
+  {
+    Needle needle;
+    for(int i = 0; i < 4; ++i)
+    {
+      const Needle& other = needle_at(c->vertex(i));
+      if(other.angle < needle.angle)
+        needle = other;
+    }
+    return needle;
+  }
+
+  // It is searched for once: there may be many bad cells at a vertex of many cells.
+  const Needle& needle_at(const Vertex_handle v)
+  {
+    if(m_needles.is_defined(v))
+      return m_needles[v];
+    Needle needle;
+    m_star.clear();
+    m_tr.tds().incident_cells(v, std::back_inserter(m_star));
+    for(const Cell_handle c : m_star)
+      if(m_domain.contains(c))
+        for(int i = 0; i < 4; ++i)
+          if(c->vertex(i) != v)
+            look_at(c, i, needle);
+    return m_needles[v] = needle;
+  }
+
+  // The facet opposite to the vertex i of a cell of the domain.
+  void look_at(const Cell_handle c, const int i, Needle& needle) const
+  {
+    if(! m_domain.is_wall(c, i))
+      return;
+    const auto v = internal::facet_vertices(c, i);
+    const double angle = internal::smallest_plane_angle({{ coordinates_of(v[0]->point()), coordinates_of(v[1]->point()),
+                                                           coordinates_of(v[2]->point()) }});
+    if(angle < target() && angle < needle.angle)
+      needle = Needle{ Facet(c, i), angle };
   }
 
   const Tr& m_tr;
   const Domain& m_domain;
   Certificate m_certificate;
-  CGAL::Unique_hash_map<Vertex_handle, std::optional<Facet> > m_sharpest_facets;
+  CGAL::Unique_hash_map<Vertex_handle, Needle> m_needles; // of those that were asked for
   std::vector<Cell_handle> m_star;
 };
 
