@@ -16,6 +16,7 @@
 #include <CGAL/Boundary_recovery_3/internal/filling/Fill_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Forecast_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Region_sizes_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Wall_sizes_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 #include <CGAL/Boundary_recovery_3/internal/util/available_memory.h>
@@ -49,6 +50,9 @@ public:
                           const Forecast_effort effort = Forecast_effort::usual)
     : m_tr(tr), m_domain(domain), m_sizes(tr, size), m_context(visitor), m_effort(effort)
   { }
+
+  // Makes all cells as large as the field says, also at walls with shorter edges.
+  void ignore_sizes_of_walls() { m_minds_walls = false; }
 
   Result operator()(const std::size_t max_number_of_vertices, const double maximum_running_time)
   {
@@ -152,7 +156,7 @@ private:
   // Infinity if the sizes are so small that nobody can count.
   double number_of_regular_cells()
   {
-    auto size = [this](const Coordinates_3& p, const int region) { return m_sizes(p, region); };
+    auto size = [this](const Coordinates_3& p, const int region) { return m_sizes.of_field(p, region); };
     Forecast_3<decltype(size)> integral(size, m_sizes.gradation());
     for(const Cell_handle c : m_cells)
     {
@@ -175,6 +179,8 @@ private:
 
   void fill(const std::size_t max_number_of_vertices)
   {
+    if(m_minds_walls)
+      m_sizes.set_walls(Wall_sizes_3<Tr>(m_cells, m_domain));
     Fill_domain_3<Tr, Domain, Region_sizes_3<Tr, SizingField>, Visitor> fill_domain(m_tr, m_domain, m_sizes, m_context);
     const double expected = m_result.forecast_of_vertices - static_cast<double>(m_tr.number_of_vertices());
     fill_domain(m_cells, max_number_of_vertices, static_cast<std::size_t>(expected));
@@ -198,6 +204,7 @@ private:
   Region_sizes_3<Tr, SizingField> m_sizes;
   Recovery_context<Visitor> m_context;
   const Forecast_effort m_effort;
+  bool m_minds_walls = true;
   Result m_result;
   std::vector<Cell_handle> m_cells; // of the domain, before points are inserted
 };

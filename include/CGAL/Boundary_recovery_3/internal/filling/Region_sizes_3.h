@@ -13,7 +13,9 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/filling/Size_query_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Unit_frame_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Vertex_sizes_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Wall_sizes_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/util/bare_point.h>
 
@@ -33,6 +35,10 @@ namespace internal {
 /*
  * What the filling wants to know of a size field: the sizes at places in cells, and bounds of them that follow from the
  * sizes at vertices, without asking.
+ *
+ * No size in a cell is larger than that at one of its vertices and the distance from there, whatever the field says: no
+ * mesh of good cells has sizes that grow faster. For that, vertices of walls have the size of the walls if it is smaller
+ * than what the field says.
  */
 template <typename Tr, typename SizingField>
 class Region_sizes_3
@@ -65,15 +71,31 @@ public:
         const double size = m_query(internal::bare_point<Point_3>(v->point()), 3, region(c));
         if(! is_valid())
           return false;
-        m_at_vertices.set(v, m_at_vertices.is_known(v) ? (std::min)(m_at_vertices[v], size) : size);
+        set_at_vertex(v, size);
       }
     return true;
   }
 
-  // The size at a place in a cell, or in the region of it; NaN if there is none.
-  double operator()(const Coordinates_3& p, const Cell_handle c) { return (*this)(p, region(c)); }
+  // Makes sizes at vertices of walls smaller where the walls' are.
+  void set_walls(const Wall_sizes_3<Tr>& walls)
+  {
+    for(const Vertex_handle v : walls.vertices())
+      if(walls[v] > 0)
+      {
+        if(m_between_regions.is_defined(v))
+          m_between_regions[v] = walls[v];
+        m_at_vertices.set(v, (std::min)(m_at_vertices[v], walls[v]));
+      }
+  }
 
-  double operator()(const Coordinates_3& p, const int region)
+  // The size at a place in a cell; NaN if the field has none there.
+  double operator()(const Coordinates_3& p, const Cell_handle c)
+  {
+    return (std::min)(of_field(p, region(c)), largest_size(p, c)); // which is NaN if the first one is
+  }
+
+  // What the field says about a place in a region.
+  double of_field(const Coordinates_3& p, const int region)
   {
     if constexpr(Query::is_constant)
       if(m_constant > 0)
@@ -88,19 +110,17 @@ public:
   double least_size_inside(const Cell_handle c, const std::array<Coordinates_3, 4>& corners) const
   {
     double least = 0;
+    const Coordinates_3 center = internal::centroid(corners);
     if constexpr(Query::is_constant)
-      least = m_at_vertices[c->vertex(0)];
+      least = m_constant;
     else if(m_query.gradation() < std::numeric_limits<double>::infinity())
-    {
-      const Coordinates_3 center = internal::centroid(corners);
       for(int i = 0; i < 4; ++i)
         least = (std::max)(least, m_at_vertices[c->vertex(i)]
                                     - m_query.gradation() * internal::distance(corners[i], center));
-    }
-    return least;
+    return least > 0 ? (std::min)(least, largest_size(center, c)) : 0;
   }
 
-  // A size that is likely at the centroid of a cell: sizes grow from those at the vertices with `gradation`.
+  // A size that is likely at the centroid of a cell, if the sizes of the field grow with `gradation`.
   double likely_size_inside(const Cell_handle c, const std::array<Coordinates_3, 4>& corners,
                             const double gradation) const
   {
@@ -134,8 +154,40 @@ public:
   void settle(const Vertex_handle v) { m_at_vertices.settle(v); }
 
 private:
+  void set_at_vertex(const Vertex_handle v, const double size)
+  {
+    if constexpr(Query::is_constant)
+      m_constant = size;
+    if(m_at_vertices.is_known(v) && m_at_vertices[v] != size)
+    {
+      m_between_regions[v] = std::numeric_limits<double>::infinity();
+      m_has_different_regions = true;
+    }
+    m_at_vertices.set(v, m_at_vertices.is_known(v) ? (std::min)(m_at_vertices[v], size) : size);
+  }
+
+  // The largest size at a place in a cell that goes with the sizes at its vertices.
+  double largest_size(const Coordinates_3& p, const Cell_handle c) const
+  {
+    double largest = std::numeric_limits<double>::infinity();
+    for(int i = 0; i < 4; ++i)
+    {
+      const Vertex_handle v = c->vertex(i);
+      largest = (std::min)(largest, size_of_mesh(v) + internal::distance(coordinates_of(v->point()), p));
+    }
+    return largest;
+  }
+
+  // What is small on one side of a wall need not be so on the other one.
+  double size_of_mesh(const Vertex_handle v) const
+  {
+    return m_has_different_regions && m_between_regions.is_defined(v) ? m_between_regions[v] : m_at_vertices[v];
+  }
+
   Query m_query;
   Vertex_sizes_3<Tr> m_at_vertices;
+  Unique_hash_map<Vertex_handle, double> m_between_regions; // walls' sizes where the field has several; for looking up
+  bool m_has_different_regions = false;
   double m_constant = 0; // 0: not asked yet
 };
 

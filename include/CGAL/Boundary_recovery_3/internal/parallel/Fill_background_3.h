@@ -39,9 +39,10 @@ public:
   template <typename Domain, typename Visitor>
   Field_points_result_3<Tr> operator()(Tr& tr, Domain& domain, Visitor& visitor, const double seconds_left) const
   {
-    return Field_point_insertion_3<Tr, Domain, Coarse_field, Visitor>(tr, domain, m_field, visitor,
-                                                                      Forecast_effort::none)
-      ((std::numeric_limits<std::size_t>::max)(), seconds_left);
+    Field_point_insertion_3<Tr, Domain, Coarse_field, Visitor> insertion(tr, domain, m_field, visitor,
+                                                                         Forecast_effort::none);
+    insertion.ignore_sizes_of_walls();
+    return insertion((std::numeric_limits<std::size_t>::max)(), seconds_left);
   }
 
 private:
