@@ -59,7 +59,7 @@ namespace CGAL {
  *        that is called with a point, or with a point, the dimension 3 and the number of a region, and returns a
  *        positive number. A member function `grading()`, if there is one, says by how much sizes grow per length at
  *        most: then far fewer places have to be asked for. `%insert_field_points()` asks in the regions of the domain
- *        only, up to rounding.
+ *        only, up to rounding. Where walls are finer than the size, edges are shorter, see \ref BR3_sizes.
  * \param np an optional sequence of named parameters among the ones listed below. `maximum_number_of_vertices` starts a
  *        chain; several chains are passed one after the other.
  *

@@ -15,7 +15,7 @@ constexpr const char* meshing_usage =
   "INPUT is an .off, .ply, .stl or .obj file; without it, the program takes a surface of its own.\n"
   "  -o OUTPUT              write the mesh: .mesh, .msh (Gmsh 4.1), .vtu or .vtk; may be repeated\n"
   "sizes: how long edges shall be. Of those that are given, the smallest one counts at each point; without --size,\n"
-  "sizes from the surface are among them.\n"
+  "sizes from the surface are among them. Beside triangles that are smaller, edges are shorter.\n"
   "  --size H               the same size everywhere\n"
   "  --sources FILE         sizes around points, segments, triangles and boxes, one a line:\n"
   "                           point    x y z  size radius growth\n"
