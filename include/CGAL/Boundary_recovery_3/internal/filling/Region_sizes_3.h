@@ -36,9 +36,9 @@ namespace internal {
  * What the filling wants to know of a size field: the sizes at places in cells, and bounds of them that follow from the
  * sizes at vertices, without asking.
  *
- * No size in a cell is larger than that at one of its vertices and the distance from there, whatever the field says: no
- * mesh of good cells has sizes that grow faster. For that, vertices of walls have the size of the walls if it is smaller
- * than what the field says.
+ * No size in a cell is larger than that at one of its vertices plus the distance from there, whatever the field says:
+ * no mesh of good cells has sizes that grow faster. For that, vertices of walls have the size of the walls, if it is
+ * smaller than what the field says.
  */
 template <typename Tr, typename SizingField>
 class Region_sizes_3
