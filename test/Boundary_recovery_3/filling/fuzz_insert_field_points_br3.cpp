@@ -336,9 +336,11 @@ public:
 
   // A new vertex had no neighbor that is nearer than 0.7 times its size when it came, or 0.4 times where it divides a
   // long edge. Of two, the later one counts. Where a long edge is removed, vertices become neighbors that were hidden.
+  // Sizes are those of the field, or grow from shorter edges of walls.
   template <typename Size>
   void check_distances(const Size& size) const
   {
+    const auto least = least_sizes();
     std::size_t number_of_edges = 0, number_of_short_edges = 0;
     for(const auto& e : m_mesh.tr.finite_edges())
     {
@@ -347,7 +349,7 @@ public:
         if(m_vertices.count(v) == 0)
         {
           assert(v->meshing_info() == size(v->point()) && v->in_dimension() == 3);
-          limit = (std::min)(limit, 0.4 * size(v->point()));
+          limit = (std::min)(limit, 0.4 * least_size_at(v, least));
         }
       if(limit < std::numeric_limits<double>::infinity())
       {
@@ -360,6 +362,40 @@ public:
   }
 
 private:
+  // At each vertex the size of the field, if it was asked, or the shortest edge of a wall.
+  std::map<Vertex_handle, double> least_sizes() const
+  {
+    std::map<Vertex_handle, double> result;
+    for(const auto& wall : m_walls)
+      for(const Vertex_handle u : wall.first)
+        for(const Vertex_handle v : wall.first)
+          if(u != v)
+          {
+            const auto it = result.emplace(u, length(u, v)).first;
+            it->second = (std::min)(it->second, length(u, v));
+          }
+    for(const Vertex_handle v : m_mesh.tr.finite_vertex_handles())
+    {
+      const double size = CGAL::to_double(v->meshing_info());
+      const auto it = result.emplace(v, size > 0 ? size : std::numeric_limits<double>::infinity()).first;
+      it->second = size > 0 ? (std::min)(it->second, size) : it->second;
+    }
+    return result;
+  }
+
+  static double least_size_at(const Vertex_handle v, const std::map<Vertex_handle, double>& sizes)
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for(const auto& [u, size] : sizes)
+      least = (std::min)(least, size + length(u, v));
+    return least;
+  }
+
+  static double length(const Vertex_handle u, const Vertex_handle v)
+  {
+    return std::sqrt(CGAL::to_double(CGAL::squared_distance(u->point(), v->point())));
+  }
+
   static std::set<Vertex_handle> vertices_of(const Cell_handle c)
   {
     return { c->vertex(0), c->vertex(1), c->vertex(2), c->vertex(3) };

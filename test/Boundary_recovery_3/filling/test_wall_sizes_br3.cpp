@@ -111,9 +111,13 @@ void test_sizes_of_walls()
     for(int i = 0; i < 4; ++i)
       if(edges.count(c->vertex(i)) != 0)
         expected = (std::min)(expected, walls[c->vertex(i)] + internal::distance(corners[i], center));
-    assert(std::abs(sizes(center, c) - expected) < 1e-12);
-    assert(sizes.least_size_inside(c, corners) == sizes(center, c) && sizes.of_field(center, 1) == size);
+    const auto told = sizes(center, c);
+    assert(told.asked == size && std::abs(told.possible - expected) < 1e-12);
+    assert(sizes.least_size_inside(c, corners) == told.possible && sizes.of_field(center, 1) == size);
   }
+  sizes.restore_sizes_of_field();
+  for(const auto& v : edges)
+    assert(v.first->meshing_info() == size);
 }
 
 // A unit cube, with a square grid on its bottom, and nothing on the other sides but what the triangulation chose.
@@ -161,7 +165,9 @@ void test_growth()
   const auto result = CGAL::insert_field_points(cube.tr, size);
   assert(result && br3_test::is_valid_mesh(cube.tr));
   assert(cube.share_of_small_cells() > 0.9);
-  assert(result.number_of_field_points < 100);  // hundreds would be needed for the small size everywhere
+  for(const auto v : cube.tr.finite_vertex_handles())
+    assert(v->meshing_info() == size);
+  assert(result.number_of_field_points < 100); // hundreds would be needed for the small size everywhere
 
   auto domain = internal::selected_domain(coarse.tr, parameters::default_values());
   CGAL::Default_boundary_constrained_mesh_visitor_3 visitor;
@@ -171,6 +177,9 @@ void test_growth()
   const auto other = insert(1000, std::numeric_limits<double>::infinity());
   assert(other && br3_test::is_valid_mesh(coarse.tr));
   assert(coarse.share_of_small_cells() < 0.1);
+
+  Cube_on_grid empty;
+  assert(CGAL::insert_field_points(empty.tr, (std::numeric_limits<double>::max)()).number_of_field_points == 0);
 }
 
 // The points outside of a box, if sizes inside of it are as given.

@@ -281,11 +281,12 @@ def test_sizes():
     n = len(result.tetrahedra)
     assert n / 2 < report['forecast_of_tetrahedra'] < 2 * n and report['number_of_field_points'] > 0
     result, report = mesh('coarse', surface, '--size', '10')
-    assert report['number_of_field_points'] == 0 and len(result.tetrahedra) < n
+    coarse = len(result.tetrahedra)  # the surface is finer
+    assert report['number_of_field_points'] < 10 and coarse < n
     result, report = mesh('default', surface)  # edges of the surface have lengths from 0.2 to 0.28
     check_domain(result, *surface)
     assert report['size'] is None and report['grading'] == 0.2
-    assert n / 4 < len(result.tetrahedra) < n
+    assert max(n / 4, coarse) < len(result.tetrahedra) < n
     uniform, _ = mesh('flat', surface, '--grading', '0')
     assert len(uniform.tetrahedra) > len(result.tetrahedra)
 

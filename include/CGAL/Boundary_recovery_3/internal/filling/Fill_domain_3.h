@@ -61,11 +61,12 @@ public:
       m_insert(tr, domain, context.visitor()), m_remove_edge(tr, domain, context.visitor())
   { }
 
-  // No vertex is left as pending, also if somebody throws.
+  // No vertex is left as pending, also if somebody throws, and all have the sizes of the field.
   ~Fill_domain_3()
   {
     for(const Vertex_handle v : m_pending)
       m_sizes.settle(v);
+    m_sizes.restore_sizes_of_field();
   }
 
   // Fills the domain, which has these cells, until it is done, or there are as many vertices as allowed, or the context
@@ -93,6 +94,7 @@ public:
 
 private:
   typedef Remove_long_edge_3<Tr, Domain, Visitor> Remove_edge;
+  typedef typename Sizes::Size                    Size;
 
   // As parts of the size, see "Tuning constants" in the manual.
   static constexpr double largest_radius = 0.75;
@@ -151,13 +153,13 @@ private:
     if(radius <= largest_radius * m_sizes.least_size_inside(c, p))
       return;
     const Coordinates_3 center = internal::centroid(p);
-    const double size = m_sizes(center, c);
-    if(radius <= largest_radius * size)
+    const Size size = m_sizes(center, c);
+    if(radius <= largest_radius * size.possible)
       return;
     const Cell_handle at_center = walk(c, sphere.center);
     if((at_center == Cell_handle() || ! try_point(sphere.center, at_center, m_sizes(sphere.center, at_center)))
        && ! try_point(center, c, size)
-       && internal::longest_edge(p).length > longest_edge * size)
+       && internal::longest_edge(p).length > longest_edge * size.possible)
       m_long_cells.push_back(c);
   }
 
@@ -185,8 +187,8 @@ private:
     for(const Tetrahedron_edge_3& e : internal::edges_from_long_to_short(p))
     {
       const Coordinates_3 middle = internal::midpoint(p[e.i], p[e.j]);
-      const double size = m_sizes(middle, c);
-      if(! (e.length > longest_edge * size) || m_number_of_edges_left == 0)
+      const Size size = m_sizes(middle, c);
+      if(! (e.length > longest_edge * size.possible) || m_number_of_edges_left == 0)
         return;
       --m_number_of_edges_left;
       if(m_domain.is_constrained_edge(c->vertex(e.i), c->vertex(e.j)) || is_at_large_wall(c, e))
@@ -196,7 +198,7 @@ private:
         m_long_cells.insert(m_long_cells.end(), m_remove_edge.new_cells().begin(), m_remove_edge.new_cells().end());
         return;
       }
-      if(e.length > longest_undivided_edge * size && try_point_on_edge(middle, c, size))
+      if(e.length > longest_undivided_edge * size.possible && try_point_on_edge(middle, c, size))
         return;
     }
   }
@@ -255,13 +257,13 @@ private:
 
   // The cell contains the point. Returns whether a vertex is there now. At a seam that is much too large, points would
   // make flat cells, which nobody would get rid of when the seam is gone.
-  bool try_point(const Coordinates_3& coordinates, const Cell_handle c, const double size)
+  bool try_point(const Coordinates_3& coordinates, const Cell_handle c, const Size& size)
   {
     return try_point(coordinates, c, smallest_distance, size, [] { return true; });
   }
 
   // The same where vertices may be nearer, but no cell may be worse than all those that were there.
-  bool try_point_on_edge(const Coordinates_3& coordinates, const Cell_handle c, const double size)
+  bool try_point_on_edge(const Coordinates_3& coordinates, const Cell_handle c, const Size& size)
   {
     return try_point(coordinates, c, smallest_distance_on_edge, size, [&]
     {
@@ -270,13 +272,14 @@ private:
   }
 
   template <typename Is_star_good>
-  bool try_point(const Coordinates_3& coordinates, const Cell_handle c, const double min_distance, const double size,
+  bool try_point(const Coordinates_3& coordinates, const Cell_handle c, const double min_distance, const Size& size,
                  const Is_star_good& is_star_good)
   {
-    if(! (size > 0)) // there is none
+    if(! (size.possible > 0)) // there is none
       return false;
     const Point_3 p(coordinates[0], coordinates[1], coordinates[2]);
-    const bool is_good = m_cavity.find(p, c, min_distance * size, largest_seam * size) && is_star_good();
+    const bool is_good = m_cavity.find(p, c, min_distance * size.possible, largest_seam * size.possible)
+                         && is_star_good();
     if(is_good)
       insert(p, size);
     else
@@ -302,7 +305,7 @@ private:
     return worst;
   }
 
-  void insert(const Point_3& p, const double size)
+  void insert(const Point_3& p, const Size& size)
   {
     const auto region = m_cavity.cells().front()->subdomain_index();
     const Vertex_handle v = m_insert(m_cavity, p);

@@ -26,6 +26,7 @@
 #include <cmath>
 #include <limits>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -38,7 +39,7 @@ namespace internal {
  *
  * No size in a cell is larger than that at one of its vertices plus the distance from there, whatever the field says:
  * no mesh of good cells has sizes that grow faster. For that, vertices of walls have the size of the walls, if it is
- * smaller than what the field says.
+ * smaller than what the field says. `restore_sizes_of_field()` makes an end of that.
  */
 template <typename Tr, typename SizingField>
 class Region_sizes_3
@@ -48,6 +49,9 @@ public:
   typedef typename Tr::Cell_handle            Cell_handle;
   typedef typename Tr::Geom_traits::Point_3   Point_3;
   typedef Size_query_3<Tr, SizingField>       Query;
+
+  // What the field says about a place, and what is possible there; NaN if the field has none.
+  struct Size { double asked, possible; };
 
   Region_sizes_3(const Tr& tr, const SizingField& field) : m_query(field), m_at_vertices(tr) { }
 
@@ -84,14 +88,27 @@ public:
       {
         if(m_between_regions.is_defined(v))
           m_between_regions[v] = walls[v];
-        m_at_vertices.set(v, (std::min)(m_at_vertices[v], walls[v]));
+        if(walls[v] < m_at_vertices[v])
+        {
+          m_lowered.emplace_back(v, m_at_vertices[v]);
+          m_at_vertices.set(v, walls[v]);
+        }
       }
   }
 
-  // The size at a place in a cell; NaN if the field has none there.
-  double operator()(const Coordinates_3& p, const Cell_handle c)
+  // At all vertices, old and new ones, the sizes are those of the field again.
+  void restore_sizes_of_field()
   {
-    return (std::min)(of_field(p, region(c)), largest_size(p, c)); // which is NaN if the first one is
+    for(const auto& [v, size] : m_lowered)
+      m_at_vertices.set(v, size);
+    m_lowered.clear();
+  }
+
+  // The size at a place in a cell.
+  Size operator()(const Coordinates_3& p, const Cell_handle c)
+  {
+    const double asked = of_field(p, region(c));
+    return Size{ asked, possible_size(asked, p, c) };
   }
 
   // What the field says about a place in a region.
@@ -117,7 +134,7 @@ public:
       for(int i = 0; i < 4; ++i)
         least = (std::max)(least, m_at_vertices[c->vertex(i)]
                                     - m_query.gradation() * internal::distance(corners[i], center));
-    return least > 0 ? (std::min)(least, largest_size(center, c)) : 0;
+    return least > 0 ? possible_size(least, center, c) : 0;
   }
 
   // A size that is likely at the centroid of a cell, if the sizes of the field grow with `gradation`.
@@ -149,7 +166,13 @@ public:
   const Query& query() const { return m_query; }
 
   // New vertices are pending until the cells around them were looked at.
-  void set_pending(const Vertex_handle v, const double size) { m_at_vertices.set_pending(v, size); }
+  void set_pending(const Vertex_handle v, const Size& size)
+  {
+    m_at_vertices.set_pending(v, size.possible);
+    if(size.possible < size.asked)
+      m_lowered.emplace_back(v, size.asked);
+  }
+
   bool is_pending(const Vertex_handle v) const { return m_at_vertices.is_pending(v); }
   void settle(const Vertex_handle v) { m_at_vertices.settle(v); }
 
@@ -164,6 +187,12 @@ private:
       m_has_different_regions = true;
     }
     m_at_vertices.set(v, m_at_vertices.is_known(v) ? (std::min)(m_at_vertices[v], size) : size);
+  }
+
+  // NaN if the field has no size there. The largest number asks for no points at all.
+  double possible_size(const double asked, const Coordinates_3& p, const Cell_handle c) const
+  {
+    return asked < (std::numeric_limits<double>::max)() ? (std::min)(asked, largest_size(p, c)) : asked;
   }
 
   // The largest size at a place in a cell that goes with the sizes at its vertices.
@@ -186,6 +215,7 @@ private:
 
   Query m_query;
   Vertex_sizes_3<Tr> m_at_vertices;
+  std::vector<std::pair<Vertex_handle, double> > m_lowered; // where sizes are smaller than the field's, and these
   Unique_hash_map<Vertex_handle, double> m_between_regions; // walls' sizes where the field has several; for looking up
   bool m_has_different_regions = false;
   double m_constant = 0; // 0: not asked yet

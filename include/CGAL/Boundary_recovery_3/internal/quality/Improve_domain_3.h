@@ -45,8 +45,9 @@ namespace internal {
  *
  * Then, only those cells count that are really bad, others may get worse for them, and all operations are tried. For
  * what that leaves, beside the thin triangles of a surface, a few cells may become very bad so that many are not; and a
- * few times, the mesh is perturbed, which the next operations make up for. Those that are nearly as bad are worked on
- * afterwards, so that the worst ones have the choice. At last, all the others get rounder, where that is for nothing.
+ * few times, the mesh is perturbed, which the next operations make up for. Those that are nearly as bad, or the worst
+ * ones where these are few, are worked on afterwards, so that the worst ones have the choice. At last, all the others
+ * get rounder, where that is for nothing.
  */
 template <typename Tr, typename Domain, typename Quality, typename Visitor>
 class Improve_domain_3
@@ -116,6 +117,7 @@ private:
   // See "Tuning constants" in the manual.
   static constexpr double really_bad_angle = 12;
   static constexpr double nearly_as_bad_angle = 16;
+  static constexpr std::size_t cells_per_nearly_bad_cell = 1000; // so many are worked on above that angle
   static constexpr int max_number_of_rounds = 6;
   static constexpr int max_number_of_last_rounds = 12;
   static constexpr int first_dear_round = 3;
@@ -162,14 +164,28 @@ private:
     }
   }
 
-  // The list has only those that were bad enough before.
+  // Those below an angle, and if these are few, the worst ones below the target. The list has only those that were bad
+  // enough before.
   void improve_nearly_as_bad_cells()
   {
-    set_enough((std::min)(m_target, nearly_as_bad_angle));
+    set_enough(m_target);
+    std::vector<double> qualities;
     for(const Cell_handle c : m_mesh.triangulation().finite_cell_handles())
       if(m_mesh.domain().contains(c))
-        m_bad_cells.push(c);
+        qualities.push_back(m_bad_cells.push(c));
+    if(qualities.empty())
+      return;
+    const double least = m_quality.of_angle((std::min)(m_target, nearly_as_bad_angle));
+    set_measure_of_badness(std::clamp(quality_of_few(qualities), least, m_quality.of_angle(m_target)));
     improve(max_number_of_last_rounds, true);
+  }
+
+  // The quality that only few of these are below.
+  static double quality_of_few(std::vector<double>& qualities)
+  {
+    const auto few = qualities.begin() + static_cast<std::ptrdiff_t>(qualities.size() / cells_per_nearly_bad_cell);
+    std::nth_element(qualities.begin(), few, qualities.end());
+    return *few;
   }
 
   // *Iterated local search*: where nothing helps any more, vertices are inserted near the worst cells though that makes
