@@ -44,8 +44,8 @@ namespace CGAL {
  * The triangulation may come from `mark_domain()`, from CGAL's remeshing, or, by `convert_to_triangulation_3()`, from
  * Mesh_3, whose points have weights that nobody asks for. Constrained are the facets for which `is_facet_on_surface()`
  * holds, those between cells of different `subdomain_index()`, and edges that are named. New cells have the region of
- * their place, new vertices the dimension 3 and its index. If vertices have `meshing_info()`, the sizes that were asked
- * for at them are there afterwards.
+ * their place, new vertices the dimension 3 and its index. If vertices have `meshing_info()`, the sizes at them are
+ * there afterwards, which are smaller beside finer walls.
  *
  * Nothing is printed. What the size field throws does not get out.
  *

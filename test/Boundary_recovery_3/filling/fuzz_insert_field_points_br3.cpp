@@ -336,7 +336,7 @@ public:
 
   // A new vertex had no neighbor that is nearer than 0.7 times its size when it came, or 0.4 times where it divides a
   // long edge. Of two, the later one counts. Where a long edge is removed, vertices become neighbors that were hidden.
-  // Sizes are those of the field, or grow from shorter edges of walls.
+  // Sizes are those of the field, or grow from other vertices or shorter edges of walls.
   template <typename Size>
   void check_distances(const Size& size) const
   {
@@ -348,8 +348,11 @@ public:
       for(const Vertex_handle v : { e.first->vertex(e.second), e.first->vertex(e.third) })
         if(m_vertices.count(v) == 0)
         {
-          assert(v->meshing_info() == size(v->point()) && v->in_dimension() == 3);
-          limit = (std::min)(limit, 0.4 * least_size_at(v, least));
+          const double size_at_v = CGAL::to_double(v->meshing_info());
+          assert(v->in_dimension() == 3);
+          assert(size_at_v == size(v->point())
+                 || (size_at_v < size(v->point()) && size_at_v > 0.999999 * least_size_at(v, least)));
+          limit = (std::min)(limit, 0.4 * size_at_v);
         }
       if(limit < std::numeric_limits<double>::infinity())
       {
@@ -362,7 +365,7 @@ public:
   }
 
 private:
-  // At each vertex the size of the field, if it was asked, or the shortest edge of a wall.
+  // At each vertex the size that is known, or the shortest edge of a wall.
   std::map<Vertex_handle, double> least_sizes() const
   {
     std::map<Vertex_handle, double> result;
@@ -387,7 +390,8 @@ private:
   {
     double least = std::numeric_limits<double>::infinity();
     for(const auto& [u, size] : sizes)
-      least = (std::min)(least, size + length(u, v));
+      if(u != v)
+        least = (std::min)(least, size + length(u, v));
     return least;
   }
 

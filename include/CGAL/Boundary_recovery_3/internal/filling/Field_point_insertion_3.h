@@ -54,6 +54,10 @@ public:
   // Makes all cells as large as the field says, also at walls with shorter edges.
   void ignore_sizes_of_walls() { m_minds_walls = false; }
 
+  // Leaves the sizes of the field in all vertices, also where walls made them smaller: those do not depend on the part
+  // of a mesh that is filled.
+  void leave_sizes_of_field() { m_leaves_sizes_of_field = true; }
+
   Result operator()(const std::size_t max_number_of_vertices, const double maximum_running_time)
   {
     m_context.set_maximum_running_time(maximum_running_time);
@@ -184,6 +188,8 @@ private:
     Fill_domain_3<Tr, Domain, Region_sizes_3<Tr, SizingField>, Visitor> fill_domain(m_tr, m_domain, m_sizes, m_context);
     const double expected = m_result.forecast_of_vertices - static_cast<double>(m_tr.number_of_vertices());
     fill_domain(m_cells, max_number_of_vertices, static_cast<std::size_t>(expected));
+    if(m_leaves_sizes_of_field)
+      m_sizes.restore_sizes_of_field();
     m_result.number_of_field_points = fill_domain.vertices().size();
     if(! m_sizes.is_valid())
       refuse_size();
@@ -205,6 +211,7 @@ private:
   Recovery_context<Visitor> m_context;
   const Forecast_effort m_effort;
   bool m_minds_walls = true;
+  bool m_leaves_sizes_of_field = false;
   Result m_result;
   std::vector<Cell_handle> m_cells; // of the domain, before points are inserted
 };

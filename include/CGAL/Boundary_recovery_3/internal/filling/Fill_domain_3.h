@@ -61,12 +61,11 @@ public:
       m_insert(tr, domain, context.visitor()), m_remove_edge(tr, domain, context.visitor())
   { }
 
-  // No vertex is left as pending, also if somebody throws, and all have the sizes of the field.
+  // No vertex is left as pending, also if somebody throws.
   ~Fill_domain_3()
   {
     for(const Vertex_handle v : m_pending)
       m_sizes.settle(v);
-    m_sizes.restore_sizes_of_field();
   }
 
   // Fills the domain, which has these cells, until it is done, or there are as many vertices as allowed, or the context

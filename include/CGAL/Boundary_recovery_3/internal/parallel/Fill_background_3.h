@@ -42,6 +42,7 @@ public:
     Field_point_insertion_3<Tr, Domain, Coarse_field, Visitor> insertion(tr, domain, m_field, visitor,
                                                                          Forecast_effort::none);
     insertion.ignore_sizes_of_walls();
+    insertion.leave_sizes_of_field();
     return insertion((std::numeric_limits<std::size_t>::max)(), seconds_left);
   }
 

@@ -138,7 +138,9 @@ private:
     const std::size_t number_left = m_max_number_of_vertices - (std::min)(m_max_number_of_vertices, number_of_vertices);
     const std::size_t max_number = (std::max)(number_left, tr.number_of_vertices() + number_left); // no overflow
     typedef Field_point_insertion_3<Tr, Domain, SizingField, Visitor> Insertion;
-    return Insertion(tr, domain, m_size, visitor, Forecast_effort::none)(max_number, seconds_left);
+    Insertion insertion(tr, domain, m_size, visitor, Forecast_effort::none);
+    insertion.leave_sizes_of_field();
+    return insertion(max_number, seconds_left);
   }
 
   // What was left beside zones that met is filled now.
