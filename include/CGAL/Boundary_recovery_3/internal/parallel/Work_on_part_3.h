@@ -72,7 +72,7 @@ public:
     Tr& tr = triangulation.triangulation();
     Part_domain_3<Tr> domain(tr, triangulation.constrained_edges());
     Report report;
-    report.filling = filled(tr, domain, number_of_vertices, visitor, seconds_left);
+    report.filling = filled(tr, domain, round, number_of_vertices, visitor, seconds_left);
     if(round.improves)
       improve(tr, domain, round, visitor, seconds_left, report);
     part = triangulation.part(number_of_vertices);
@@ -131,8 +131,10 @@ private:
     });
   }
 
+  // The walls of zones are mostly faces of cells that are as large as they should be, some a bit smaller.
   template <typename Visitor>
-  Field_points_result_3<Tr> filled(Tr& tr, Domain& domain, const std::size_t number_of_vertices, Visitor& visitor,
+  Field_points_result_3<Tr> filled(Tr& tr, Domain& domain, const Subdomain_round& round,
+                                   const std::size_t number_of_vertices, Visitor& visitor,
                                    const double seconds_left) const
   {
     const std::size_t number_left = m_max_number_of_vertices - (std::min)(m_max_number_of_vertices, number_of_vertices);
@@ -140,6 +142,8 @@ private:
     typedef Field_point_insertion_3<Tr, Domain, SizingField, Visitor> Insertion;
     Insertion insertion(tr, domain, m_size, visitor, Forecast_effort::none);
     insertion.leave_sizes_of_field();
+    if(! round.works_on_parts())
+      insertion.ignore_sizes_of_walls();
     return insertion(max_number, seconds_left);
   }
 
