@@ -572,7 +572,8 @@ def test_progress_on_a_terminal():
     surface = write('progress.off', off_text(*grid_box(20)))
     for arguments, is_on in (([], True), (['--quiet'], False)):
         main, terminal = os.openpty()
-        process = subprocess.Popen([program_tests.PROGRAM, surface, '--size', '0.03', *arguments], stdout=terminal)
+        process = subprocess.Popen([program_tests.PROGRAM, surface, '--size', '0.02', '--no-improvement', *arguments],
+                                   stdout=terminal)
         os.close(terminal)
         shown = b''
         try:
