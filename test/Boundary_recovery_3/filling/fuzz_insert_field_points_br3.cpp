@@ -369,20 +369,16 @@ private:
   std::map<Vertex_handle, double> least_sizes() const
   {
     std::map<Vertex_handle, double> result;
+    for(const Vertex_handle v : m_mesh.tr.finite_vertex_handles())
+    {
+      const double size = CGAL::to_double(v->meshing_info());
+      result[v] = size > 0 ? size : std::numeric_limits<double>::infinity();
+    }
     for(const auto& wall : m_walls)
       for(const Vertex_handle u : wall.first)
         for(const Vertex_handle v : wall.first)
           if(u != v)
-          {
-            const auto it = result.emplace(u, length(u, v)).first;
-            it->second = (std::min)(it->second, length(u, v));
-          }
-    for(const Vertex_handle v : m_mesh.tr.finite_vertex_handles())
-    {
-      const double size = CGAL::to_double(v->meshing_info());
-      const auto it = result.emplace(v, size > 0 ? size : std::numeric_limits<double>::infinity()).first;
-      it->second = size > 0 ? (std::min)(it->second, size) : it->second;
-    }
+            result[u] = (std::min)(result[u], length(u, v));
     return result;
   }
 

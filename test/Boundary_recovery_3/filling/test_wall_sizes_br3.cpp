@@ -138,18 +138,20 @@ struct Cube_on_grid
       c->set_subdomain_index(tr.is_infinite(c) ? 0 : 1);
   }
 
-  // The share of the cells at vertices of the bottom with circumradii of less than three of its edges. Those at its
-  // boundary do not count: there are needles between them and the corners above.
+  // On the bottom, but not at its boundary: there are needles between that and the corners above.
+  static bool is_inside_grid(const internal::Coordinates_3& p)
+  {
+    return p[2] == 0 && (std::min)(p[0], p[1]) > 0 && (std::max)(p[0], p[1]) < 1;
+  }
+
+  // The share of the cells at such vertices with circumradii of less than three edges of the grid.
   double share_of_small_cells() const
   {
     int number_of_cells = 0, number_of_small_cells = 0;
     for(const Cell_handle c : tr.finite_cell_handles())
     {
       const auto corners = internal::corners(c);
-      if(std::none_of(corners.begin(), corners.end(), [](const internal::Coordinates_3& p)
-         {
-           return p[2] == 0 && (std::min)(p[0], p[1]) > 0 && (std::max)(p[0], p[1]) < 1;
-         }))
+      if(std::none_of(corners.begin(), corners.end(), is_inside_grid))
         continue;
       ++number_of_cells;
       number_of_small_cells += internal::circumsphere(corners).squared_radius < 9. / (n * n);
@@ -158,44 +160,44 @@ struct Cube_on_grid
   }
 };
 
+// Inserts field points by what is behind insert_field_points(), with an option of that. Returns how many.
+template <typename Option>
+std::size_t insert_with(Tr& tr, const double size, const Option& option)
+{
+  auto domain = internal::selected_domain(tr, parameters::default_values());
+  CGAL::Default_boundary_constrained_mesh_visitor_3 visitor;
+  internal::Field_point_insertion_3<Tr, decltype(domain), double, decltype(visitor)> insert(tr, domain, size, visitor);
+  option(insert);
+  const auto result = insert(1000, std::numeric_limits<double>::infinity());
+  assert(result && br3_test::is_valid_mesh(tr));
+  return result.number_of_field_points;
+}
+
 void test_growth()
 {
   const double size = 1;
-  Cube_on_grid cube, coarse;
+  Cube_on_grid cube, coarse, restored, empty;
   const auto result = CGAL::insert_field_points(cube.tr, size);
   assert(result && br3_test::is_valid_mesh(cube.tr));
   assert(cube.share_of_small_cells() > 0.9);
   for(const auto v : cube.tr.finite_vertex_handles())
   {
-    const Point& p = v->point();
-    const bool is_on_grid = p.z() == 0 && (std::min)(p.x(), p.y()) > 0 && (std::max)(p.x(), p.y()) < 1;
     assert(v->meshing_info() <= size);
-    assert(! is_on_grid || std::abs(v->meshing_info() - 1. / Cube_on_grid::n) < 1e-12);
+    assert(! Cube_on_grid::is_inside_grid(internal::coordinates_of(v->point()))
+           || std::abs(v->meshing_info() - 1. / Cube_on_grid::n) < 1e-12);
   }
   assert(result.number_of_field_points < 100); // hundreds would be needed for the small size everywhere
 
-  auto domain = internal::selected_domain(coarse.tr, parameters::default_values());
-  CGAL::Default_boundary_constrained_mesh_visitor_3 visitor;
-  internal::Field_point_insertion_3<Tr, decltype(domain), double, decltype(visitor)> insert(coarse.tr, domain, size,
-                                                                                         visitor);
-  insert.ignore_sizes_of_walls();
-  const auto other = insert(1000, std::numeric_limits<double>::infinity());
-  assert(other && br3_test::is_valid_mesh(coarse.tr));
+  insert_with(coarse.tr, size, [](auto& insert) { insert.ignore_sizes_of_walls(); });
   assert(coarse.share_of_small_cells() < 0.1);
-  for(const auto v : coarse.tr.finite_vertex_handles())
-    assert(v->meshing_info() == size);
 
-  Cube_on_grid restored;
-  auto same_domain = internal::selected_domain(restored.tr, parameters::default_values());
-  internal::Field_point_insertion_3<Tr, decltype(domain), double, decltype(visitor)> insert_and_restore(
-    restored.tr, same_domain, size, visitor);
-  insert_and_restore.leave_sizes_of_field();
-  const auto again = insert_and_restore(1000, std::numeric_limits<double>::infinity());
-  assert(again.number_of_field_points == result.number_of_field_points);
-  for(const auto v : restored.tr.finite_vertex_handles())
-    assert(v->meshing_info() == size);
+  const std::size_t number = insert_with(restored.tr, size, [](auto& insert) { insert.leave_sizes_of_field(); });
+  assert(number == result.number_of_field_points);
 
-  Cube_on_grid empty;
+  for(const Tr* const tr : { &coarse.tr, &restored.tr })
+    for(const auto v : tr->finite_vertex_handles())
+      assert(v->meshing_info() == size);
+
   assert(CGAL::insert_field_points(empty.tr, (std::numeric_limits<double>::max)()).number_of_field_points == 0);
 }
 

@@ -111,16 +111,13 @@ public:
     return Size{ asked, possible_size(asked, p, c) };
   }
 
-  // What the field says about a place in a region.
-  double of_field(const Coordinates_3& p, const int region)
+  // What the field says about a place in a region; a number, what it said at the vertices.
+  double of_field([[maybe_unused]] const Coordinates_3& p, [[maybe_unused]] const int region)
   {
     if constexpr(Query::is_constant)
-      if(m_constant > 0)
-        return m_constant;
-    const double size = m_query(Point_3(p[0], p[1], p[2]), 3, region);
-    if constexpr(Query::is_constant)
-      m_constant = size;
-    return size;
+      return m_constant;
+    else
+      return m_query(Point_3(p[0], p[1], p[2]), 3, region);
   }
 
   // A size that those at the centroid of a cell are known not to fall below, maybe 0; `corners` are those of the cell.
@@ -181,12 +178,13 @@ private:
   {
     if constexpr(Query::is_constant)
       m_constant = size;
-    if(m_at_vertices.is_known(v) && m_at_vertices[v] != size)
+    const double known = m_at_vertices.is_known(v) ? m_at_vertices[v] : size;
+    if(known != size)
     {
       m_between_regions[v] = std::numeric_limits<double>::infinity();
       m_has_different_regions = true;
     }
-    m_at_vertices.set(v, m_at_vertices.is_known(v) ? (std::min)(m_at_vertices[v], size) : size);
+    m_at_vertices.set(v, (std::min)(known, size));
   }
 
   // NaN if the field has no size there. The largest number asks for no points at all.
@@ -218,7 +216,7 @@ private:
   std::vector<std::pair<Vertex_handle, double> > m_lowered; // where sizes are smaller than the field's, and these
   Unique_hash_map<Vertex_handle, double> m_between_regions; // walls' sizes where the field has several; for looking up
   bool m_has_different_regions = false;
-  double m_constant = 0; // 0: not asked yet
+  double m_constant = 0; // if the field is a number, and was asked at a vertex
 };
 
 } // namespace internal

@@ -14,10 +14,12 @@
 
 #include <CGAL/Boundary_recovery_3/internal/filling/Unit_frame_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 
 #include <CGAL/Unique_hash_map.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <vector>
 
@@ -70,13 +72,13 @@ private:
 
   void add_facet(const Cell_handle c, const int i)
   {
-    for(int j = 0; j < 3; ++j)
+    const auto v = internal::facet_vertices(c, i);
+    for(std::size_t j = 0; j < 3; ++j)
     {
-      const Vertex_handle u = c->vertex(Tr::vertex_triple_index(i, j));
-      const Vertex_handle v = c->vertex(Tr::vertex_triple_index(i, (j + 1) % 3));
-      const double length = internal::distance(coordinates_of(u->point()), coordinates_of(v->point()));
-      add_edge(u, length);
-      add_edge(v, length);
+      const std::size_t k = (j + 1) % 3;
+      const double length = internal::distance(coordinates_of(v[j]->point()), coordinates_of(v[k]->point()));
+      add_edge(v[j], length);
+      add_edge(v[k], length);
     }
   }
 
