@@ -360,6 +360,26 @@ void test_places_near_cells()
     assert(q[1] == 0 && q[2] == 0 && q[0] > 0 && q[0] < 8);
 }
 
+// Two triangles of a wall, and the flat cell between them that has both: a vertex at one of the places near it makes
+// good cells with both, without longer edges.
+void test_places_above_flat_cells()
+{
+  internal::Places_near_cell_3 places_near;
+  for(const double depth : { 0., 0.01, 0.1 })
+    for(const double width : { 0.4, 0.6, 1. })
+    {
+      const Place a = {{ 0, 0, 0 }}, b = {{ 1, 0, 0 }}, left = {{ 0.4, width, depth }}, right = {{ 0.6, -width, depth }};
+      const std::array<Place, 4> cell = {{ a, b, left, right }};
+      const double longest = (std::max)(internal::distance(a, b), internal::distance(left, right));
+      double best = 0;
+      for(const Place& q : places_near(cell))
+        if(q[2] > 0 && std::all_of(cell.begin(), cell.end(),
+                                   [&](const Place& p) { return internal::distance(p, q) <= longest; }))
+          best = (std::max)(best, (std::min)(smallest_angle({{ a, b, left, q }}), smallest_angle({{ b, a, right, q }})));
+      assert(best > 25);
+    }
+}
+
 // A facet that the center of a cell's neighbor is behind leads there; none does from the center of the cell itself. If
 // it is excluded, the point is behind another one, or behind none.
 void test_steps_towards_points()
@@ -732,6 +752,16 @@ void test_new_vertex_at_old_place()
 
 // ------------------------------------------------ the list of bad cells
 
+// From the center of each cell to that of the next one.
+double length_of_way(const std::vector<Bad_cell>& cells)
+{
+  double sum = 0;
+  for(std::size_t k = 1; k < cells.size(); ++k)
+    sum += internal::distance(internal::centroid(internal::corners(cells[k - 1].cell)),
+                              internal::centroid(internal::corners(cells[k].cell)));
+  return sum;
+}
+
 void test_list_of_bad_cells()
 {
   Improvement t(5, Improvement_options(), 30);
@@ -758,6 +788,18 @@ void test_list_of_bad_cells()
   for(std::size_t k = 1; k < list.size(); ++k)
     assert(list[k - 1].quality <= list[k].quality && bad_cells.contains(list[k].cell));
   assert(bad_cells.next_round().empty() && bad_cells.badness() == 0);
+
+  // the same cells, nearer to each other
+  for(const Bad_cell& c : list)
+    bad_cells.push(c.cell);
+  for(const Bad_cell& c : list)
+    bad_cells.put_back(c);
+  const std::vector<Bad_cell> in_space = bad_cells.next_round_in_space();
+  assert(in_space.size() == list.size() && std::abs(bad_cells.badness() - badness) < 1e-9);
+  std::set<Cell_handle> cells;
+  for(const Bad_cell& c : in_space)
+    assert(cells.insert(c.cell).second && bad_cells.contains(c.cell) && c.quality == t.mesh.quality(c.cell));
+  assert(length_of_way(in_space) < 0.7 * length_of_way(list));
 
   // cells that are gone are not bad, and where the mesh changed is known until the next visit
   for(const Bad_cell& c : list)
@@ -840,6 +882,7 @@ int main()
   }
   test_star_cavities();
   test_places_near_cells();
+  test_places_above_flat_cells();
   test_steps_towards_points();
   int number_of_centered_vertices = 0;
   for(unsigned seed = 0; seed < 6; ++seed)

@@ -12,6 +12,9 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
+#include <CGAL/Boundary_recovery_3/internal/geometry/sort_in_space.h>
+
 #include <CGAL/Unique_hash_map.h>
 
 #include <algorithm>
@@ -104,33 +107,41 @@ public:
   // order is the same.
   std::vector<Bad_cell> next_round()
   {
-    sort();
-    m_badness = 0;
-    for(const Bad_cell& c : m_cells)
-      m_badness += m_mesh.badness(c.quality);
-    return std::exchange(m_cells, std::vector<Bad_cell>());
+    remove_what_is_not_bad();
+    std::stable_sort(m_cells.begin(), m_cells.end(),
+                     [](const Bad_cell& x, const Bad_cell& y) { return x.quality < y.quality; });
+    return begin_round();
+  }
+
+  // The same, in an order in which cells that are near each other are worked through one after the other.
+  std::vector<Bad_cell> next_round_in_space()
+  {
+    remove_what_is_not_bad();
+    internal::sort_in_space(m_cells, [](const Bad_cell& c) { return internal::centroid(internal::corners(c.cell)); });
+    return begin_round();
   }
 
   // How bad these cells were together.
   double badness() const { return m_badness; }
 
 private:
-  // Those that are gone, or are there twice, are taken out; where qualities are equal, these are not side by side.
-  void sort()
+  // Nor are those that are gone, or are there twice: where qualities are equal, these are not side by side.
+  void remove_what_is_not_bad()
   {
     Unique_hash_map<Cell_handle, bool> is_there(false); // for looking up only
-    for(Bad_cell& c : m_cells)
-      if(contains(c.cell) && ! is_there[c.cell])
-      {
-        c.quality = m_mesh.quality(c.cell);
-        is_there[c.cell] = true;
-      }
-      else
-        c.quality = m_mesh.enough();
-    std::stable_sort(m_cells.begin(), m_cells.end(),
-                     [](const Bad_cell& x, const Bad_cell& y) { return x.quality < y.quality; });
-    while(! m_cells.empty() && m_cells.back().quality >= m_mesh.enough())
-      m_cells.pop_back();
+    std::vector<Bad_cell> cells;
+    for(const Bad_cell& c : m_cells)
+      if(contains(c.cell) && ! std::exchange(is_there[c.cell], true))
+        cells.push_back(Bad_cell{ m_mesh.quality(c.cell), c.cell, c.visit });
+    m_cells.swap(cells);
+  }
+
+  std::vector<Bad_cell> begin_round()
+  {
+    m_badness = 0;
+    for(const Bad_cell& c : m_cells)
+      m_badness += m_mesh.badness(c.quality);
+    return std::exchange(m_cells, std::vector<Bad_cell>());
   }
 
   const Mesh& m_mesh;

@@ -14,6 +14,7 @@
 
 #include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_result_3.h>
 #include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
+#include <CGAL/Boundary_recovery_3/internal/geometry/sort_in_space.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Bad_cells_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Badness_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Center_vertex_3.h>
@@ -37,8 +38,9 @@ namespace Boundary_recovery_3 {
 namespace internal {
 
 /*
- * Improves the cells of a domain, step 7 of [CZZ+17, Section 4.1]: works through the list of its bad cells, the worst
- * one first, again and again. What is cheap is done for all of them; the dear operations follow, for what that leaves.
+ * Improves the cells of a domain, step 7 of [CZZ+17, Section 4.1]: works through the list of its bad cells, again and
+ * again. What is cheap is done for all of them; the dear operations follow, for what that leaves. At first, when there
+ * are many, neighbors come one after the other, which is faster; at last, the worst one comes first.
  *
  * No operation leaves a cell that is worse than the worst one of those that it changes, and each makes the sum of the
  * badness of the cells smaller. So the work ends, and the worst cell of the mesh does not get worse.
@@ -143,7 +145,7 @@ private:
     double last_badness = 0;
     for(m_round = 1; m_round <= max_number && m_context.go_further(); ++m_round)
     {
-      const std::vector<Bad_cell> cells = m_bad_cells.next_round();
+      const std::vector<Bad_cell> cells = tries_all ? m_bad_cells.next_round() : m_bad_cells.next_round_in_space();
       const bool is_slow = m_bad_cells.badness() > (1 - least_progress) * last_badness;
       if(cells.empty())
         break;
@@ -322,7 +324,10 @@ private:
   void center_vertices()
   {
     m_mesh.set_enough((std::max)(m_quality.of_angle(m_target), m_worst));
-    for(const Vertex_handle v : m_mesh.triangulation().finite_vertex_handles())
+    const auto all = m_mesh.triangulation().finite_vertex_handles();
+    std::vector<Vertex_handle> vertices(all.begin(), all.end());
+    internal::sort_in_space(vertices, &Mesh::coordinates);
+    for(const Vertex_handle v : vertices)
     {
       if(! m_context.go_further_after_short_step())
         break;

@@ -30,14 +30,16 @@ namespace Boundary_recovery_3 {
 namespace internal {
 
 /*
- * Places where a vertex may make cells good that are beside thin triangles of the surface. With w, the length of the
- * shortest edge of such a cell, they are
+ * Places where a vertex may make cells good that are beside the surface, above all beside thin triangles of it. With w,
+ * the length of the shortest edge of such a cell, they are
  *
  * - around this edge,
  * - from there towards the opposite edge, in distances that double: cells are to become larger this way;
- * - and beside the longest edge. Four consecutive points of a helix have dihedral angles of 30 to 120 degrees, however
+ * - beside the longest edge. Four consecutive points of a helix have dihedral angles of 30 to 120 degrees, however
  *   much it is stretched; so the cells between two thin triangles that have this edge in common are good if their other
- *   vertices are one or two w away from it.
+ *   vertices are one or two w away from it;
+ * - and beside the center of the cell: if it is flat, and fills the angle between two triangles that nearly are in a
+ *   plane, a vertex above both of them is better.
  */
 class Places_near_cell_3
 {
@@ -53,6 +55,7 @@ public:
       add_around_shortest_edge(p, edges.back(), shape.normals);
       add_towards_opposite_edge(p, edges.back());
       add_along_longest_edge(p, edges.front(), edges.back().length, shape.normals);
+      add_beside_center(p, edges.front().length, shape.normals);
     }
     return m_places;
   }
@@ -65,6 +68,7 @@ private:
   static constexpr double spacing_in_shortest_edges = 2;
   static constexpr double max_number_along_edge = 15;
   static constexpr double largest_ratio_along_edge = 128;
+  static constexpr std::array<double, 2> heights_in_longest_edges = {{ 0.35, 0.7 }};
 
   typedef std::array<Coordinates_3, 4> Normals; // of the facets opposite to the corners, not of length 1
 
@@ -98,6 +102,16 @@ private:
         for(int k = 1; k <= n; ++k)
           add_above_and_below(internal::point_between(p[e.i], p[e.j], static_cast<double>(k) / (n + 1)), normals[i],
                               height_in_shortest_edges * shortest);
+  }
+
+  // Above and below the largest facet.
+  void add_beside_center(const Cell_corners_3& p, const double longest, const Normals& normals)
+  {
+    const Coordinates_3& normal = *std::max_element(normals.begin(), normals.end(),
+                                                    [](const Coordinates_3& n, const Coordinates_3& m)
+                                                    { return dot_product(n, n) < dot_product(m, m); });
+    for(const double height : heights_in_longest_edges)
+      add_above_and_below(internal::centroid(p), normal, height * longest);
   }
 
   void add_above_and_below(const Coordinates_3& p, const Coordinates_3& normal, const double height)
