@@ -110,7 +110,7 @@ void test_sizes_of_walls()
     double expected = size;
     for(int i = 0; i < 4; ++i)
       if(edges.count(c->vertex(i)) != 0)
-        expected = (std::min)(expected, walls[c->vertex(i)] + internal::distance(corners[i], center));
+        expected = (std::min)(expected, walls[c->vertex(i)] + 0.9 * internal::distance(corners[i], center));
     const auto told = sizes(center, c);
     assert(told.asked == size && std::abs(told.possible - expected) < 1e-12);
     assert(sizes.least_size_inside(c, corners) == told.possible && sizes.of_field(center, 1) == size);

@@ -368,14 +368,16 @@ void test_places_above_flat_cells()
   for(const double depth : { 0., 0.01, 0.1 })
     for(const double width : { 0.4, 0.6, 1. })
     {
-      const Place a = {{ 0, 0, 0 }}, b = {{ 1, 0, 0 }}, left = {{ 0.4, width, depth }}, right = {{ 0.6, -width, depth }};
+      const Place a = {{ 0, 0, 0 }}, b = {{ 1, 0, 0 }};
+      const Place left = {{ 0.4, width, depth }}, right = {{ 0.6, -width, depth }};
       const std::array<Place, 4> cell = {{ a, b, left, right }};
       const double longest = (std::max)(internal::distance(a, b), internal::distance(left, right));
       double best = 0;
       for(const Place& q : places_near(cell))
         if(q[2] > 0 && std::all_of(cell.begin(), cell.end(),
                                    [&](const Place& p) { return internal::distance(p, q) <= longest; }))
-          best = (std::max)(best, (std::min)(smallest_angle({{ a, b, left, q }}), smallest_angle({{ b, a, right, q }})));
+          best = (std::max)(best, (std::min)(smallest_angle({{ a, b, left, q }}),
+                                             smallest_angle({{ b, a, right, q }})));
       assert(best > 25);
     }
 }

@@ -37,9 +37,9 @@ namespace internal {
  * What the filling wants to know of a size field: the sizes at places in cells, and bounds of them that follow from the
  * sizes at vertices, without asking.
  *
- * No size in a cell is larger than that at one of its vertices plus the distance from there, whatever the field says:
- * no mesh of good cells has sizes that grow faster. For that, vertices of walls have the size of the walls, if it is
- * smaller than what the field says. `restore_sizes_of_field()` makes an end of that.
+ * In a cell, sizes grow from those at its vertices by no more than `largest_growth`, whatever the field says: meshes
+ * whose sizes grow faster have bad cells. For that, vertices of walls have the size of the walls, if it is smaller than
+ * what the field says. `restore_sizes_of_field()` makes an end of that.
  */
 template <typename Tr, typename SizingField>
 class Region_sizes_3
@@ -49,6 +49,8 @@ public:
   typedef typename Tr::Cell_handle            Cell_handle;
   typedef typename Tr::Geom_traits::Point_3   Point_3;
   typedef Size_query_3<Tr, SizingField>       Query;
+
+  static constexpr double largest_growth = 0.9; // per length, see "Tuning constants" in the manual
 
   // What the field says about a place, and what is possible there; NaN if the field has none.
   struct Size { double asked, possible; };
@@ -200,7 +202,8 @@ private:
     for(int i = 0; i < 4; ++i)
     {
       const Vertex_handle v = c->vertex(i);
-      largest = (std::min)(largest, size_of_mesh(v) + internal::distance(coordinates_of(v->point()), p));
+      const double distance = internal::distance(coordinates_of(v->point()), p);
+      largest = (std::min)(largest, size_of_mesh(v) + largest_growth * distance);
     }
     return largest;
   }

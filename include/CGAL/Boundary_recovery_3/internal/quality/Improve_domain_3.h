@@ -237,16 +237,17 @@ private:
     if(++m_number_of_visits % visits_per_report == 0)
       tell_progress((std::max)(m_expected_visits, m_number_of_visits));
     m_bad_cells.begin_visit();
-    if((m_round > first_dear_round || m_visits_only_changed) && ! m_bad_cells.has_changed(c))
+    const bool has_changed = m_bad_cells.has_changed(c);
+    if(! has_changed && (m_round > first_dear_round || m_visits_only_changed))
       m_bad_cells.put_back(c);
-    else if(! improve(c.cell))
+    else if(! improve(c.cell, m_round == 1 || has_changed))
       m_bad_cells.push(c.cell);
   }
 
-  // Returns whether the cell was changed.
-  bool improve(const Cell_handle c)
+  // Flips would fail again where nothing has changed. Returns whether the cell was changed.
+  bool improve(const Cell_handle c, const bool may_flip)
   {
-    return flip(c) || contract(c) || (m_round > 1 && smooth(c))
+    return (may_flip && flip(c)) || contract(c) || (m_round > 1 && smooth(c))
         || (m_round >= first_dear_round && insert(c)) || (m_tries_all && (reconnect(c) || insert_near(c)));
   }
 
