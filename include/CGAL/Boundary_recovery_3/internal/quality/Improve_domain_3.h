@@ -237,10 +237,10 @@ private:
     if(++m_number_of_visits % visits_per_report == 0)
       tell_progress((std::max)(m_expected_visits, m_number_of_visits));
     m_bad_cells.begin_visit();
-    const bool has_changed = m_bad_cells.has_changed(c);
-    if(! has_changed && (m_round > first_dear_round || m_visits_only_changed))
+    const bool is_as_before = (m_round > 1 || m_visits_only_changed) && ! m_bad_cells.has_changed(c);
+    if(is_as_before && (m_round > first_dear_round || m_visits_only_changed))
       m_bad_cells.put_back(c);
-    else if(! improve(c.cell, m_round == 1 || has_changed))
+    else if(! improve(c.cell, ! is_as_before))
       m_bad_cells.push(c.cell);
   }
 
