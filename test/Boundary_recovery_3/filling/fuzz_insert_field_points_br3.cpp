@@ -387,7 +387,7 @@ private:
     double least = std::numeric_limits<double>::infinity();
     for(const auto& [u, size] : sizes)
       if(u != v)
-        least = (std::min)(least, size + length(u, v));
+        least = (std::min)(least, size + 0.9 * length(u, v));
     return least;
   }
 

@@ -791,17 +791,33 @@ void test_list_of_bad_cells()
     assert(list[k - 1].quality <= list[k].quality && bad_cells.contains(list[k].cell));
   assert(bad_cells.next_round().empty() && bad_cells.badness() == 0);
 
-  // the same cells, nearer to each other
-  for(const Bad_cell& c : list)
-    bad_cells.push(c.cell);
-  for(const Bad_cell& c : list)
-    bad_cells.put_back(c);
-  const std::vector<Bad_cell> in_space = bad_cells.next_round_in_space();
+  // the same cells in blocks, nearer to each other
+  const auto in_blocks = [&](const std::size_t cells_per_block)
+  {
+    for(const Bad_cell& c : list)
+      bad_cells.push(c.cell);
+    for(const Bad_cell& c : list)
+      bad_cells.put_back(c);
+    return bad_cells.next_round_in_blocks(cells_per_block);
+  };
+  const std::vector<Bad_cell> in_space = in_blocks(1);
   assert(in_space.size() == list.size() && std::abs(bad_cells.badness() - badness) < 1e-9);
   std::set<Cell_handle> cells;
   for(const Bad_cell& c : in_space)
     assert(cells.insert(c.cell).second && bad_cells.contains(c.cell) && c.quality == t.mesh.quality(c.cell));
   assert(length_of_way(in_space) < 0.7 * length_of_way(list));
+  for(const std::size_t n : { std::size_t(8), list.size(), list.size() + 1 })
+  {
+    const std::vector<Bad_cell> blocks = in_blocks(n);
+    assert(blocks.size() == list.size());
+    for(std::size_t k = 0; k < list.size(); ++k)
+    {
+      const std::size_t begin = k - k % n, end = (std::min)(begin + n, list.size());
+      assert(k == begin || blocks[k - 1].quality <= blocks[k].quality);
+      assert(std::count_if(in_space.begin() + begin, in_space.begin() + end,
+                           [&](const Bad_cell& c) { return c.cell == blocks[k].cell; }) == 1);
+    }
+  }
 
   // cells that are gone are not bad, and where the mesh changed is known until the next visit
   for(const Bad_cell& c : list)

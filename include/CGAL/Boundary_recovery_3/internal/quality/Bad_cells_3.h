@@ -108,16 +108,23 @@ public:
   std::vector<Bad_cell> next_round()
   {
     remove_what_is_not_bad();
-    std::stable_sort(m_cells.begin(), m_cells.end(),
-                     [](const Bad_cell& x, const Bad_cell& y) { return x.quality < y.quality; });
+    sort_worst_first(m_cells.begin(), m_cells.end());
     return begin_round();
   }
 
-  // The same, in an order in which cells that are near each other are worked through one after the other.
-  std::vector<Bad_cell> next_round_in_space()
+  // The same in blocks of cells that are near each other, for the sake of the cache; the worst one of a block comes
+  // first in it.
+  std::vector<Bad_cell> next_round_in_blocks(const std::size_t cells_per_block)
   {
     remove_what_is_not_bad();
     internal::sort_in_space(m_cells, [](const Bad_cell& c) { return internal::centroid(internal::corners(c.cell)); });
+    auto end = m_cells.begin();
+    while(end != m_cells.end())
+    {
+      const auto begin = end;
+      end += (std::min)(static_cast<std::ptrdiff_t>(cells_per_block), m_cells.end() - begin);
+      sort_worst_first(begin, end);
+    }
     return begin_round();
   }
 
@@ -125,6 +132,13 @@ public:
   double badness() const { return m_badness; }
 
 private:
+  typedef typename std::vector<Bad_cell>::iterator Iterator;
+
+  static void sort_worst_first(const Iterator begin, const Iterator end)
+  {
+    std::stable_sort(begin, end, [](const Bad_cell& x, const Bad_cell& y) { return x.quality < y.quality; });
+  }
+
   // Nor are those that are gone, or are there twice: where qualities are equal, these are not side by side.
   void remove_what_is_not_bad()
   {
