@@ -50,8 +50,6 @@ public:
   typedef typename Tr::Geom_traits::Point_3   Point_3;
   typedef Size_query_3<Tr, SizingField>       Query;
 
-  static constexpr double largest_growth = 0.9; // per length, see "Tuning constants" in the manual
-
   // What the field says about a place, and what is possible there; NaN if the field has none.
   struct Size { double asked, possible; };
 
@@ -176,6 +174,8 @@ public:
   void settle(const Vertex_handle v) { m_at_vertices.settle(v); }
 
 private:
+  static constexpr double largest_growth = 0.9; // per length, see "Tuning constants" in the manual
+
   void set_at_vertex(const Vertex_handle v, const double size)
   {
     if constexpr(Query::is_constant)

@@ -81,8 +81,7 @@ public:
   // Whether a handle, maybe of a cell that is gone, is one of a bad cell of the domain.
   bool contains(const Cell_handle c) const
   {
-    return m_mesh.triangulation().tds().cells().is_used(c) && m_mesh.domain().contains(c)
-        && m_mesh.quality(c) < m_mesh.enough();
+    return is_in_domain(c) && m_mesh.quality(c) < m_mesh.enough();
   }
 
   // Whether something changed at the vertices of a cell since its visit, or in it.
@@ -139,14 +138,25 @@ private:
     std::stable_sort(begin, end, [](const Bad_cell& x, const Bad_cell& y) { return x.quality < y.quality; });
   }
 
-  // Nor are those that are gone, or are there twice: where qualities are equal, these are not side by side.
+  // A cell that is gone is not.
+  bool is_in_domain(const Cell_handle c) const
+  {
+    return m_mesh.triangulation().tds().cells().is_used(c) && m_mesh.domain().contains(c);
+  }
+
+  // Takes out cells that are gone or good, and those that are there before.
   void remove_what_is_not_bad()
   {
     Unique_hash_map<Cell_handle, bool> is_there(false); // for looking up only
     std::vector<Bad_cell> cells;
     for(const Bad_cell& c : m_cells)
-      if(contains(c.cell) && ! std::exchange(is_there[c.cell], true))
-        cells.push_back(Bad_cell{ m_mesh.quality(c.cell), c.cell, c.visit });
+    {
+      if(! is_in_domain(c.cell) || std::exchange(is_there[c.cell], true))
+        continue;
+      const double quality = m_mesh.quality(c.cell);
+      if(quality < m_mesh.enough())
+        cells.push_back(Bad_cell{ quality, c.cell, c.visit });
+    }
     m_cells.swap(cells);
   }
 
