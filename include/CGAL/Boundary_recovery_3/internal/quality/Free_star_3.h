@@ -36,7 +36,8 @@ public:
   typedef typename Mesh::Cell_handle   Cell_handle;
   typedef std::array<Vertex_handle, 3> Face;
 
-  explicit Free_star_3(const Mesh& mesh) : m_mesh(mesh)
+  explicit Free_star_3(const Mesh& mesh, const std::size_t max_number_of_cells = default_max_number_of_cells)
+    : m_mesh(mesh), m_max_number_of_cells(max_number_of_cells)
   {
     m_cells.reserve(max_number_of_cells + 3); // so that nothing throws while cells are marked
     m_faces.reserve(max_number_of_cells + 3);
@@ -52,7 +53,7 @@ public:
     push(v->cell());
     bool is_free = true;
     for(std::size_t k = 0; is_free && k < m_cells.size(); ++k)
-      is_free = m_cells.size() <= max_number_of_cells && go_on_from(m_cells[k], v);
+      is_free = m_cells.size() <= m_max_number_of_cells && go_on_from(m_cells[k], v);
     for(const Cell_handle c : m_cells)
       c->tds_data().clear();
     return is_free;
@@ -107,9 +108,10 @@ private:
   }
 
   // See "Tuning constants" in the manual.
-  static constexpr std::size_t max_number_of_cells = 100;
+  static constexpr std::size_t default_max_number_of_cells = 100;
 
   const Mesh& m_mesh;
+  const std::size_t m_max_number_of_cells;
   std::vector<Cell_handle> m_cells;
   std::vector<Face> m_faces;
   std::vector<Vertex_handle> m_neighbors;

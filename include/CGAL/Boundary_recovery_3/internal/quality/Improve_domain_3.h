@@ -19,10 +19,12 @@
 #include <CGAL/Boundary_recovery_3/internal/quality/Badness_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Center_vertex_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Contract_bad_edge_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Deepen_vertex_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Flip_bad_cell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Improved_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Insert_into_bad_cell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Insert_near_bad_cell_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Lift_layer_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Reconnect_bad_cell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Smooth_vertex_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Vain_attempts_3.h>
@@ -43,7 +45,8 @@ namespace internal {
  * first, but at first, when there are many, that is so in blocks of cells that are near each other, which is faster.
  *
  * No operation leaves a cell that is worse than the worst one of those that it changes, and each makes the sum of the
- * badness of the cells smaller. So the work ends, and the worst cell of the mesh does not get worse.
+ * badness of the cells smaller, or the worst one better by far, where that is nearly flat. So the work ends, and the
+ * worst cell of the mesh does not get worse.
  *
  * Then, only those cells count that are really bad, others may get worse for them, and all operations are tried. For
  * what that leaves, beside the thin triangles of a surface, a few cells may become very bad so that many are not; and a
@@ -60,9 +63,10 @@ public:
 
   Improve_domain_3(Tr& tr, Domain& domain, const Quality& quality, Recovery_context<Visitor>& context)
     : m_quality(quality), m_context(context), m_mesh(tr, domain, quality, context.visitor()), m_bad_cells(m_mesh),
-      m_vain_contractions(m_bad_cells), m_vain_smoothings(m_bad_cells), m_flip(m_mesh), m_contract(m_mesh),
-      m_smooth(m_mesh, quality), m_insert(m_mesh, quality), m_insert_near(m_mesh, quality), m_reconnect(m_mesh),
-      m_center(m_mesh)
+      m_vain_contractions(m_bad_cells), m_vain_smoothings(m_bad_cells), m_vain_deepenings(m_bad_cells),
+      m_vain_lifts(m_bad_cells), m_flip(m_mesh), m_contract(m_mesh), m_smooth(m_mesh, quality),
+      m_deepen(m_mesh, quality), m_lift(m_mesh), m_insert(m_mesh, quality), m_insert_near(m_mesh, quality),
+      m_reconnect(m_mesh), m_center(m_mesh)
   { }
 
   // The dihedral angle, in degrees, that no cell is to be below. To be set before cells are added.
@@ -118,6 +122,7 @@ private:
 
   // See "Tuning constants" in the manual.
   static constexpr double really_bad_angle = 12;
+  static constexpr double flat_angle = 0.5;
   static constexpr double nearly_as_bad_angle = 16;
   static constexpr std::size_t cells_per_nearly_bad_cell = 1000; // so many are worked on above that angle
   static constexpr std::size_t cells_per_block = 4096;
@@ -139,6 +144,8 @@ private:
     m_mesh.set_measure_of_badness(badness);
     m_vain_contractions.clear();
     m_vain_smoothings.clear();
+    m_vain_deepenings.clear();
+    m_vain_lifts.clear();
   }
 
   void improve(const int max_number, const bool tries_all)
@@ -160,7 +167,7 @@ private:
       last_badness = m_bad_cells.badness();
       if(m_number_of_visits == 0)
         m_expected_visits = expected_number_of_visits * cells.size();
-      m_tries_all = tries_all && m_round >= first_dear_round;
+      m_tries_all = tries_all;
       ++m_counts.number_of_rounds;
       for(const Bad_cell& c : cells)
         if(m_bad_cells.contains(c.cell) && m_context.go_further_after_short_step())
@@ -249,8 +256,9 @@ private:
   // Flips would fail again where nothing has changed. Returns whether the cell was changed.
   bool improve(const Cell_handle c, const bool may_flip)
   {
-    return (may_flip && flip(c)) || contract(c) || (m_round > 1 && smooth(c))
-        || (m_round >= first_dear_round && insert(c)) || (m_tries_all && (reconnect(c) || insert_near(c)));
+    return (may_flip && flip(c)) || contract(c)
+        || (m_round > 1 && (smooth(c) || (m_tries_all && deepen(c))))
+        || (m_round >= first_dear_round && (insert(c) || (m_tries_all && (reconnect(c) || insert_near(c)))));
   }
 
   // Flips what comes from a cell, until that does not help any more.
@@ -302,23 +310,33 @@ private:
     return true;
   }
 
-  // Moves the vertices of the cell, until it is good enough.
-  bool smooth(const Cell_handle c)
+  bool smooth(const Cell_handle c) { return move_vertices(c, m_mesh.enough(), m_smooth, m_vain_smoothings); }
+
+  // Moves the vertices of a nearly flat cell to where they see all around them best.
+  bool deepen(const Cell_handle c)
+  {
+    return move_vertices(c, m_quality.of_angle(flat_angle), m_deepen, m_vain_deepenings)
+        || move_vertices(c, Lift_layer_3<Mesh>::flat * m_mesh.enough(), m_lift, m_vain_lifts);
+  }
+
+  // Moves the vertices of the cell, until its quality is `enough`.
+  template <typename Move>
+  bool move_vertices(const Cell_handle c, const double enough, Move& move, Vain_attempts_3<Mesh>& vain_attempts)
   {
     bool is_changed = false;
-    for(int i = 0; i < 4 && m_mesh.quality(c) < m_mesh.enough(); ++i)
+    for(int i = 0; i < 4 && m_mesh.quality(c) < enough; ++i)
     {
       const Vertex_handle v = c->vertex(i);
-      if(m_vain_smoothings.contains(v))
+      if(vain_attempts.contains(v))
         continue;
-      if(m_smooth(v))
+      if(move(v))
       {
         is_changed = true;
         ++m_counts.number_of_moved_vertices;
-        m_bad_cells.push_changed(m_smooth.cells());
+        m_bad_cells.push_changed(move.cells());
       }
       else
-        m_vain_smoothings.add(v);
+        vain_attempts.add(v);
     }
     return is_changed;
   }
@@ -387,10 +405,12 @@ private:
   Recovery_context<Visitor>& m_context;
   Mesh m_mesh;
   Bad_cells_3<Mesh> m_bad_cells;
-  Vain_attempts_3<Mesh> m_vain_contractions, m_vain_smoothings;
+  Vain_attempts_3<Mesh> m_vain_contractions, m_vain_smoothings, m_vain_deepenings, m_vain_lifts;
   Flip_bad_cell_3<Mesh> m_flip;
   Contract_bad_edge_3<Mesh> m_contract;
   Smooth_vertex_3<Mesh> m_smooth;
+  Deepen_vertex_3<Mesh> m_deepen;
+  Lift_layer_3<Mesh> m_lift;
   Insert_into_bad_cell_3<Mesh> m_insert;
   Insert_near_bad_cell_3<Mesh> m_insert_near;
   Reconnect_bad_cell_3<Mesh> m_reconnect;
@@ -400,7 +420,7 @@ private:
   double m_target = 0;
   double m_worst = std::numeric_limits<double>::infinity(); // of the qualities of all cells at first
   int m_round = 0;
-  bool m_tries_all = false; // operations
+  bool m_tries_all = false; // operations, in the last stages
   bool m_visits_only_changed = false; // cells, also in the first rounds
   bool m_is_strict = false;
   std::size_t m_number_of_visits = 0;

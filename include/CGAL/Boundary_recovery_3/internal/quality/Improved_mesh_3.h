@@ -183,6 +183,32 @@ public:
     return true;
   }
 
+  // Moves several vertices, if all of these cells, the ones that have any of them, are oriented positively then.
+  template <typename VertexRange, typename PlaceRange, typename CellRange>
+  bool move_together(const VertexRange& vertices, const PlaceRange& places, const CellRange& cells)
+  {
+    std::vector<typename Tr::Point> before;
+    before.reserve(vertices.size());
+    auto place = places.begin();
+    for(const Vertex_handle v : vertices)
+    {
+      before.push_back(v->point());
+      v->set_point(typename Tr::Point(Point_3((*place)[0], (*place)[1], (*place)[2])));
+      ++place;
+    }
+    const bool is_valid = std::all_of(cells.begin(), cells.end(), [&](const Cell_handle c)
+    {
+      return is_positive(c->vertex(0), c->vertex(1), c->vertex(2), c->vertex(3));
+    });
+    auto point = before.begin();
+    if(! is_valid)
+      for(const Vertex_handle v : vertices)
+        v->set_point(*point++);
+    for(const Cell_handle c : cells)
+      internal::forget_shape(*c);
+    return is_valid;
+  }
+
   // Exchanges cells of a region for the star of a new vertex at p, which has this size, and edges that may have the
   // length `least`. The `vertices` of the faces, seen from inside, are those of the outer facets of the cells; those
   // that are `dropped` go with the cells.

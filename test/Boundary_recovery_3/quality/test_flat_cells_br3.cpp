@@ -1,0 +1,273 @@
+// Vertices that are nearly in the plane of a face of their star, on random constrained meshes, and with very many
+// cells. Where kernels are thin, smoothing leaves them there. And a layer of vertices at the smallest distance from a
+// wall, of which none can move alone. Judged by exact predicates.
+
+#undef NDEBUG // the checks are assertions, also in a Release build
+
+#include "improvement_judge_br3.h"
+
+#include <CGAL/Boundary_recovery_3/Cell_quality_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Deepen_vertex_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Free_star_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Lift_layer_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Smooth_vertex_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Random.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <iostream>
+#include <utility>
+#include <vector>
+
+namespace BR3 = CGAL::Boundary_recovery_3;
+namespace internal = BR3::internal;
+using br3_test::Improvement_options;
+typedef CGAL::Exact_predicates_inexact_constructions_kernel                Kernel;
+typedef br3_test::Improvement_scene<Kernel>                                Scene;
+typedef Scene::Tr                                                          Tr;
+typedef Scene::Vertex_handle                                               Vertex_handle;
+typedef Scene::Cell_handle                                                 Cell_handle;
+typedef br3_test::Improvement_trial<Scene, BR3::Dihedral_angle_quality_3>  Trial;
+typedef Trial::Mesh                                                        Mesh;
+typedef internal::Free_star_3<Mesh>                                        Star;
+typedef internal::Coordinates_3                                            Place;
+
+const std::size_t any_number = 100000;
+
+struct Improvement
+  : public Trial
+{
+  explicit Improvement(const unsigned seed, const Improvement_options& options)
+    : Trial(seed, options, BR3::Dihedral_angle_quality_3(), BR3::Dihedral_angle_quality_3().of_angle(12))
+  { }
+};
+
+Place between(const Place& p, const Place& q, const double t)
+{
+  return {{ p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1]), p[2] + t * (q[2] - p[2]) }};
+}
+
+double worst_quality(const Improvement& t, const Star& star, const Place& p)
+{
+  double worst = 2;
+  for(const auto& f : star.faces())
+    worst = (std::min)(worst, t.mesh.quality(f, p));
+  return worst;
+}
+
+// Moves a vertex towards the center of a face of its star as far as possible, but for a small part of the way.
+void squeeze(Improvement& t, const Vertex_handle v, const Star& star, const std::size_t face)
+{
+  Place center = {{ 0, 0, 0 }};
+  for(const Vertex_handle u : star.faces()[face])
+    for(int j = 0; j < 3; ++j)
+      center[j] += Mesh::coordinates(u)[j] / 3;
+  const Place start = Mesh::coordinates(v);
+  double inside = 0, outside = 1;
+  for(int i = 0; i < 40; ++i)
+  {
+    const double s = (inside + outside) / 2;
+    (t.mesh.move(v, between(start, center, s), star.cells(), star.faces()) ? inside : outside) = s;
+  }
+  const bool is_moved = t.mesh.move(v, between(start, center, inside * (1 - 1e-8)), star.cells(), star.faces());
+  assert(is_moved);
+}
+
+void assert_positive(const Improvement& t, const Star& star)
+{
+  for(const Cell_handle c : star.cells())
+    assert(t.mesh.is_positive(c->vertex(0), c->vertex(1), c->vertex(2), c->vertex(3)));
+}
+
+// By a power of two, so that no orientation changes.
+void flatten(Tr& tr)
+{
+  for(const Vertex_handle v : tr.finite_vertex_handles())
+    v->set_point(Tr::Point(v->point().x(), v->point().y(), std::ldexp(v->point().z(), -14)));
+}
+
+struct Numbers
+{
+  int squeezed = 0, smoothed = 0, deepened = 0, constrained = 0;
+};
+
+// How often the worst cell is nearly as good again as it was at first.
+void test_vertex(Improvement& t, const Vertex_handle v, Star& star, Numbers& numbers)
+{
+  internal::Deepen_vertex_3<Mesh> deepen(t.mesh, t.quality);
+  internal::Smooth_vertex_3<Mesh> smooth(t.mesh, t.quality);
+  const Place start = Mesh::coordinates(v);
+  if(! star.collect(v))
+  {
+    ++numbers.constrained;
+    assert(! deepen(v) && Mesh::coordinates(v) == start);
+    return;
+  }
+  const double enough = 0.1 * worst_quality(t, star, start);
+  squeeze(t, v, star, numbers.squeezed % star.faces().size());
+  const Place squeezed = Mesh::coordinates(v);
+  const double worst = worst_quality(t, star, squeezed);
+  if(worst < 1e-3 * enough)
+  {
+    ++numbers.squeezed;
+    numbers.smoothed += smooth(v) && worst_quality(t, star, Mesh::coordinates(v)) > enough;
+    v->set_point(Tr::Point(squeezed[0], squeezed[1], squeezed[2]));
+    const bool is_deepened = deepen(v);
+    const double worst_now = worst_quality(t, star, Mesh::coordinates(v));
+    assert(is_deepened && worst_now > 2 * worst);
+    numbers.deepened += worst_now > enough;
+    assert_positive(t, star);
+    const Place place = Mesh::coordinates(v);
+    assert(deepen(v) ? worst_quality(t, star, Mesh::coordinates(v)) > 2 * worst_now : Mesh::coordinates(v) == place);
+  }
+  v->set_point(Tr::Point(start[0], start[1], start[2]));
+}
+
+void test_random_meshes(const bool is_flat)
+{
+  Numbers numbers;
+  for(unsigned seed = 0; seed < 8; ++seed)
+  {
+    Improvement_options options;
+    options.number_of_points = 80;
+    options.has_walls = seed % 2 == 0;
+    options.is_grid = seed == 7;
+    Improvement t(seed, options);
+    if(is_flat)
+      flatten(t.scene.tr);
+    Star star(t.mesh, any_number);
+    for(const Vertex_handle v : t.scene.tr.finite_vertex_handles())
+      test_vertex(t, v, star, numbers);
+  }
+  std::cout << numbers.squeezed << " squeezed, " << numbers.smoothed << " smoothed, " << numbers.deepened
+            << " deepened; " << numbers.constrained << " constrained" << std::endl;
+  assert(numbers.squeezed > 50 && numbers.constrained > 50);
+  assert(numbers.deepened > 0.9 * numbers.squeezed);
+  assert(! is_flat || numbers.smoothed < 0.1 * numbers.squeezed);
+}
+
+// The hull of what was inserted is the domain.
+void select_all(Scene& scene)
+{
+  for(const Cell_handle c : scene.tr.finite_cell_handles())
+  {
+    c->set_subdomain_index(1);
+    scene.selection[c] = true;
+  }
+}
+
+// Between two poles and the vertices of a polygon, near one of the faces.
+void test_many_cells()
+{
+  Improvement_options options;
+  options.has_walls = false;
+  Improvement t(1, options);
+  Tr& tr = t.scene.tr;
+  tr.clear();
+  const int number_of_corners = 200;
+  const Vertex_handle v = tr.insert(Scene::Point(0, 0, 0));
+  for(const int z : { -1, 1 })
+    tr.insert(Scene::Point(0, 0, z));
+  for(int i = 0; i < number_of_corners; ++i)
+  {
+    const double angle = 2 * CGAL_PI * i / number_of_corners;
+    tr.insert(Scene::Point(std::cos(angle), std::sin(angle), 0));
+  }
+  select_all(t.scene);
+  Star star(t.mesh, any_number);
+  bool is_done = star.collect(v);
+  assert(is_done && star.cells().size() == 2 * number_of_corners);
+  squeeze(t, v, star, 0);
+  is_done = internal::Smooth_vertex_3<Mesh>(t.mesh, t.quality)(v);
+  assert(! is_done);
+  is_done = internal::Deepen_vertex_3<Mesh>(t.mesh, t.quality)(v);
+  assert(is_done && worst_quality(t, star, Mesh::coordinates(v)) > 1e-3);
+  assert_positive(t, star);
+}
+
+double worst_quality(const Improvement& t)
+{
+  double worst = 2;
+  for(const Cell_handle c : t.scene.tr.finite_cell_handles())
+  {
+    assert(t.mesh.is_positive(c->vertex(0), c->vertex(1), c->vertex(2), c->vertex(3)));
+    worst = (std::min)(worst, t.mesh.quality(c));
+  }
+  return worst;
+}
+
+// Vertices above a square, in a plane that is parallel to two axes or not, whose heights shrink to nearly nothing:
+// lifted together, they get about as high as they were. Returns whether one of them can become deep by itself.
+bool test_layer(const unsigned seed, const bool is_oblique)
+{
+  Improvement_options options;
+  options.has_walls = false;
+  Improvement t(1, options);
+  Tr& tr = t.scene.tr;
+  tr.clear();
+  // dyadic, so that the points of the square are exactly in a plane, and heights shrink exactly
+  const auto point = [&](const double x, const double y, const double h)
+  {
+    return is_oblique ? Scene::Point(x, y, x + h) : Scene::Point(x, y, 1 + h);
+  };
+  for(const int x : { 0, 1 })
+    for(const int y : { 0, 1 })
+      tr.insert(point(x, y, 0));
+  tr.insert(point(0.5, 0.5, 4));
+  CGAL::Random random(seed);
+  std::vector<std::pair<Vertex_handle, double>> heights;
+  const auto dyadic = [&]() { return random.get_int(3, 14) / 16.; };
+  for(int i = 0; i < 8; ++i)
+  {
+    const double x = dyadic(), y = dyadic(), h = dyadic();
+    const std::size_t number = tr.number_of_vertices();
+    const Vertex_handle v = tr.insert(point(x, y, h));
+    if(tr.number_of_vertices() > number)
+      heights.emplace_back(v, h);
+  }
+  select_all(t.scene);
+  const double worst_at_first = worst_quality(t);
+  for(const auto& vh : heights)
+  {
+    const double x = vh.first->point().x(), y = vh.first->point().y();
+    vh.first->set_point(point(x, y, std::ldexp(vh.second, -46)));
+  }
+  const double worst = worst_quality(t);
+  assert(worst < 1e-10 && worst_at_first > 0);
+
+  internal::Deepen_vertex_3<Mesh> deepen(t.mesh, t.quality);
+  internal::Lift_layer_3<Mesh> lift(t.mesh);
+  bool is_one_deep = false;
+  for(const auto& vh : heights)
+  {
+    const auto before = vh.first->point();
+    is_one_deep = is_one_deep || (deepen(vh.first) && worst_quality(t) > 1e-10);
+    vh.first->set_point(before);
+  }
+  const bool is_lifted = lift(heights.front().first);
+  assert(is_lifted && worst_quality(t) > 0.2 * worst_at_first);
+  const bool is_lifted_again = lift(heights.front().first);
+  assert(! is_lifted_again);
+  return is_one_deep;
+}
+
+void test_layers()
+{
+  for(unsigned seed = 0; seed < 10; ++seed)
+    for(const bool is_oblique : { false, true })
+    {
+      const bool is_one_deep = test_layer(seed, is_oblique);
+      assert(! is_one_deep);
+    }
+}
+
+int main()
+{
+  test_layers();
+  test_random_meshes(false);
+  test_random_meshes(true);
+  test_many_cells();
+}
