@@ -1,6 +1,6 @@
 // Vertices that are nearly in the plane of a face of their star, on random constrained meshes, and with very many
-// cells. Where kernels are thin, smoothing leaves them there. And a layer of vertices at the smallest distance from a
-// wall, of which none can move alone. Judged by exact predicates.
+// cells. Where kernels are thin, smoothing leaves them there. A layer of vertices at the smallest distance from a wall,
+// of which none can move alone. And a cell between two walls that nearly are in a plane. Judged by exact predicates.
 
 #undef NDEBUG // the checks are assertions, also in a Release build
 
@@ -9,12 +9,14 @@
 #include <CGAL/Boundary_recovery_3/Cell_quality_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Deepen_vertex_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Free_star_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Insert_into_shell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Lift_layer_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Smooth_vertex_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Random.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
@@ -264,8 +266,45 @@ void test_layers()
     }
 }
 
+// The corners of a rectangle, one of them higher by nearly nothing: a cell between the two walls, and others above.
+void test_flat_cell_between_walls(const unsigned seed)
+{
+  Improvement_options options;
+  options.has_walls = false;
+  Improvement t(1, options);
+  Tr& tr = t.scene.tr;
+  tr.clear();
+  CGAL::Random random(seed);
+  const double length = random.get_int(4, 13) / 8.;
+  const std::array<Vertex_handle, 4> corners = {{
+    tr.insert(Scene::Point(0, 0, 0)), tr.insert(Scene::Point(length, 0, 0)),
+    tr.insert(Scene::Point(length, 1, 0)), tr.insert(Scene::Point(0, 1, std::ldexp(1., -46))) }};
+  tr.insert(Scene::Point(length / 2, 0.5, 4));
+  for(int i = 0; i < 5; ++i)
+    tr.insert(Scene::Point(length * random.get_double(0.4, 0.6), random.get_double(0.4, 0.6),
+                           random.get_double(1.5, 2.5)));
+  select_all(t.scene);
+  Cell_handle flat;
+  const bool is_cell = tr.is_cell(corners[0], corners[1], corners[2], corners[3], flat);
+  assert(is_cell && t.mesh.quality(flat) < 1e-12 && worst_quality(t) < 1e-12);
+  const std::size_t number = tr.number_of_vertices();
+
+  internal::Insert_into_shell_3<Mesh> insert_into_shell(t.mesh, t.quality);
+  const bool is_found = insert_into_shell.find(flat);
+  assert(is_found);
+  insert_into_shell.apply();
+  assert(tr.number_of_vertices() + insert_into_shell.number_of_removed_vertices() == number + 1);
+  assert(tr.tds().is_valid() && worst_quality(t) > 1e-3);
+  Cell_handle c;
+  int i, j, k;
+  assert(tr.is_facet(corners[0], corners[1], corners[2], c, i, j, k));
+  assert(tr.is_facet(corners[0], corners[2], corners[3], c, i, j, k));
+}
+
 int main()
 {
+  for(unsigned seed = 0; seed < 10; ++seed)
+    test_flat_cell_between_walls(seed);
   test_layers();
   test_random_meshes(false);
   test_random_meshes(true);

@@ -23,6 +23,7 @@
 #include <CGAL/Boundary_recovery_3/internal/quality/Flip_bad_cell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Improved_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Insert_into_bad_cell_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Insert_into_shell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Insert_near_bad_cell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Lift_layer_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Reconnect_bad_cell_3.h>
@@ -65,8 +66,8 @@ public:
     : m_quality(quality), m_context(context), m_mesh(tr, domain, quality, context.visitor()), m_bad_cells(m_mesh),
       m_vain_contractions(m_bad_cells), m_vain_smoothings(m_bad_cells), m_vain_deepenings(m_bad_cells),
       m_vain_lifts(m_bad_cells), m_flip(m_mesh), m_contract(m_mesh), m_smooth(m_mesh, quality),
-      m_deepen(m_mesh, quality), m_lift(m_mesh), m_insert(m_mesh, quality), m_insert_near(m_mesh, quality),
-      m_reconnect(m_mesh), m_center(m_mesh)
+      m_deepen(m_mesh, quality), m_lift(m_mesh), m_insert(m_mesh, quality), m_insert_into_shell(m_mesh, quality),
+      m_insert_near(m_mesh, quality), m_reconnect(m_mesh), m_center(m_mesh)
   { }
 
   // The dihedral angle, in degrees, that no cell is to be below. To be set before cells are added.
@@ -258,7 +259,8 @@ private:
   {
     return (may_flip && flip(c)) || contract(c)
         || (m_round > 1 && (smooth(c) || (m_tries_all && deepen(c))))
-        || (m_round >= first_dear_round && (insert(c) || (m_tries_all && (reconnect(c) || insert_near(c)))));
+        || (m_round >= first_dear_round && (insert(c) || (m_tries_all && (insert_into_shell(c) || reconnect(c)
+                                                                          || insert_near(c)))));
   }
 
   // Flips what comes from a cell, until that does not help any more.
@@ -364,6 +366,16 @@ private:
     return true;
   }
 
+  // If the cell is nearly flat.
+  bool insert_into_shell(const Cell_handle c)
+  {
+    if(! (m_mesh.quality(c) < Insert_into_shell_3<Mesh>::flat * m_mesh.enough()) || ! m_insert_into_shell.find(c))
+      return false;
+    m_insert_into_shell.apply();
+    note_insertion(m_insert_into_shell);
+    return true;
+  }
+
   bool insert_near(const Cell_handle c, const double tolerated_loss = 0)
   {
     if(! m_insert_near.find(c, tolerated_loss))
@@ -412,6 +424,7 @@ private:
   Deepen_vertex_3<Mesh> m_deepen;
   Lift_layer_3<Mesh> m_lift;
   Insert_into_bad_cell_3<Mesh> m_insert;
+  Insert_into_shell_3<Mesh> m_insert_into_shell;
   Insert_near_bad_cell_3<Mesh> m_insert_near;
   Reconnect_bad_cell_3<Mesh> m_reconnect;
   Center_vertex_3<Mesh> m_center;

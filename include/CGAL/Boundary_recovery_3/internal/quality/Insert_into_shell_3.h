@@ -1,0 +1,142 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_INSERT_INTO_SHELL_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_INSERT_INTO_SHELL_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/internal/filling/Cell_shape_3.h>
+#include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
+#include <CGAL/Boundary_recovery_3/internal/geometry/Visibility_kernel_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Cell_angles_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Edge_walk_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Star_cavity_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * Exchanges the shell of an edge of a nearly flat cell for the star of a new vertex, at the deepest point of its
+ * visibility kernel.
+ *
+ * That is the way out where the cell fills the angle of nearly 180 degrees between two walls: it stays as long as the
+ * edge opposite to theirs does, and all points of the cell are in the plane of the walls, so no cavity grows from them.
+ */
+template <typename Mesh>
+class Insert_into_shell_3
+{
+public:
+  typedef typename Mesh::Cell_handle Cell_handle;
+  typedef typename Mesh::Cells       Cells;
+
+  Insert_into_shell_3(Mesh& mesh, const typename Mesh::Quality& quality)
+    : m_mesh(mesh), m_predicates(mesh.triangulation()), m_cavity(mesh, quality)
+  { }
+
+  // The quality of a nearly flat cell, as a part of what is enough.
+  static constexpr double flat = 2e-3;
+
+  // Searches the shell, among those of the edges with obtuse angles, and the point. Returns whether the worst cell
+  // would be better by far; together, the cells may be worse than before.
+  bool find(const Cell_handle c)
+  {
+    const Cell_corners_3 corners = internal::corners(c);
+    const Cell_angles_3 angles(corners);
+    for(int k = 0; k < 6; ++k)
+      if(angles[k] > least_angle && collect_shell(c, k) && find_point(middle_of_edge(corners, k)))
+        return true;
+    return false;
+  }
+
+  // To be called once `find` returned true.
+  void apply() { m_new_cells = &m_cavity.exchange(); }
+
+  const Cells& new_cells() const { return *m_new_cells; }
+
+  // Free vertices around which all cells are new.
+  std::size_t number_of_removed_vertices() const { return m_cavity.number_of_vertices_inside(); }
+
+private:
+  typedef typename Mesh::Triangulation                        Tr;
+  typedef std::array<typename Mesh::Vertex_handle, 3>         Vertex_triple;
+  typedef typename Vertex_predicates_3<Tr>::Approximate_point Approximate_point;
+
+  // See "Tuning constants" in the manual.
+  static constexpr double least_angle = 120;
+  static constexpr std::size_t max_number_of_cells = 100;
+  static constexpr double least_progress = 2;
+  static constexpr double tolerated_loss = 2;
+
+  // Of the edge k of a cell. Returns false if it is in a wall, or the shell is too large.
+  bool collect_shell(const Cell_handle c, const int k)
+  {
+    m_shell.clear();
+    Edge_walk_3<Tr> walk(c, edges_of_cell[5 - k][0], edges_of_cell[5 - k][1]);
+    do
+    {
+      if(m_mesh.domain().is_wall(walk.cell(), walk.next_facet()) || m_shell.size() == max_number_of_cells)
+        return false;
+      m_shell.push_back(walk.cell());
+      ++walk;
+    }
+    while(walk.cell() != c);
+    return true;
+  }
+
+  static Coordinates_3 middle_of_edge(const Cell_corners_3& p, const int k)
+  {
+    const Coordinates_3& u = p[edges_of_cell[k][0]];
+    const Coordinates_3& v = p[edges_of_cell[k][1]];
+    return {{ (u[0] + v[0]) / 2, (u[1] + v[1]) / 2, (u[2] + v[2]) / 2 }};
+  }
+
+  // From a point of the shell on.
+  bool find_point(const Coordinates_3& p)
+  {
+    start(p);
+    std::vector<Vertex_triple> faces;
+    for(const auto& f : m_cavity.faces())
+      faces.push_back(f.vertices);
+    const Visibility_kernel_3<Tr> kernel(m_predicates, faces, Approximate_point(p[0], p[1], p[2]));
+    const auto deepest = kernel.deepest_point([](const Approximate_point&) { return true; });
+    if(! deepest)
+      return false;
+    start({{ deepest->x(), deepest->y(), deepest->z() }});
+    return m_cavity.has_only_free_vertices_inside()
+        && m_cavity.move_point() > least_progress * (std::max)(0., m_cavity.worst_quality())
+        && m_cavity.gain() > - tolerated_loss && m_cavity.is_in_size() && m_cavity.is_star();
+  }
+
+  // The cavity of the shell, and the place of the vertex.
+  void start(const Coordinates_3& p)
+  {
+    m_cavity.start(m_shell.front(), p);
+    for(std::size_t k = 1; k < m_shell.size(); ++k)
+      m_cavity.take_in(m_shell[k]);
+  }
+
+  Mesh& m_mesh;
+  Vertex_predicates_3<Tr> m_predicates;
+  Star_cavity_3<Mesh> m_cavity;
+  std::vector<Cell_handle> m_shell;
+  const Cells* m_new_cells = nullptr;
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_INSERT_INTO_SHELL_3_H
