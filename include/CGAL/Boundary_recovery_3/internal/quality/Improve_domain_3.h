@@ -314,11 +314,12 @@ private:
 
   bool smooth(const Cell_handle c) { return move_vertices(c, m_mesh.enough(), m_smooth, m_vain_smoothings); }
 
-  // Moves the vertices of a nearly flat cell to where they see all around them best.
+  // Moves the vertices of a nearly flat cell to where they see all around them best, whatever that does to the others.
   bool deepen(const Cell_handle c)
   {
-    return move_vertices(c, m_quality.of_angle(flat_angle), m_deepen, m_vain_deepenings)
-        || move_vertices(c, Lift_layer_3<Mesh>::flat * m_mesh.enough(), m_lift, m_vain_lifts);
+    return ! m_is_strict
+        && (move_vertices(c, m_quality.of_angle(flat_angle), m_deepen, m_vain_deepenings) ||
+            move_vertices(c, Lift_layer_3<Mesh>::flat * m_mesh.enough(), m_lift, m_vain_lifts));
   }
 
   // Moves the vertices of the cell, until its quality is `enough`.
@@ -366,10 +367,11 @@ private:
     return true;
   }
 
-  // If the cell is nearly flat.
+  // If the cell is nearly flat, at a loss.
   bool insert_into_shell(const Cell_handle c)
   {
-    if(! (m_mesh.quality(c) < Insert_into_shell_3<Mesh>::flat * m_mesh.enough()) || ! m_insert_into_shell.find(c))
+    const bool is_flat = m_mesh.quality(c) < Insert_into_shell_3<Mesh>::flat * m_mesh.enough();
+    if(m_is_strict || ! is_flat || ! m_insert_into_shell.find(c))
       return false;
     m_insert_into_shell.apply();
     note_insertion(m_insert_into_shell);
