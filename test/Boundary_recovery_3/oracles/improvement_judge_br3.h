@@ -139,6 +139,33 @@ struct Improvement_scene
     return ! tr.is_infinite(c) && c->subdomain_index() != 0 && is_selected(c);
   }
 
+  // The domain is the hull of what was inserted.
+  void select_all()
+  {
+    selection.clear();
+    for(const Cell_handle c : tr.finite_cell_handles())
+    {
+      c->set_subdomain_index(1);
+      selection[c] = true;
+    }
+  }
+
+  // Nothing but a vertex of 2 n cells: between two poles and the n corners of a polygon.
+  Vertex_handle make_vertex_inside_of_polygon(const int n)
+  {
+    tr.clear();
+    const Vertex_handle v = tr.insert(Point(0, 0, 0));
+    for(const int z : { -1, 1 })
+      tr.insert(Point(0, 0, z));
+    for(int i = 0; i < n; ++i)
+    {
+      const double angle = 2 * CGAL_PI * i / n;
+      tr.insert(Point(std::cos(angle), std::sin(angle), 0));
+    }
+    select_all();
+    return v;
+  }
+
   std::vector<Cell_handle> cells() const
   {
     return std::vector<Cell_handle>(tr.finite_cell_handles().begin(), tr.finite_cell_handles().end());

@@ -7,11 +7,13 @@
 #include "improvement_judge_br3.h"
 
 #include <CGAL/Boundary_recovery_3/Cell_quality_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/distances_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Deepen_vertex_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Free_star_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Insert_into_shell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Lift_layer_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Smooth_vertex_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/deepest_point.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Random.h>
 
@@ -47,11 +49,6 @@ struct Improvement
   { }
 };
 
-Place between(const Place& p, const Place& q, const double t)
-{
-  return {{ p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1]), p[2] + t * (q[2] - p[2]) }};
-}
-
 double worst_quality(const Improvement& t, const Star& star, const Place& p)
 {
   double worst = 2;
@@ -72,9 +69,10 @@ void squeeze(Improvement& t, const Vertex_handle v, const Star& star, const std:
   for(int i = 0; i < 40; ++i)
   {
     const double s = (inside + outside) / 2;
-    (t.mesh.move(v, between(start, center, s), star.cells(), star.faces()) ? inside : outside) = s;
+    (t.mesh.move(v, internal::point_between(start, center, s), star.cells(), star.faces()) ? inside : outside) = s;
   }
-  const bool is_moved = t.mesh.move(v, between(start, center, inside * (1 - 1e-8)), star.cells(), star.faces());
+  const Place place = internal::point_between(start, center, inside * (1 - 1e-8));
+  const bool is_moved = t.mesh.move(v, place, star.cells(), star.faces());
   assert(is_moved);
 }
 
@@ -151,38 +149,20 @@ void test_random_meshes(const bool is_flat)
   assert(! is_flat || numbers.smoothed < 0.1 * numbers.squeezed);
 }
 
-// The hull of what was inserted is the domain.
-void select_all(Scene& scene)
-{
-  for(const Cell_handle c : scene.tr.finite_cell_handles())
-  {
-    c->set_subdomain_index(1);
-    scene.selection[c] = true;
-  }
-}
-
 // Between two poles and the vertices of a polygon, near one of the faces.
 void test_many_cells()
 {
   Improvement_options options;
   options.has_walls = false;
   Improvement t(1, options);
-  Tr& tr = t.scene.tr;
-  tr.clear();
   const int number_of_corners = 200;
-  const Vertex_handle v = tr.insert(Scene::Point(0, 0, 0));
-  for(const int z : { -1, 1 })
-    tr.insert(Scene::Point(0, 0, z));
-  for(int i = 0; i < number_of_corners; ++i)
-  {
-    const double angle = 2 * CGAL_PI * i / number_of_corners;
-    tr.insert(Scene::Point(std::cos(angle), std::sin(angle), 0));
-  }
-  select_all(t.scene);
+  const Vertex_handle v = t.scene.make_vertex_inside_of_polygon(number_of_corners);
   Star star(t.mesh, any_number);
   bool is_done = star.collect(v);
   assert(is_done && star.cells().size() == 2 * number_of_corners);
   squeeze(t, v, star, 0);
+  const auto deepest = internal::deepest_point(t.scene.tr, star.faces(), Mesh::coordinates(v));
+  assert(deepest && worst_quality(t, star, *deepest) > 1e-3);
   is_done = internal::Smooth_vertex_3<Mesh>(t.mesh, t.quality)(v);
   assert(! is_done);
   is_done = internal::Deepen_vertex_3<Mesh>(t.mesh, t.quality)(v);
@@ -230,7 +210,7 @@ bool test_layer(const unsigned seed, const bool is_oblique)
     if(tr.number_of_vertices() > number)
       heights.emplace_back(v, h);
   }
-  select_all(t.scene);
+  t.scene.select_all();
   const double worst_at_first = worst_quality(t);
   for(const auto& vh : heights)
   {
@@ -283,7 +263,7 @@ void test_flat_cell_between_walls(const unsigned seed)
   for(int i = 0; i < 5; ++i)
     tr.insert(Scene::Point(length * random.get_double(0.4, 0.6), random.get_double(0.4, 0.6),
                            random.get_double(1.5, 2.5)));
-  select_all(t.scene);
+  t.scene.select_all();
   Cell_handle flat;
   const bool is_cell = tr.is_cell(corners[0], corners[1], corners[2], corners[3], flat);
   assert(is_cell && t.mesh.quality(flat) < 1e-12 && worst_quality(t) < 1e-12);

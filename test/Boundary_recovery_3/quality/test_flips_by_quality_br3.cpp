@@ -123,16 +123,6 @@ std::array<int, 4> test_all_steps(const unsigned seed)
 
 // ------------------------------------------------ the removal of an edge, by brute force
 
-void select_all(Improvement& t)
-{
-  t.scene.selection.clear();
-  for(const Cell_handle c : t.scene.tr.finite_cell_handles())
-  {
-    c->set_subdomain_index(1);
-    t.scene.selection[c] = true;
-  }
-}
-
 // An edge on the axis, and n points around it, at different distances and heights, if wished so.
 void insert_ring(Improvement& t, const int n, const bool is_random = false)
 {
@@ -153,7 +143,7 @@ void insert_ring(Improvement& t, const int n, const bool is_random = false)
     tr.insert(Tr::Point(x, y, z));
   }
   t.scene.edges.clear();
-  select_all(t);
+  t.scene.select_all();
   assert(is_random || tr.number_of_finite_cells() == static_cast<std::size_t>(n));
 }
 
@@ -482,7 +472,7 @@ void insert_on_sphere(Improvement& t, const int n, const bool has_inner_vertex =
     const double z = t.scene.random_int(2000) - 1000, r = std::sqrt(x * x + y * y + z * z);
     tr.insert(Tr::Point(std::floor(4096 * x / r), std::floor(4096 * y / r), std::floor(4096 * z / r)));
   }
-  select_all(t);
+  t.scene.select_all();
 }
 
 // A vertex inside of the polyhedron would be lost.

@@ -449,21 +449,8 @@ bool is_free_inside_of_polygon(const int number_of_corners)
   Improvement_options options;
   options.has_walls = false;
   Improvement t(1, options, 30);
-  Tr& tr = t.scene.tr;
-  tr.clear();
-  const Vertex_handle v = tr.insert(Scene::Point(0, 0, 0));
-  for(const int z : { -1, 1 })
-    tr.insert(Scene::Point(0, 0, z));
-  for(int i = 0; i < number_of_corners; ++i)
-  {
-    const double angle = 2 * CGAL_PI * i / number_of_corners;
-    tr.insert(Scene::Point(std::cos(angle), std::sin(angle), 0));
-  }
-  for(const Cell_handle c : tr.finite_cell_handles())
-  {
-    c->set_subdomain_index(1);
-    t.scene.selection[c] = true;
-  }
+  const Vertex_handle v = t.scene.make_vertex_inside_of_polygon(number_of_corners);
+  const Tr& tr = t.scene.tr;
   assert(tr.degree(v) == std::size_t(number_of_corners) + 2);
   const bool is_free = internal::Free_star_3<Mesh>(t.mesh).collect(v);
   for(const Cell_handle c : tr.all_cell_handles())

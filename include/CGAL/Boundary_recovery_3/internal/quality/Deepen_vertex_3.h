@@ -12,12 +12,11 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
-#include <CGAL/Boundary_recovery_3/internal/geometry/Visibility_kernel_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Allowed_lengths_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Badness_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Best_point_in_star_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Free_star_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/deepest_point.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -39,12 +38,11 @@ template <typename Mesh>
 class Deepen_vertex_3
 {
 public:
-  typedef typename Mesh::Triangulation Tr;
   typedef typename Mesh::Vertex_handle Vertex_handle;
   typedef typename Mesh::Cell_handle   Cell_handle;
 
   Deepen_vertex_3(Mesh& mesh, const typename Mesh::Quality& quality)
-    : m_mesh(mesh), m_predicates(mesh.triangulation()), m_star(mesh, max_number_of_cells), m_best_point(quality)
+    : m_mesh(mesh), m_star(mesh, max_number_of_cells), m_best_point(quality)
   { }
 
   // Moves v. Returns whether the worst cell at v is better by far now; others may be worse than before, and edges have
@@ -53,14 +51,11 @@ public:
   {
     if(! m_star.collect(v))
       return false;
-    const Visibility_kernel_3<Tr> kernel(m_predicates, m_star.faces(), m_predicates.approximate_point(v));
-    const auto deepest = kernel.deepest_point([](const Approximate_point&) { return true; });
-    if(! deepest)
+    const Coordinates_3 before = Mesh::coordinates(v);
+    const auto deepest = internal::deepest_point(m_mesh.triangulation(), m_star.faces(), before);
+    if(! deepest || ! Mesh::is_far_better(worst_quality(*deepest), worst_quality(before)))
       return false;
-    const double worst = worst_quality(Mesh::coordinates(v));
-    Coordinates_3 p = {{ deepest->x(), deepest->y(), deepest->z() }};
-    if(! (worst_quality(p) > least_progress * (std::max)(0., worst)))
-      return false;
+    Coordinates_3 p = *deepest;
     smooth(v, p);
     return m_mesh.move(v, p, m_star.cells(), m_star.faces());
   }
@@ -69,12 +64,8 @@ public:
   const std::vector<Cell_handle>& cells() const { return m_star.cells(); }
 
 private:
-  typedef Vertex_predicates_3<Tr>                Predicates;
-  typedef typename Predicates::Approximate_point Approximate_point;
-
   // See "Tuning constants" in the manual.
   static constexpr std::size_t max_number_of_cells = 1000;
-  static constexpr double least_progress = 2;
 
   double worst_quality(const Coordinates_3& p) const
   {
@@ -95,10 +86,9 @@ private:
   }
 
   Mesh& m_mesh;
-  Predicates m_predicates;
   Free_star_3<Mesh> m_star;
   Best_point_in_star_3<typename Mesh::Quality> m_best_point;
-  Allowed_places_3<Tr> m_limits;
+  Allowed_places_3<typename Mesh::Triangulation> m_limits;
 };
 
 } // namespace internal

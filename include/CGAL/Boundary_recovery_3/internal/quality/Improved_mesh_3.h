@@ -113,6 +113,12 @@ public:
   // The quality that new cells have at least, if that is the one of the worst cell that goes.
   double least_quality(const double worst) const { return m_badness.least_quality(worst); }
 
+  // Whether this quality, instead of that of the worst cell, which is nearly flat, is worth that others get worse.
+  static bool is_far_better(const double quality, const double worst)
+  {
+    return quality > least_factor * (std::max)(0., worst);
+  }
+
   // What cells are together, maybe such that are none yet, given by vertices or corners: the quality of the worst one,
   // and the sum of badness.
   struct Account
@@ -255,6 +261,8 @@ public:
   }
 
 private:
+  static constexpr double least_factor = 2; // see "Tuning constants" in the manual
+
   static double distance(const Vertex_handle u, const Vertex_handle v)
   {
     return internal::distance(coordinates(u), coordinates(v));

@@ -13,13 +13,12 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/filling/Cell_shape_3.h>
-#include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
-#include <CGAL/Boundary_recovery_3/internal/geometry/Visibility_kernel_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/tetrahedron_edges.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Cell_angles_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Edge_walk_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Star_cavity_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/deepest_point.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -43,7 +42,7 @@ public:
   typedef typename Mesh::Cells       Cells;
 
   Insert_into_shell_3(Mesh& mesh, const typename Mesh::Quality& quality)
-    : m_mesh(mesh), m_predicates(mesh.triangulation()), m_cavity(mesh, quality)
+    : m_mesh(mesh), m_cavity(mesh, quality)
   { }
 
   // The quality of a nearly flat cell, as a part of what is enough.
@@ -53,11 +52,14 @@ public:
   // would be better by far; together, the cells may be worse than before.
   bool find(const Cell_handle c)
   {
-    const Cell_corners_3 corners = internal::corners(c);
-    const Cell_angles_3 angles(corners);
+    const Cell_corners_3 p = internal::corners(c);
+    const Cell_angles_3 angles(p);
     for(int k = 0; k < 6; ++k)
-      if(angles[k] > least_angle && collect_shell(c, k) && find_point(middle_of_edge(corners, k)))
+    {
+      const Coordinates_3 middle = internal::midpoint(p[edges_of_cell[k][0]], p[edges_of_cell[k][1]]);
+      if(angles[k] > least_angle && take_shell(c, k, middle) && find_point(middle))
         return true;
+    }
     return false;
   }
 
@@ -70,68 +72,47 @@ public:
   std::size_t number_of_removed_vertices() const { return m_cavity.number_of_vertices_inside(); }
 
 private:
-  typedef typename Mesh::Triangulation                        Tr;
-  typedef std::array<typename Mesh::Vertex_handle, 3>         Vertex_triple;
-  typedef typename Vertex_predicates_3<Tr>::Approximate_point Approximate_point;
+  typedef typename Mesh::Triangulation                Tr;
+  typedef std::array<typename Mesh::Vertex_handle, 3> Vertex_triple;
 
   // See "Tuning constants" in the manual.
   static constexpr double least_angle = 120;
   static constexpr std::size_t max_number_of_cells = 100;
-  static constexpr double least_progress = 2;
   static constexpr double tolerated_loss = 2;
 
-  // Of the edge k of a cell. Returns false if it is in a wall, or the shell is too large.
-  bool collect_shell(const Cell_handle c, const int k)
+  // That of the edge k of a cell, with the new vertex at p. Returns false if a wall is at the edge, or the shell is too
+  // large.
+  bool take_shell(const Cell_handle c, const int k, const Coordinates_3& p)
   {
-    m_shell.clear();
+    m_cavity.start(c, p);
     Edge_walk_3<Tr> walk(c, edges_of_cell[5 - k][0], edges_of_cell[5 - k][1]);
-    do
+    while(! m_mesh.domain().is_wall(walk.cell(), walk.next_facet()))
     {
-      if(m_mesh.domain().is_wall(walk.cell(), walk.next_facet()) || m_shell.size() == max_number_of_cells)
-        return false;
-      m_shell.push_back(walk.cell());
       ++walk;
+      if(walk.cell() == c)
+        return true;
+      if(m_cavity.cells().size() == max_number_of_cells)
+        return false;
+      m_cavity.take_in(walk.cell());
     }
-    while(walk.cell() != c);
-    return true;
-  }
-
-  static Coordinates_3 middle_of_edge(const Cell_corners_3& p, const int k)
-  {
-    const Coordinates_3& u = p[edges_of_cell[k][0]];
-    const Coordinates_3& v = p[edges_of_cell[k][1]];
-    return {{ (u[0] + v[0]) / 2, (u[1] + v[1]) / 2, (u[2] + v[2]) / 2 }};
+    return false;
   }
 
   // From a point of the shell on.
   bool find_point(const Coordinates_3& p)
   {
-    start(p);
+    if(! m_cavity.has_only_free_vertices_inside())
+      return false;
     std::vector<Vertex_triple> faces;
     for(const auto& f : m_cavity.faces())
       faces.push_back(f.vertices);
-    const Visibility_kernel_3<Tr> kernel(m_predicates, faces, Approximate_point(p[0], p[1], p[2]));
-    const auto deepest = kernel.deepest_point([](const Approximate_point&) { return true; });
-    if(! deepest)
-      return false;
-    start({{ deepest->x(), deepest->y(), deepest->z() }});
-    return m_cavity.has_only_free_vertices_inside()
-        && m_cavity.move_point() > least_progress * (std::max)(0., m_cavity.worst_quality())
+    const auto deepest = internal::deepest_point(m_mesh.triangulation(), faces, p);
+    return deepest && Mesh::is_far_better(m_cavity.move_point_from(*deepest), m_cavity.worst_quality())
         && m_cavity.gain() > - tolerated_loss && m_cavity.is_in_size() && m_cavity.is_star();
   }
 
-  // The cavity of the shell, and the place of the vertex.
-  void start(const Coordinates_3& p)
-  {
-    m_cavity.start(m_shell.front(), p);
-    for(std::size_t k = 1; k < m_shell.size(); ++k)
-      m_cavity.take_in(m_shell[k]);
-  }
-
   Mesh& m_mesh;
-  Vertex_predicates_3<Tr> m_predicates;
   Star_cavity_3<Mesh> m_cavity;
-  std::vector<Cell_handle> m_shell;
   const Cells* m_new_cells = nullptr;
 };
 

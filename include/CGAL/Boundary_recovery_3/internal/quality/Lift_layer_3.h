@@ -25,6 +25,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -58,8 +59,8 @@ public:
     if(! collect_layer(v))
       return false;
     set_heights();
-    double best = least_progress * (std::max)(0., worst_quality(1));
-    double best_factor = 1;
+    const double worst = worst_quality(1);
+    double best = worst, best_factor = 1;
     for(int e = 1; e <= max_exponent; ++e)
     {
       const double factor = std::ldexp(1., e);
@@ -70,7 +71,7 @@ public:
         best_factor = factor;
       }
     }
-    return best_factor > 1 && move(best_factor);
+    return Mesh::is_far_better(best, worst) && move(best_factor);
   }
 
   // The cells that have a vertex of the layer that was treated last.
@@ -83,7 +84,6 @@ private:
   // See "Tuning constants" in the manual.
   static constexpr std::size_t max_number_of_cells = 1000;
   static constexpr std::size_t max_number_of_vertices = 16;
-  static constexpr double least_progress = 2;
   static constexpr int max_exponent = 60;
 
   // Returns false if there is only one vertex, or too much, or no wall.
@@ -91,7 +91,7 @@ private:
   {
     m_layer.clear();
     m_cells.clear();
-    m_has_wall = false;
+    m_wall.reset();
     m_candidates.assign(1, v);
     for(std::size_t k = 0; k < m_candidates.size() && ! is_too_large(); ++k)
       if(m_star.collect(m_candidates[k]))
@@ -101,7 +101,7 @@ private:
           if(! internal::contains(m_cells, c))
             add(c);
       }
-    return m_has_wall && m_layer.size() > 1 && ! is_too_large();
+    return m_wall && m_layer.size() > 1 && ! is_too_large();
   }
 
   bool is_too_large() const
@@ -118,11 +118,8 @@ private:
     {
       if(! internal::contains(m_candidates, c->vertex(i)))
         m_candidates.push_back(c->vertex(i));
-      if(! m_has_wall && m_mesh.domain().is_wall(c, i))
-      {
-        m_has_wall = true;
+      if(! m_wall && m_mesh.domain().is_wall(c, i))
         m_wall = internal::facet_vertices(c, i);
-      }
     }
   }
 
@@ -135,8 +132,9 @@ private:
   // The vectors from the plane of the wall to the vertices, computed exactly: they may be as short as rounding errors.
   void set_heights()
   {
-    const Exact_point_3 o = exact_point(m_wall[0]);
-    const auto normal = CGAL::cross_product(exact_point(m_wall[1]) - o, exact_point(m_wall[2]) - o);
+    const auto& [p, q, r] = *m_wall;
+    const Exact_point_3 o = exact_point(p);
+    const auto normal = CGAL::cross_product(exact_point(q) - o, exact_point(r) - o);
     m_heights.clear();
     for(const Vertex_handle v : m_layer)
     {
@@ -178,8 +176,7 @@ private:
   std::vector<Vertex_handle> m_layer, m_candidates;
   std::vector<Coordinates_3> m_heights; // of the vertices of the layer
   std::vector<Cell_handle> m_cells;
-  std::array<Vertex_handle, 3> m_wall;
-  bool m_has_wall = false;
+  std::optional<std::array<Vertex_handle, 3>> m_wall; // the first one that was met
 };
 
 } // namespace internal

@@ -97,6 +97,13 @@ public:
     return *std::min_element(qualities.begin(), qualities.end());
   }
 
+  // The same, from another place on.
+  double move_point_from(const Coordinates_3& p)
+  {
+    m_point = p;
+    return move_point();
+  }
+
   // The quality of the worst cell that goes, and the sum of badness of all.
   double worst_quality() const { return m_worst; }
   double badness() const { return m_badness; }
