@@ -37,8 +37,9 @@ namespace CGAL {
  * at its centroid: edges are shorter than 1.5 times the size then. Such a cell gets a point at its circumcenter, or,
  * where that cannot be, at its centroid, unless another vertex is nearer than 0.7 times the size. The point is inserted
  * by the Bowyer-Watson algorithm in the region of the cell: constrained facets and edges, and facets between regions,
- * are neither crossed nor split. Where triangles of the surface are larger than the size, cells at them are, too.
- * Edges inside that are far too long nevertheless, because cells were not Delaunay, are removed in the end, or get a
+ * are neither crossed nor split. Where triangles of the surface are larger than the size, cells at them are, too, and
+ * no points are inserted within 1.5 times the size of those that are so much larger that the cells would be flat. Edges
+ * inside that are far too long nevertheless, because cells were not Delaunay, are removed in the end, or get a
  * point in the middle, unless another vertex is nearer than 0.4 times the size.
  *
  * The triangulation may come from `mark_domain()`, from CGAL's remeshing, or, by `convert_to_triangulation_3()`, from

@@ -13,6 +13,7 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_result_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Encroached_walls_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Field_point_cavity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Insert_field_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Region_sizes_3.h>
@@ -42,6 +43,9 @@ namespace internal {
  * A cell is too large if its circumradius is longer than `largest_radius` times the size. Each cell is looked at once:
  * those that are there at first, and after each of them those around the new vertices. No vertex of the cavity of a
  * point is nearer to it than `smallest_distance` times the size there, so the work ends.
+ *
+ * Nor does a point encroach on walls that are far larger than the sizes beside them: no cell at such a wall could be
+ * good. Where it would, there may be a place beside it.
  *
  * Cells that got no point are few, mostly where the mesh is far from Delaunay, as recoveries leave it. Some have edges
  * that miss the size by far. In the end, these edges are removed or divided.
@@ -75,6 +79,7 @@ public:
   {
     m_max_number_of_vertices = max_number_of_vertices;
     m_expected_number = expected_number;
+    m_walls = large_walls(cells);
     for(std::size_t k = 0; k < cells.size() && can_go_on(); ++k)
       if(is_there(cells[k]))
       {
@@ -144,6 +149,42 @@ private:
         look_at(c);
   }
 
+  // What is large compared with the size in its cell.
+  Encroached_walls_3 large_walls(const std::vector<Cell_handle>& cells)
+  {
+    std::vector<Encroached_walls_3::Wall> walls;
+    for(std::size_t k = 0; k < cells.size() && can_go_on(); ++k)
+      for(int i = 0; i < 4; ++i)
+        if(is_wall_that_stays(cells[k], i))
+          add_if_large(cells[k], i, walls);
+    return Encroached_walls_3(walls);
+  }
+
+  void add_if_large(const Cell_handle c, const int i, std::vector<Encroached_walls_3::Wall>& walls)
+  {
+    const Corners p = internal::corners(c);
+    const double longest = internal::longest_edge_of_facet(p, i);
+    if(! Encroached_walls_3::is_large(longest, m_sizes.least_size_inside(c, p)))
+      return;
+    const double size = m_sizes(internal::centroid(p), c).asked;
+    if(Encroached_walls_3::is_large(longest, size))
+      walls.push_back({ corners_of_facet(c, i), size });
+  }
+
+  bool is_wall_that_stays(const Cell_handle c, const int i) const
+  {
+    if constexpr(Domain::has_seams)
+      return m_domain.is_wall(c, i) && ! m_domain.is_seam(c, i);
+    else
+      return m_domain.is_wall(c, i);
+  }
+
+  static std::array<Coordinates_3, 3> corners_of_facet(const Cell_handle c, const int i)
+  {
+    const auto v = internal::facet_vertices(c, i);
+    return {{ coordinates_of(v[0]->point()), coordinates_of(v[1]->point()), coordinates_of(v[2]->point()) }};
+  }
+
   void look_at(const Cell_handle c)
   {
     const Corners p = internal::corners(c);
@@ -157,9 +198,19 @@ private:
       return;
     const Cell_handle at_center = walk(c, sphere.center);
     if((at_center == Cell_handle() || ! try_point(sphere.center, at_center, m_sizes(sphere.center, at_center)))
-       && ! try_point(center, c, size)
+       && ! try_point(center, c, size) && ! try_point_beside_walls(center, c, size)
        && internal::longest_edge(p).length > longest_edge * size.possible)
       m_long_cells.push_back(c);
+  }
+
+  // If a place encroaches on walls, there may be one beside them.
+  bool try_point_beside_walls(const Coordinates_3& place, const Cell_handle c, const Size& size)
+  {
+    if(! m_walls.are_encroached_by(place, size.possible))
+      return false;
+    const Coordinates_3 p = m_walls.place_beside(place, size.possible);
+    const Cell_handle at_p = walk(c, p);
+    return at_p != Cell_handle() && try_point(p, at_p, m_sizes(p, at_p));
   }
 
   // What comes by the removal of an edge is looked at in the next round, and so are new cells without a point.
@@ -274,7 +325,8 @@ private:
   bool try_point(const Coordinates_3& coordinates, const Cell_handle c, const double min_distance, const Size& size,
                  const Is_star_good& is_star_good)
   {
-    if(! (size.possible > 0)) // there is none
+    if(! (size.possible > 0) // there is none
+       || m_walls.are_encroached_by(coordinates, size.possible))
       return false;
     const Point_3 p(coordinates[0], coordinates[1], coordinates[2]);
     const bool is_good = m_cavity.find(p, c, min_distance * size.possible, largest_seam * size.possible)
@@ -339,6 +391,7 @@ private:
   Field_point_cavity_3<Tr, Domain> m_cavity;
   Insert_field_point_3<Tr, Domain, Visitor> m_insert;
   Remove_edge m_remove_edge;
+  Encroached_walls_3 m_walls; // the large ones
   Vertices m_vertices;
   Vertices m_pending; // those around which nobody has looked yet
   std::vector<Cell_handle> m_star;

@@ -117,6 +117,11 @@ public:
     return {{ (p[0] - m_origin[0]) * m_inverse, (p[1] - m_origin[1]) * m_inverse, (p[2] - m_origin[2]) * m_inverse }};
   }
 
+  Coordinates_3 from_frame(const Coordinates_3& p) const
+  {
+    return {{ m_origin[0] + p[0] * m_unit, m_origin[1] + p[1] * m_unit, m_origin[2] + p[2] * m_unit }};
+  }
+
   double to_frame(const double length) const { return length * m_inverse; }
   double from_frame(const double length) const { return length * m_unit; }
 

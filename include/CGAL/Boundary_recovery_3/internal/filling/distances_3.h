@@ -93,14 +93,17 @@ public:
     return {{ weights[0] / sum, weights[1] / sum, weights[2] / sum }};
   }
 
-  double squared_distance(const Coordinates_3& p) const
+  // The point itself.
+  Coordinates_3 nearest_point(const Coordinates_3& p) const
   {
     const Weights weights = nearest(p);
     Coordinates_3 q;
     for(int i = 0; i < 3; ++i)
       q[i] = weights[0] * m_vertices[0][i] + weights[1] * m_vertices[1][i] + weights[2] * m_vertices[2][i];
-    return internal::squared_distance(p, q);
+    return q;
   }
+
+  double squared_distance(const Coordinates_3& p) const { return internal::squared_distance(p, nearest_point(p)); }
 
 private:
   Weights nearest_on_sides(const Coordinates_3& p) const
