@@ -39,10 +39,12 @@ namespace internal {
 class Encroached_walls_3
 {
 public:
+  typedef std::array<Coordinates_3, 3> Corners;
+
   struct Wall
   {
-    std::array<Coordinates_3, 3> corners; // in the order in which they are seen from inside
-    double size;                          // of the cells that are to be there, at least
+    Corners corners; // in the order in which they are seen from inside
+    double  size;    // of the cells that are to be there, at least
   };
 
   Encroached_walls_3() = default;
@@ -145,7 +147,7 @@ private:
   // Of the two walls at an edge, which see it in different directions, one adds it.
   void add(const Wall& wall)
   {
-    std::array<Coordinates_3, 3> p;
+    Corners p;
     for(std::size_t i = 0; i < 3; ++i)
       p[i] = m_frame.to_frame(wall.corners[i]);
     const double size = m_frame.to_frame(wall.size);
@@ -158,11 +160,11 @@ private:
       const Coordinates_3& r = p[(i + 1) % 3];
       const double length = internal::distance(q, r);
       if(q < r && is_large(length, size))
-        m_shapes.push_back(Shape{ Near_triangle_3({{ q, r, q }}), length, half_width_of_lens * length, true });
+        m_shapes.push_back(Shape{ Near_triangle_3(Corners{{ q, r, q }}), length, half_width_of_lens * length, true });
     }
   }
 
-  static double smallest_height(const std::array<Coordinates_3, 3>& p)
+  static double smallest_height(const Corners& p)
   {
     const Coordinates_3 normal = cross_product(difference(p[1], p[0]), difference(p[2], p[0]));
     return std::sqrt(dot_product(normal, normal) / (std::max)({ squared_distance(p[0], p[1]),
