@@ -49,7 +49,7 @@ struct Scene
     assert(recovery);
     assert(CGAL::mark_domain(tr, recovery.facets) == 2);
     // fill it: all cells of the domain are bad
-    const Result result = CGAL::remesh_cells(tr, 1.2, parameters::min_dihedral_angle(60.));
+    const Result result = CGAL::remesh_cells(tr, 1., parameters::min_dihedral_angle(60.));
     assert(result && result.points.size() > 300);
     check_valid(result);
   }

@@ -171,7 +171,7 @@ def test_pieces_with_vtk():
         print('skipped: VTK is not installed')
         return
     write('boxes.off', boxes())
-    run(2, 'boxes.off', '--size', '0.3', '--quiet', '--subdomains', str(SUBDOMAINS), '-o', 'm.pvtu', '-o', 'm.mesh')
+    run(2, 'boxes.off', '--size', '0.2', '--quiet', '--subdomains', str(SUBDOMAINS), '-o', 'm.pvtu', '-o', 'm.mesh')
     mesh = read_mesh('m.mesh')
     points, cells, ids, regions, patches, parts = json.loads(
         subprocess.run([python, '-c', VTK_READER, 'm.pvtu'], capture_output=True, check=True).stdout)
@@ -227,7 +227,7 @@ def parts_of(text):
 
 def test_parts_with_gmsh():
     write('boxes.off', boxes())
-    run(2, 'boxes.off', '--size', '0.3', '--quiet', '--subdomains', str(SUBDOMAINS), '--pieces', '-o', 'm.msh', '-o', 'm.mesh')
+    run(2, 'boxes.off', '--size', '0.2', '--quiet', '--subdomains', str(SUBDOMAINS), '--pieces', '-o', 'm.msh', '-o', 'm.mesh')
     mesh = read_mesh('m.mesh')
     text = open('m.msh').read()
     check_parts(mesh, text)
