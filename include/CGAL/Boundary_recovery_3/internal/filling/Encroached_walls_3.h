@@ -66,8 +66,8 @@ public:
     return ! m_shapes.empty() && most_encroached(m_frame.to_frame(p), m_frame.to_frame(size)) != nullptr;
   }
 
-  // The point, moved out of where it encroaches, from one wall after the other. Between walls that are near each other,
-  // there may be no such place.
+  // The point itself, or, if it encroaches, where it gets to when it is moved away from one wall after the other.
+  // Between walls that are near each other, there may be no good place.
   Coordinates_3 place_beside(const Coordinates_3& p, const double size) const
   {
     Coordinates_3 q = m_frame.to_frame(p);
@@ -75,12 +75,10 @@ public:
     for(int step = 0; step < max_number_of_steps; ++step)
     {
       const Shape* const shape = most_encroached(q, scaled_size);
-      if(shape == nullptr)
-        break;
-      const Coordinates_3 foot = shape->triangle.nearest_point(q);
+      const Coordinates_3 foot = shape == nullptr ? q : shape->triangle.nearest_point(q);
       const double distance = internal::distance(foot, q);
       if(! (distance > 0))
-        break;
+        return step == 0 ? p : m_frame.from_frame(q);
       q = point_between(foot, q, step_beyond * shape->clearance_for(scaled_size) / distance);
     }
     return m_frame.from_frame(q);

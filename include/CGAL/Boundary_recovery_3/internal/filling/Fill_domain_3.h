@@ -22,6 +22,7 @@
 #include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/facet_towards.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/tetrahedron_edges.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_indices.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 
@@ -166,9 +167,9 @@ private:
     const double longest = internal::longest_edge_of_facet(p, i);
     if(! Encroached_walls_3::is_large(longest, m_sizes.least_size_inside(c, p)))
       return;
-    const double size = m_sizes(internal::centroid(p), c).asked;
+    const double size = m_sizes.of_field(internal::centroid(p), m_sizes.region(c));
     if(Encroached_walls_3::is_large(longest, size))
-      walls.push_back({ corners_of_facet(c, i), size });
+      walls.push_back({ internal::corners(internal::facet_vertices(c, i)), size });
   }
 
   bool is_wall_that_stays(const Cell_handle c, const int i) const
@@ -177,12 +178,6 @@ private:
       return m_domain.is_wall(c, i) && ! m_domain.is_seam(c, i);
     else
       return m_domain.is_wall(c, i);
-  }
-
-  static std::array<Coordinates_3, 3> corners_of_facet(const Cell_handle c, const int i)
-  {
-    const auto v = internal::facet_vertices(c, i);
-    return {{ coordinates_of(v[0]->point()), coordinates_of(v[1]->point()), coordinates_of(v[2]->point()) }};
   }
 
   void look_at(const Cell_handle c)
@@ -206,9 +201,9 @@ private:
   // If a place encroaches on walls, there may be one beside them.
   bool try_point_beside_walls(const Coordinates_3& place, const Cell_handle c, const Size& size)
   {
-    if(! m_walls.are_encroached_by(place, size.possible))
-      return false;
     const Coordinates_3 p = m_walls.place_beside(place, size.possible);
+    if(p == place)
+      return false;
     const Cell_handle at_p = walk(c, p);
     return at_p != Cell_handle() && try_point(p, at_p, m_sizes(p, at_p));
   }
@@ -350,9 +345,10 @@ private:
   {
     double worst = 1;
     for(const auto& f : m_cavity.faces())
-      worst = (std::min)(worst, internal::tetrahedron_quality({{
-        coordinates_of(f.vertices[0]->point()), coordinates_of(f.vertices[1]->point()),
-        coordinates_of(f.vertices[2]->point()), p }}));
+    {
+      const auto [q, r, s] = internal::corners(f.vertices);
+      worst = (std::min)(worst, internal::tetrahedron_quality({{ q, r, s, p }}));
+    }
     return worst;
   }
 

@@ -71,6 +71,13 @@ std::array<Coordinates_3, 4> corners(const Cell_handle c)
             coordinates_of(c->vertex(2)->point()), coordinates_of(c->vertex(3)->point()) }};
 }
 
+template <typename Vertex_handle>
+std::array<Coordinates_3, 3> corners(const std::array<Vertex_handle, 3>& triangle)
+{
+  return {{ coordinates_of(triangle[0]->point()), coordinates_of(triangle[1]->point()),
+            coordinates_of(triangle[2]->point()) }};
+}
+
 // Six times the volume of a tetrahedron, in floating point numbers.
 inline double volume_times_6(const std::array<Coordinates_3, 4>& p)
 {

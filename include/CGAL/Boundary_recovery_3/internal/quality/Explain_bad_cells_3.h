@@ -212,9 +212,7 @@ private:
   {
     if(! m_domain.is_wall(c, i))
       return;
-    const auto v = internal::facet_vertices(c, i);
-    const double angle = internal::smallest_plane_angle({{ coordinates_of(v[0]->point()), coordinates_of(v[1]->point()),
-                                                           coordinates_of(v[2]->point()) }});
+    const double angle = internal::smallest_plane_angle(internal::corners(internal::facet_vertices(c, i)));
     if(angle < target() && angle < needle.angle)
       needle = Needle{ Facet(c, i), angle };
   }
