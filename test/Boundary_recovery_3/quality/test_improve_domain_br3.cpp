@@ -22,6 +22,7 @@
 #include <map>
 #include <set>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -43,7 +44,9 @@ public:
   typedef typename Scene::Vertex_handle Vertex_handle;
   typedef typename Scene::Cell_handle   Cell_handle;
   typedef std::set<Vertex_handle>       Vertices;
-  typedef std::map<Vertices, int>       Outside; // the patches of the outer facets
+  typedef std::map<Vertices, int>       Outside; // the patches of the outer facets, and of those that are marked
+  typedef std::map<int, br3_test::Rational> Volumes; // by region
+  typedef std::vector<Cell_handle>      Cells_that_come_back; // operations have another container
 
   explicit Judging_visitor(const Scene& scene) : m_scene(scene) { }
 
@@ -58,13 +61,12 @@ public:
         if(m_scene.contains(c))
           m_floor = (std::min)(m_floor, Quality()(internal::corners(c)));
     m_outside = outside(cells);
-    m_volume = 0;
+    m_volumes = Volumes();
     m_worst = 2;
-    m_region = static_cast<int>((*cells.begin())->subdomain_index());
     for(const Cell_handle c : cells)
     {
-      assert(m_scene.contains(c) && static_cast<int>(c->subdomain_index()) == m_region);
-      m_volume += volume(c);
+      assert(m_scene.contains(c));
+      m_volumes[static_cast<int>(c->subdomain_index())] += volume(c);
       m_worst = (std::min)(m_worst, Quality()(internal::corners(c)));
     }
   }
@@ -73,13 +75,20 @@ public:
   void after_cells_creation(const CellRange& cells)
   {
     assert(outside(cells) == m_outside);
+    double worst = 2;
     for(const Cell_handle c : cells)
     {
-      assert(m_scene.contains(c) && static_cast<int>(c->subdomain_index()) == m_region);
-      assert(volume(c) > 0 && Quality()(internal::corners(c)) >= least_quality() - 1e-9);
-      m_volume -= volume(c);
+      assert(m_scene.contains(c) && volume(c) > 0);
+      worst = (std::min)(worst, Quality()(internal::corners(c)));
+      m_volumes[static_cast<int>(c->subdomain_index())] -= volume(c);
     }
-    assert(m_volume == 0);
+    if(std::is_same<CellRange, Cells_that_come_back>::value)
+    {
+      assert(worst >= m_floor - 1e-9);
+      ++number_of_exchanges_taken_back;
+    }
+    else
+      assert(worst >= least_quality() - 1e-9 && m_volumes.size() == 1 && m_volumes.begin()->second == 0);
     ++number_of_exchanges;
     throw_at_last_call();
   }
@@ -87,6 +96,7 @@ public:
   std::size_t number_of_questions = 0, last_question = 0; // 0: it is never the last one
   std::size_t number_of_calls = 0, last_call = 0;
   std::size_t number_of_exchanges = 0;
+  std::size_t number_of_exchanges_taken_back = 0; // of several at once, with moves of vertices, in several regions
 
 private:
   // Of new cells: at last, they may be worse than those that go, but not worse than the whole mesh was.
@@ -111,20 +121,17 @@ private:
     Outside result;
     for(const Cell_handle c : cells)
       for(int i = 0; i < 4; ++i)
-        if(all.count(c->neighbor(i)) == 0)
+        if(all.count(c->neighbor(i)) == 0 || c->is_facet_on_surface(i))
           result[{ c->vertex((i + 1) % 4), c->vertex((i + 2) % 4), c->vertex((i + 3) % 4) }]
             = static_cast<int>(c->surface_patch_index(i));
-        else
-          assert(c->surface_patch_index(i) == 0);
     return result;
   }
 
   const Scene& m_scene;
   Outside m_outside;
-  br3_test::Rational m_volume;
+  Volumes m_volumes;
   double m_worst = 0; // of the cells that go
   double m_floor = 2; // quality of the worst cell of the mesh at first
-  int m_region = 0;
 };
 
 // A scene with all that an improvement of it needs.
@@ -217,21 +224,25 @@ Improvement_options options_of(const unsigned seed)
   return options;
 }
 
-// Each exchange is counted; vertices are removed by themselves, or go where others are inserted.
-void check_counts(const BR3::Quality_improvement_counts& counts, const std::size_t number_of_exchanges,
+// Each exchange is counted, but for those that were taken back, and for taking them back; vertices are removed by
+// themselves, or go where others are inserted.
+template <typename Visitor>
+void check_counts(const BR3::Quality_improvement_counts& counts, const Visitor& visitor,
                   const std::size_t number_of_more_vertices)
 {
   assert(counts.number_of_inserted_points - counts.number_of_removed_vertices == number_of_more_vertices);
   const std::size_t others = counts.number_of_removed_edges + counts.number_of_removed_facets +
                              counts.number_of_inserted_points + counts.number_of_reconnected_polyhedra;
-  assert(others <= number_of_exchanges && number_of_exchanges <= others + counts.number_of_removed_vertices);
+  assert(others + 2 * visitor.number_of_exchanges_taken_back <= visitor.number_of_exchanges);
+  assert(visitor.number_of_exchanges_taken_back > 0 ||
+         visitor.number_of_exchanges <= others + counts.number_of_removed_vertices);
 }
 
 template <typename Kernel>
 void test_random_meshes(const unsigned first, const unsigned last)
 {
   BR3::Quality_improvement_counts sum;
-  std::size_t number_before = 0, number_after = 0;
+  std::size_t number_before = 0, number_after = 0, number_taken_back = 0;
   for(unsigned seed = first; seed < last; ++seed)
   {
     Improvement<Kernel> t(seed, options_of(seed)), again(seed, options_of(seed));
@@ -241,7 +252,8 @@ void test_random_meshes(const unsigned first, const unsigned last)
     number_after += t.number_of_bad_cells();
     t.check();
     assert(! t.context.is_stopped());
-    check_counts(counts, t.visitor.number_of_exchanges, t.scene.tr.number_of_vertices() - number_of_vertices);
+    check_counts(counts, t.visitor, t.scene.tr.number_of_vertices() - number_of_vertices);
+    number_taken_back += t.visitor.number_of_exchanges_taken_back;
     sum.number_of_removed_edges += counts.number_of_removed_edges;
     sum.number_of_removed_facets += counts.number_of_removed_facets;
     sum.number_of_removed_vertices += counts.number_of_removed_vertices;
@@ -254,10 +266,11 @@ void test_random_meshes(const unsigned first, const unsigned last)
   std::cout << sum.number_of_removed_edges << " edges, " << sum.number_of_removed_facets << " facets, "
             << sum.number_of_removed_vertices << " vertices removed, " << sum.number_of_inserted_points
             << " inserted, " << sum.number_of_moved_vertices << " moved, " << sum.number_of_reconnected_polyhedra
-            << " reconnections; bad cells " << number_before << " -> " << number_after << std::endl;
+            << " reconnections; " << number_taken_back << " attempts taken back; bad cells " << number_before << " -> "
+            << number_after << std::endl;
   assert(sum.number_of_removed_edges > 0 && sum.number_of_removed_facets > 0 && sum.number_of_moved_vertices > 0);
   if(last - first > 8)
-    assert(sum.number_of_removed_vertices > 0 && sum.number_of_inserted_points > 0);
+    assert(sum.number_of_removed_vertices > 0 && sum.number_of_inserted_points > 0 && number_taken_back > 0);
   assert(number_after < number_before);
 }
 

@@ -12,6 +12,7 @@
 #include <CGAL/Boundary_recovery_3/internal/quality/Improve_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Measure_quality_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Quality_improvement_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Walls_at_edge_3.h>
 #include <CGAL/Boundary_recovery_3/mesh_quality.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -36,6 +37,7 @@
 #include <vector>
 
 namespace BR3 = CGAL::Boundary_recovery_3;
+namespace internal = BR3::internal;
 namespace parameters = CGAL::parameters;
 using BR3::Bad_cell_reason;
 using br3_test::Corners;
@@ -295,16 +297,36 @@ struct Scene
     }
   }
 
+  template <typename NamedParameters>
+  void check_certificates(const NamedParameters& np) const
+  {
+    for(const double target : { 5., 20., 40. })
+    {
+      const Certificate certificate = BR3::quality_certificate(tr, target, np);
+      check_certificate(certificate, target);
+      check_forced_cells(certificate, internal::selected_domain(tr, np));
+    }
+  }
+
+  // The improvement gives up those that the certificate calls so.
+  template <typename Domain>
+  void check_forced_cells(const Certificate& certificate, const Domain& domain) const
+  {
+    const internal::Walls_at_edge_3<Tr, Domain> walls_at_edge(domain);
+    for(const Bad_cell& bad : certificate.cells)
+      assert(internal::is_forced(walls_at_edge, bad.cell, certificate.min_dihedral_angle)
+             == (bad.reason == BR3::Bad_cell_reason::forced));
+  }
+
   // ------------------------------------------------ all answers
 
   void check()
   {
     const Selection_map is_selected(selection);
-    for(const double target : { 5., 20., 40. })
-      if(selection.empty())
-        check_certificate(BR3::quality_certificate(tr, target), target);
-      else
-        check_certificate(BR3::quality_certificate(tr, target, parameters::cell_is_selected_map(is_selected)), target);
+    if(selection.empty())
+      check_certificates(parameters::default_values());
+    else
+      check_certificates(parameters::cell_is_selected_map(is_selected));
     check_quality(selection.empty() ? BR3::mesh_quality(tr)
                                     : BR3::mesh_quality(tr, parameters::cell_is_selected_map(is_selected)));
   }

@@ -24,6 +24,7 @@
 #include <CGAL/Boundary_recovery_3/internal/quality/Smooth_vertex_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Star_cavity_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Random.h>
 
 #include <algorithm>
 #include <array>
@@ -128,12 +129,28 @@ void test_insertion_near_cells(Improvement& t, const double size, Insertions& in
   test_insertion(t, insert, attempt, size, insertions, tolerated_loss);
 }
 
+// At any place that is good enough, not at the best one.
+void test_insertion_anywhere_near_cells(Improvement& t, const double size, Insertions& insertions)
+{
+  const double tolerated_loss = 0.5;
+  CGAL::Random random(7);
+  internal::Insert_near_bad_cell_3<Mesh> insert(t.mesh, t.quality);
+  const auto attempt = [&](const Cell_handle c)
+  {
+    const bool is_found = insert.find_any(c, tolerated_loss, random);
+    if(is_found)
+      insert.apply();
+    return is_found;
+  };
+  test_insertion(t, insert, attempt, size, insertions, tolerated_loss);
+}
+
 // What was done on random meshes.
 struct Steps
 {
   int number_of_moved_vertices = 0;
   int number_of_contractions = 0;
-  Insertions into_cells, near_cells, near_cells_at_a_loss;
+  Insertions into_cells, near_cells, near_cells_at_a_loss, anywhere_near_cells;
 };
 
 void test_all_steps(const unsigned seed, const bool is_lenient, Steps& steps)
@@ -172,6 +189,7 @@ void test_all_steps(const unsigned seed, const bool is_lenient, Steps& steps)
   });
   on_mesh([&](Improvement& t) { test_insertion_near_cells(t, options.size, steps.near_cells, 0); });
   on_mesh([&](Improvement& t) { test_insertion_near_cells(t, options.size, steps.near_cells_at_a_loss, 0.5); });
+  on_mesh([&](Improvement& t) { test_insertion_anywhere_near_cells(t, options.size, steps.anywhere_near_cells); });
 }
 
 // How bad the cells of a cavity are, and the new ones with the vertex at this place, and at the best one.
@@ -878,11 +896,13 @@ int main()
       test_all_steps(seed, is_lenient, steps);
     std::cout << steps.number_of_moved_vertices << " moved, " << steps.number_of_contractions << " contracted, "
               << steps.into_cells.number << " inserted, " << steps.near_cells.number << " near bad cells, "
-              << steps.near_cells_at_a_loss.number << " also at a loss; there, "
+              << steps.near_cells_at_a_loss.number << " also at a loss, "
+              << steps.anywhere_near_cells.number << " anywhere; at a loss, "
               << steps.near_cells_at_a_loss.number_of_removed_vertices << " removed" << std::endl;
     assert(steps.number_of_moved_vertices > 50 && steps.number_of_contractions > 50);
     assert(steps.into_cells.number > 50 && steps.near_cells.number > 50);
     assert(steps.near_cells_at_a_loss.number > steps.near_cells.number);
+    assert(steps.anywhere_near_cells.number > 100);
     assert(steps.near_cells_at_a_loss.number_of_removed_vertices > 0);
   }
   test_star_cavities();

@@ -12,26 +12,16 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <CGAL/Boundary_recovery_3/internal/mesh/mesh_indices.h>
+
 #include <CGAL/Unique_hash_map.h>
 #include <CGAL/number_utils.h>
 
 #include <cmath>
-#include <type_traits>
-#include <utility>
 
 namespace CGAL {
 namespace Boundary_recovery_3 {
 namespace internal {
-
-// Whether vertices have a place for a size, as those of CGAL's Mesh_3.
-template <typename Vertex, typename = void>
-struct Has_meshing_info : std::false_type { };
-
-template <typename Vertex>
-struct Has_meshing_info<Vertex, std::void_t<decltype(std::declval<Vertex&>().set_meshing_info(
-                                                       std::declval<const Vertex&>().meshing_info()))> >
-  : std::true_type
-{ };
 
 /*
  * The size that cells should have at each vertex, where it is known; in the vertices themselves if they have a place

@@ -55,11 +55,12 @@ public:
 
   struct Old_vertex
   {
-    explicit Old_vertex(const Vertex_handle v) : vertex(v), point(v->point()), indices(*v) { }
+    explicit Old_vertex(const Vertex_handle v) : vertex(v), point(v->point()), indices(*v), size(*v) { }
 
     Vertex_handle vertex;
     Point point;
     Vertex_indices<typename Tr::Vertex> indices;
+    Vertex_size<typename Tr::Vertex> size;
   };
 
   void make_room_for_cells(const std::size_t number_of_old_cells, const std::size_t number_of_new_cells)

@@ -31,8 +31,8 @@ namespace internal {
  * Between begin() and commit() or undo() it has to be told of every change; `Mesh_editor_3` does so. Such transactions
  * may be nested: an operation can be tried and taken back inside a longer one. Each keeps its net change.
  *
- * What is taken back are cells with their indices of CGAL's mesh cells, vertices and points. It is combinatorial: it
- * does not matter if cells are inverted. Other data of cells is up to visitors.
+ * What is taken back are cells with their indices of CGAL's mesh cells, and vertices with theirs, their points and
+ * sizes. It is combinatorial: it does not matter if cells are inverted. Other data is up to visitors.
  */
 template <typename Tr>
 class Mesh_journal_3

@@ -109,6 +109,7 @@ private:
         m_renamed_vertices.push_back({{ old.vertex, v }});
         v->set_point(old.point);
         old.indices.give_to(*v);
+        old.size.give_to(*v);
       }
     } catch(...) {
       delete_created_vertices();

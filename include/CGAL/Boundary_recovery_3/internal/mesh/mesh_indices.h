@@ -44,6 +44,16 @@ struct Has_vertex_indices<Vertex, std::void_t<decltype(std::declval<Vertex&>().s
   : std::true_type
 { };
 
+// Whether vertices have a place for a size, as those of CGAL's Mesh_3.
+template <typename Vertex, typename = void>
+struct Has_meshing_info : std::false_type { };
+
+template <typename Vertex>
+struct Has_meshing_info<Vertex, std::void_t<decltype(std::declval<Vertex&>().set_meshing_info(
+                                                       std::declval<const Vertex&>().meshing_info()))> >
+  : std::true_type
+{ };
+
 // A mesh index that is made of another, or of a number. What cannot be made is the default one.
 template <typename Index, typename T>
 Index mesh_index(const T& value)
@@ -119,6 +129,25 @@ struct Vertex_indices<Vertex, true>
 
   int dimension;
   std::decay_t<decltype(std::declval<const Vertex&>().index())> index;
+};
+
+// And its size, if there is a place for it.
+template <typename Vertex, bool has_info = Has_meshing_info<Vertex>::value>
+struct Vertex_size
+{
+  explicit Vertex_size(const Vertex&) { }
+
+  void give_to(Vertex&) const { }
+};
+
+template <typename Vertex>
+struct Vertex_size<Vertex, true>
+{
+  explicit Vertex_size(const Vertex& v) : size(v.meshing_info()) { }
+
+  void give_to(Vertex& v) const { v.set_meshing_info(size); }
+
+  std::decay_t<decltype(std::declval<const Vertex&>().meshing_info())> size;
 };
 
 } // namespace internal

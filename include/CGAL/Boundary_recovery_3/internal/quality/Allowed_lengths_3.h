@@ -101,6 +101,14 @@ public:
   // Edges of a new vertex may have this length. What is known of a vertex that is gone, whose place it got, is not its.
   void set_least(const Vertex_handle v, const double length) { m_of_constraints[v] = Range{ length, 0 }; }
 
+  // What is known of the constraints at a vertex, for another one that takes its place.
+  const Range& of_constraints(const Vertex_handle v) const
+  {
+    const auto& table = m_of_constraints;
+    return table[v];
+  }
+  void set_of_constraints(const Vertex_handle v, const Range& range) { m_of_constraints[v] = range; }
+
   // Of an edge between two vertices.
   Range at(const Vertex_handle u, const Vertex_handle v) const { return at(u, size(v), of_constraints(v)); }
 
@@ -120,12 +128,6 @@ private:
     const Range& constraints = of_constraints(u);
     return Range{ (std::min)({ 0.5 * mean, constraints.least, constraints_at_v.least }),
                   (std::max)({ 2 * mean, constraints.largest, constraints_at_v.largest }) };
-  }
-
-  const Range& of_constraints(const Vertex_handle v) const
-  {
-    const auto& table = m_of_constraints;
-    return table[v];
   }
 
   static double distance(const Vertex_handle u, const Vertex_handle v)

@@ -127,7 +127,10 @@ public:
     return begin_round();
   }
 
-  // How bad these cells were together.
+  // All of them as they are, some maybe gone or good. There is none left here.
+  std::vector<Bad_cell> take() { return std::exchange(m_cells, std::vector<Bad_cell>()); }
+
+  // How bad the cells of the last round were together.
   double badness() const { return m_badness; }
 
 private:

@@ -13,6 +13,7 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace CGAL {
@@ -52,6 +53,9 @@ public:
 
   // `lack` is from 0 to 1, as the badness is; this grows with it.
   double of_lack(const double lack) const { return m_is_lenient ? lack : lack * lack; }
+
+  // What a cell counts where it matters how many are bad: hardly less if it is only a bit so.
+  double weight(const double quality) const { return std::sqrt((std::max)(0., 1 - quality * m_inverse)); }
 
   // Half of the derivative, up to a factor.
   double slope(const double lack) const { return m_is_lenient ? 1 : lack; }

@@ -19,6 +19,7 @@
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Cell_angles_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Edge_walk_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Walls_at_edge_3.h>
 
 #include <CGAL/Unique_hash_map.h>
 
@@ -36,9 +37,6 @@ namespace internal {
 /*
  * Makes the certificate: says of each cell with a dihedral angle below the target what makes it so.
  *
- * All cells between two walls that meet at an edge at less than the target have such an angle there, and so have those
- * of any other mesh between them.
- *
  * Most of those that nothing explains are beside a needle. That proves nothing, but it tells where to look.
  */
 template <typename Tr, typename Domain>
@@ -52,7 +50,7 @@ public:
   typedef Bad_cell_3<Tr>               Bad_cell;
 
   Explain_bad_cells_3(const Tr& tr, const Domain& domain, const double min_dihedral_angle)
-    : m_tr(tr), m_domain(domain)
+    : m_tr(tr), m_domain(domain), m_walls_at_edge(domain)
   {
     m_certificate.min_dihedral_angle = min_dihedral_angle;
   }
@@ -86,45 +84,17 @@ public:
   }
 
 private:
-  static constexpr double slack = 1; // degrees by which sums of angles are allowed to be too large before all is known
-
   double target() const { return m_certificate.min_dihedral_angle; }
 
   // Whether the angle at the edge k is between two walls that are less than the target apart.
-  void look_for_walls(Bad_cell& bad, const int k, double sum_of_angles) const
+  void look_for_walls(Bad_cell& bad, const int k, const double angle) const
   {
-    const Vertex_handle u = bad.cell->vertex(edges_of_cell[k][0]), v = bad.cell->vertex(edges_of_cell[k][1]);
-    const int* const others = edges_of_cell[5 - k];
-    Edge_walk_3<Tr> there(bad.cell, others[0], others[1]), back(bad.cell, others[1], others[0]);
-    if(! go_to_wall(there, u, v, sum_of_angles) || ! go_to_wall(back, u, v, sum_of_angles))
-      return;
-    const double angle = angle_at_edge(u, v, there.apex(), back.apex());
-    if(! (angle < target()) || (bad.reason == Bad_cell_reason::forced && ! (angle < bad.surface_angle)))
+    const auto walls = m_walls_at_edge(bad.cell, k, angle, target());
+    if(! walls || (bad.reason == Bad_cell_reason::forced && ! (walls->angle < bad.surface_angle)))
       return;
     bad.reason = Bad_cell_reason::forced;
-    bad.facets = {{ Facet(there.cell(), there.next_facet()), Facet(back.cell(), back.next_facet()) }};
-    bad.surface_angle = angle;
-  }
-
-  bool go_to_wall(Edge_walk_3<Tr>& walk, const Vertex_handle u, const Vertex_handle v, double& sum_of_angles) const
-  {
-    const Cell_handle start = walk.cell();
-    while(! m_domain.is_wall(walk.cell(), walk.next_facet()))
-    {
-      ++walk;
-      sum_of_angles += angle_at_edge(u, v, walk.cell()->vertex(walk.next_facet()), walk.apex());
-      if(walk.cell() == start || sum_of_angles > target() + slack)
-        return false;
-    }
-    return true;
-  }
-
-  static double angle_at_edge(const Vertex_handle u, const Vertex_handle v,
-                              const Vertex_handle p, const Vertex_handle q)
-  {
-    const Cell_corners_3 corners = {{ coordinates_of(u->point()), coordinates_of(v->point()),
-                                      coordinates_of(p->point()), coordinates_of(q->point()) }};
-    return Cell_angles_3(corners)[0]; // the first edge is that of the first two corners
+    bad.facets = walls->facets;
+    bad.surface_angle = walls->angle;
   }
 
   // The constrained facet with the smallest plane angle of those that were looked at, if that is below the target.
@@ -219,6 +189,7 @@ private:
 
   const Tr& m_tr;
   const Domain& m_domain;
+  Walls_at_edge_3<Tr, Domain> m_walls_at_edge;
   Certificate m_certificate;
   CGAL::Unique_hash_map<Vertex_handle, Needle> m_needles; // of those that were asked for
   std::vector<Cell_handle> m_star;

@@ -26,10 +26,14 @@
 #include <CGAL/Boundary_recovery_3/internal/quality/Insert_into_shell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Insert_near_bad_cell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Lift_layer_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Move_at_random_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Reconnect_bad_cell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Smooth_vertex_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Vain_attempts_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Walls_at_edge_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
+
+#include <CGAL/Random.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -51,9 +55,9 @@ namespace internal {
  *
  * Then, only those cells count that are really bad, others may get worse for them, and all operations are tried. For
  * what that leaves, beside the thin triangles of a surface, a few cells may become very bad so that many are not; and a
- * few times, the mesh is perturbed, which the next operations make up for. Those that are nearly as bad, or the worst
- * ones where these are few, are worked on afterwards, so that the worst ones have the choice. At last, all the others
- * get rounder, where that is for nothing.
+ * few times, the mesh is perturbed, which the next operations make up for, or that is taken back. Those that are nearly
+ * as bad, or the worst ones where these are few, are worked on afterwards, so that the worst ones have the choice. At
+ * last, all the others get rounder, where that is for nothing.
  */
 template <typename Tr, typename Domain, typename Quality, typename Visitor>
 class Improve_domain_3
@@ -67,7 +71,8 @@ public:
       m_vain_contractions(m_bad_cells), m_vain_smoothings(m_bad_cells), m_vain_deepenings(m_bad_cells),
       m_vain_lifts(m_bad_cells), m_flip(m_mesh), m_contract(m_mesh), m_smooth(m_mesh, quality),
       m_deepen(m_mesh, quality), m_lift(m_mesh), m_insert(m_mesh, quality), m_insert_into_shell(m_mesh, quality),
-      m_insert_near(m_mesh, quality), m_reconnect(m_mesh), m_center(m_mesh)
+      m_insert_near(m_mesh, quality), m_reconnect(m_mesh), m_move_at_random(m_mesh),
+      m_center(m_mesh), m_walls_at_edge(domain)
   { }
 
   // The dihedral angle, in degrees, that no cell is to be below. To be set before cells are added.
@@ -134,9 +139,17 @@ private:
   static constexpr int number_of_perturbations = 2;
   static constexpr std::size_t max_number_of_perturbed_cells = 2500;
   static constexpr double tolerated_loss = 1;
+  static constexpr int max_number_of_searches = 60; // through all bad cells
+  static constexpr std::size_t max_number_of_attempts = 3000;
+  static constexpr std::size_t max_number_of_visits = 50; // in an attempt
+  static constexpr double share_of_insertions = 0.25; // of the attempts
+  static constexpr double tolerated_loss_of_attempt = 3;
+  static constexpr double least_gain = 1e-6;
   static constexpr std::size_t max_number_of_flips = 50;
   static constexpr std::size_t visits_per_report = 2048;
   static constexpr std::size_t expected_number_of_visits = 3; // of each cell that is bad at first
+
+  static constexpr std::size_t no_limit = (std::numeric_limits<std::size_t>::max)();
 
   void set_enough(const double degrees) { set_measure_of_badness(m_quality.of_angle(degrees)); }
 
@@ -152,7 +165,7 @@ private:
   void improve(const int max_number, const bool tries_all)
   {
     double last_badness = 0;
-    for(m_round = 1; m_round <= max_number && m_context.go_further(); ++m_round)
+    for(m_round = 1; m_round <= max_number && m_number_of_visits < m_last_visit && m_context.go_further(); ++m_round)
     {
       const std::vector<Bad_cell> cells = tries_all ? m_bad_cells.next_round()
                                                     : m_bad_cells.next_round_in_blocks(cells_per_block);
@@ -161,8 +174,7 @@ private:
         break;
       if(m_round > first_dear_round && is_slow)
       {
-        for(const Bad_cell& c : cells)
-          m_bad_cells.put_back(c);
+        put_back(cells);
         break;
       }
       last_badness = m_bad_cells.badness();
@@ -171,7 +183,9 @@ private:
       m_tries_all = tries_all;
       ++m_counts.number_of_rounds;
       for(const Bad_cell& c : cells)
-        if(m_bad_cells.contains(c.cell) && m_context.go_further_after_short_step())
+        if(m_number_of_visits >= m_last_visit)
+          m_bad_cells.put_back(c);
+        else if(m_bad_cells.contains(c.cell) && m_context.go_further_after_short_step())
           visit(c);
     }
   }
@@ -200,8 +214,8 @@ private:
     return *few;
   }
 
-  // *Iterated local search*: where nothing helps any more, vertices are inserted near the worst cells though that makes
-  // others bad, and all operations have another turn. That gets out of states that no single operation makes better.
+  // Where nothing helps any more, vertices are inserted near the worst cells though that makes others bad, and all
+  // operations have another turn. That gets out of states that no single operation makes better.
   void improve_with_perturbations()
   {
     improve_leniently();
@@ -213,6 +227,7 @@ private:
       improve(max_number_of_last_rounds, true);
       improve_leniently();
     }
+    search_locally();
     m_visits_only_changed = false;
   }
 
@@ -237,9 +252,87 @@ private:
     if(cells.empty())
       return;
     set_measure_of_badness(Badness_3(m_mesh.enough(), cells.front().quality));
+    put_back(cells);
+    improve(max_number_of_last_rounds, true);
+  }
+
+  void put_back(const std::vector<Bad_cell>& cells)
+  {
     for(const Bad_cell& c : cells)
       m_bad_cells.put_back(c);
-    improve(max_number_of_last_rounds, true);
+  }
+
+  // *Iterated local search*: the mesh is perturbed near one bad cell after the other, and all operations have a turn
+  // there. If the cells are not better then, all of that is taken back.
+  void search_locally()
+  {
+    std::size_t number_of_attempts = 0;
+    std::vector<Bad_cell> forced_cells;
+    for(int k = 0; k < max_number_of_searches && m_context.go_further(); ++k)
+    {
+      std::vector<Bad_cell> cells;
+      for(const Bad_cell& c : m_bad_cells.next_round())
+        if(! m_bad_cells.contains(c.cell))
+          continue;
+        else if(internal::is_forced(m_walls_at_edge, c.cell, really_bad_angle))
+          forced_cells.push_back(c);
+        else if(number_of_attempts < max_number_of_attempts && m_context.go_further_after_short_step())
+        {
+          number_of_attempts += attempt(c.cell);
+          const std::vector<Bad_cell> around = m_bad_cells.take();
+          cells.insert(cells.end(), around.begin(), around.end());
+        }
+        else
+          cells.push_back(c);
+      put_back(cells);
+    }
+    put_back(forced_cells);
+  }
+
+  // Afterwards, the bad cells that are new or back are in the list. Returns whether the mesh could be perturbed.
+  bool attempt(const Cell_handle c)
+  {
+    const Quality_improvement_counts counts = m_counts;
+    m_bad_cells.begin_visit();
+    m_mesh.begin_attempt();
+    const bool is_perturbed = perturb_near(c);
+    if(is_perturbed)
+    {
+      m_last_visit = m_number_of_visits + max_number_of_visits;
+      improve(max_number_of_last_rounds, true);
+      m_last_visit = no_limit;
+    }
+    if(m_mesh.gain_of_attempt() > least_gain)
+      m_mesh.keep_attempt();
+    else
+    {
+      m_bad_cells.take();
+      m_bad_cells.push_changed(m_mesh.undo_attempt());
+      m_counts = counts;
+    }
+    if(! is_perturbed)
+      m_bad_cells.push(c);
+    return is_perturbed;
+  }
+
+  // At random.
+  bool perturb_near(const Cell_handle c)
+  {
+    if(m_random.get_double() < share_of_insertions)
+    {
+      if(! m_insert_near.find_any(c, tolerated_loss_of_attempt, m_random))
+        return false;
+      m_insert_near.apply();
+      note_insertion(m_insert_near);
+    }
+    else
+    {
+      if(! m_move_at_random(c, m_random))
+        return false;
+      ++m_counts.number_of_moved_vertices;
+      m_bad_cells.push_changed(m_move_at_random.cells());
+    }
+    return true;
   }
 
   void visit(const Bad_cell& c)
@@ -429,7 +522,10 @@ private:
   Insert_into_shell_3<Mesh> m_insert_into_shell;
   Insert_near_bad_cell_3<Mesh> m_insert_near;
   Reconnect_bad_cell_3<Mesh> m_reconnect;
+  Move_at_random_3<Mesh> m_move_at_random;
   Center_vertex_3<Mesh> m_center;
+  Walls_at_edge_3<Tr, Domain> m_walls_at_edge;
+  CGAL::Random m_random = CGAL::Random(0); // always the same numbers
   Quality_improvement_counts m_counts;
   std::vector<Cell_handle> m_stack;
   double m_target = 0;
@@ -439,6 +535,7 @@ private:
   bool m_visits_only_changed = false; // cells, also in the first rounds
   bool m_is_strict = false;
   std::size_t m_number_of_visits = 0;
+  std::size_t m_last_visit = no_limit; // by number, in an attempt
   std::size_t m_expected_visits = 0;
   double m_told_share = 0;
 };

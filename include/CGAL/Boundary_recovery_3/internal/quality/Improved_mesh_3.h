@@ -15,6 +15,7 @@
 #include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/distances_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Cell_replacement.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_journal_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/forget_shape.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_indices.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Allowed_lengths_3.h>
@@ -26,6 +27,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <iterator>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -40,6 +43,8 @@ namespace internal {
  * An operation exchanges cells of one region for others that fill the same polyhedron. Qualities are computed in
  * floating point numbers and only rank cells; whether a cell is positively oriented is decided exactly. That suffices:
  * positively oriented cells whose outer facets are those of the polyhedron cover each of its points once.
+ *
+ * Several operations in a row can be an attempt, which is taken back if the cells are not less bad for all of them.
  */
 template <typename Tr, typename Domain_, typename Quality_, typename Visitor>
 class Improved_mesh_3
@@ -183,9 +188,11 @@ public:
     for(const auto& f : faces)
       if(! is_positive(point(f[0]), point(f[1]), point(f[2]), p))
         return false;
-    v->set_point(typename Tr::Point(p));
+    will_change(cells);
+    set_point(v, typename Tr::Point(p));
     for(const Cell_handle c : cells)
       internal::forget_shape(*c);
+    has_changed(cells);
     return true;
   }
 
@@ -195,11 +202,12 @@ public:
   {
     std::vector<typename Tr::Point> before;
     before.reserve(vertices.size());
+    will_change(cells);
     auto place = places.begin();
     for(const Vertex_handle v : vertices)
     {
       before.push_back(v->point());
-      v->set_point(typename Tr::Point(Point_3((*place)[0], (*place)[1], (*place)[2])));
+      set_point(v, typename Tr::Point(Point_3((*place)[0], (*place)[1], (*place)[2])));
       ++place;
     }
     const bool is_valid = std::all_of(cells.begin(), cells.end(), [&](const Cell_handle c)
@@ -212,6 +220,7 @@ public:
         v->set_point(*point++);
     for(const Cell_handle c : cells)
       internal::forget_shape(*c);
+    has_changed(cells);
     return is_valid;
   }
 
@@ -230,7 +239,7 @@ public:
       return replace(old_cells, m_star, dropped);
     } catch(...) {
       if(v->cell() == Cell_handle()) // else the star is there, and the visitor threw afterwards
-        m_tr.tds().delete_vertex(v);
+        delete_vertex(v);
       throw;
     }
   }
@@ -242,6 +251,7 @@ public:
                        const VertexRange& dropped = VertexRange())
   {
     const Subdomain_index region = (*old_cells.begin())->subdomain_index();
+    will_exchange(old_cells, tetrahedra.size(), dropped);
     m_visitor.before_cells_removal(old_cells);
     for(const Cell_handle c : old_cells)
       m_domain.remove(c);
@@ -252,16 +262,143 @@ public:
         m_domain.add(c);
       throw;
     }
+    if(m_journal.is_active())
+      m_journal.after_exchange(m_replace.new_cells());
     for(const Vertex_handle v : dropped)
-      m_tr.tds().delete_vertex(v);
+      delete_vertex(v);
     for(const Cell_handle c : m_replace.new_cells())
       set_indices(c, region);
+    has_changed(m_replace.new_cells());
     m_visitor.after_cells_creation(m_replace.new_cells());
     return m_replace.new_cells();
   }
 
+  // --- attempts -----------------------------------------------------------------------------------------------------
+
+  // What is changed from now on may be taken back. Until it is kept or undone, the measure of badness is to stay.
+  void begin_attempt()
+  {
+    m_journal.begin();
+    m_gain = 0;
+    m_dropped_vertices.clear();
+  }
+
+  // By how much the weight of the bad cells has become less since then.
+  double gain_of_attempt() const { return m_gain; }
+
+  void keep_attempt() { m_journal.commit(); }
+
+  // Takes all back. Returns the cells that came back, and those around vertices that moved back. They have new handles,
+  // and so may vertices of theirs.
+  std::vector<Cell_handle> undo_attempt()
+  {
+    std::vector<Vertex_handle> moved;
+    m_journal.change().for_each_moved_vertex([&](const Vertex_handle v, const auto&) { moved.push_back(v); });
+    Undoing_visitor undoing_visitor{ m_domain, m_visitor, std::vector<Cell_handle>() };
+    for(const auto& [before, now] : m_journal.undo(m_tr, undoing_visitor))
+      m_lengths.set_of_constraints(now, constraints_at_dropped_vertex(before));
+    std::vector<Cell_handle> cells = std::move(undoing_visitor.cells);
+    for(const Vertex_handle v : moved)
+      m_tr.tds().incident_cells(v, std::back_inserter(cells));
+    for(const Cell_handle c : cells)
+      internal::forget_shape(*c);
+    return cells;
+  }
+
 private:
+  typedef typename Allowed_lengths_3<Tr>::Range Range;
+
   static constexpr double least_factor = 2; // see "Tuning constants" in the manual
+
+  struct Dropped_vertex
+  {
+    Vertex_handle vertex;
+    Range constraints;
+  };
+
+  // Keeps the domain up to date, as replace() does.
+  struct Undoing_visitor
+  {
+    Domain& domain;
+    Visitor& visitor;
+    std::vector<Cell_handle> cells; // that came back
+
+    void before_cells_removal(const std::vector<Cell_handle>& going)
+    {
+      visitor.before_cells_removal(going);
+      for(const Cell_handle c : going)
+        domain.remove(c);
+    }
+
+    void after_cells_creation(const std::vector<Cell_handle>& coming)
+    {
+      for(const Cell_handle c : coming)
+        domain.add(c);
+      cells = coming;
+      visitor.after_cells_creation(coming);
+    }
+  };
+
+  // --- what an attempt has to know of changes -----------------------------------------------------------------------
+
+  template <typename CellRange>
+  void will_change(const CellRange& cells)
+  {
+    if(m_journal.is_active())
+      m_gain += weight_of(cells);
+  }
+
+  template <typename CellRange>
+  void has_changed(const CellRange& cells)
+  {
+    if(m_journal.is_active())
+      m_gain -= weight_of(cells);
+  }
+
+  template <typename CellRange>
+  double weight_of(const CellRange& cells) const
+  {
+    double sum = 0;
+    for(const Cell_handle c : cells)
+      sum += m_badness.weight(quality(c));
+    return sum;
+  }
+
+  // Nothing fails afterwards for want of memory.
+  template <typename CellRange, typename VertexRange>
+  void will_exchange(const CellRange& old_cells, const std::size_t number_of_new_cells, const VertexRange& dropped)
+  {
+    if(! m_journal.is_active())
+      return;
+    m_journal.before_exchange(old_cells, number_of_new_cells);
+    m_journal.make_room_for_removed_vertices(dropped.size());
+    for(const Vertex_handle v : dropped)
+      m_dropped_vertices.push_back({ v, m_lengths.of_constraints(v) });
+    will_change(old_cells);
+  }
+
+  void set_point(const Vertex_handle v, const typename Tr::Point& p)
+  {
+    if(m_journal.is_active())
+      m_journal.before_move(v);
+    v->set_point(p);
+  }
+
+  void delete_vertex(const Vertex_handle v)
+  {
+    if(m_journal.is_active())
+      m_journal.before_removal(v);
+    m_tr.tds().delete_vertex(v);
+  }
+
+  // The first one that had the handle: others got the room that it had left.
+  const Range& constraints_at_dropped_vertex(const Vertex_handle v) const
+  {
+    return std::find_if(m_dropped_vertices.begin(), m_dropped_vertices.end(),
+                        [&](const Dropped_vertex& d) { return d.vertex == v; })->constraints;
+  }
+
+  // --- vertices and cells -------------------------------------------------------------------------------------------
 
   static double distance(const Vertex_handle u, const Vertex_handle v)
   {
@@ -270,7 +407,11 @@ private:
 
   Vertex_handle create_vertex(const Point_3& p, const Subdomain_index region, const double size, const double least)
   {
+    if(m_journal.is_active())
+      m_journal.make_room_for_new_vertices(1);
     const Vertex_handle v = m_tr.tds().create_vertex();
+    if(m_journal.is_active())
+      m_journal.after_creation(v);
     v->set_point(typename Tr::Point(p));
     if constexpr(Has_vertex_indices<typename Tr::Vertex>::value)
       internal::set_vertex_indices(*v, 3, region);
@@ -305,6 +446,9 @@ private:
   Badness_3 m_badness = 1;
   double m_enough_roundness = std::numeric_limits<double>::infinity();
   Allowed_lengths_3<Tr> m_lengths;
+  Mesh_journal_3<Tr> m_journal;                   // of the attempt, if there is one
+  std::vector<Dropped_vertex> m_dropped_vertices; // by it, in order
+  double m_gain = 0;
 };
 
 } // namespace internal

@@ -18,6 +18,8 @@
 #include <CGAL/Boundary_recovery_3/internal/quality/Star_cavity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 
+#include <CGAL/Random.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <vector>
@@ -64,6 +66,17 @@ public:
     return best != nullptr && gain_at(c, *best) > m_least_gain;
   }
 
+  // The same for a few of the places, at random: the first one that will do is taken.
+  bool find_any(const Cell_handle c, const double tolerated_loss, CGAL::Random& random)
+  {
+    m_least_gain = - tolerated_loss;
+    const std::vector<Coordinates_3>& places = m_places_near(internal::corners(c));
+    for(int k = 0; k < max_number_of_random_places && ! places.empty(); ++k)
+      if(gain_at(c, places[random.uniform_int<std::size_t>(0, places.size() - 1)]) > m_least_gain)
+        return true;
+    return false;
+  }
+
   // Inserts the vertex.
   void apply() { m_new_cells = &m_cavity.exchange(); }
 
@@ -79,6 +92,7 @@ private:
   // See "Tuning constants" in the manual.
   static constexpr int max_number_of_steps = 20;
   static constexpr std::size_t max_number_of_cells = 30;
+  static constexpr int max_number_of_random_places = 4;
 
   // Returns by how much the cells would be less bad with a vertex there; the least gain: not by more, or it is not
   // possible.
