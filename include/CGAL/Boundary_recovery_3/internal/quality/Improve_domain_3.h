@@ -272,9 +272,10 @@ private:
     {
       std::vector<Bad_cell> cells;
       for(const Bad_cell& c : m_bad_cells.next_round())
+      {
         if(! m_bad_cells.contains(c.cell))
           continue;
-        else if(internal::is_forced(m_walls_at_edge, c.cell, really_bad_angle))
+        if(internal::is_forced(m_walls_at_edge, c.cell, really_bad_angle))
           forced_cells.push_back(c);
         else if(number_of_attempts < max_number_of_attempts && m_context.go_further_after_short_step())
         {
@@ -284,6 +285,7 @@ private:
         }
         else
           cells.push_back(c);
+      }
       put_back(cells);
     }
     put_back(forced_cells);
