@@ -93,7 +93,7 @@ struct Attempt
 
   // All that there is, by points instead of handles.
   typedef std::array<double, 3>                                       Place;
-  typedef std::tuple<Place, int, double, double>                      Corner; // dimension, size, least length
+  typedef std::tuple<Place, int, double, double, double>              Corner; // dimension, size, lengths nearby
   typedef std::tuple<std::array<Corner, 4>, int, std::array<int, 4>, bool, std::array<Place, 4>>  Row;
 
   std::vector<Row> portrait() const
@@ -107,8 +107,9 @@ struct Attempt
       for(int i = 0; i < 4; ++i)
       {
         const Vertex_handle v = c->vertex(i), opposite = scene.tr.mirror_vertex(c, i);
+        const auto& lengths = mesh.allowed_lengths().of_constraints(v);
         corners[i] = Corner(Mesh::coordinates(v), v->in_dimension(), CGAL::to_double(v->meshing_info()),
-                            mesh.allowed_lengths().least(v));
+                            lengths.least, lengths.largest);
         patches[i] = static_cast<int>(c->surface_patch_index(i));
         if(! scene.tr.is_infinite(opposite))
           behind[i] = Mesh::coordinates(opposite);
