@@ -78,6 +78,13 @@ std::array<Coordinates_3, 3> corners(const std::array<Vertex_handle, 3>& triangl
             coordinates_of(triangle[2]->point()) }};
 }
 
+template <typename Vertex_handle>
+std::array<Coordinates_3, 4> corners(const std::array<Vertex_handle, 4>& tetrahedron)
+{
+  return {{ coordinates_of(tetrahedron[0]->point()), coordinates_of(tetrahedron[1]->point()),
+            coordinates_of(tetrahedron[2]->point()), coordinates_of(tetrahedron[3]->point()) }};
+}
+
 // Six times the volume of a tetrahedron, in floating point numbers.
 inline double volume_times_6(const std::array<Coordinates_3, 4>& p)
 {

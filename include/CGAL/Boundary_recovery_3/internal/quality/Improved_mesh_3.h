@@ -85,7 +85,7 @@ public:
 
   double quality(const Tetrahedron& t) const
   {
-    return m_quality({{ coordinates(t[0]), coordinates(t[1]), coordinates(t[2]), coordinates(t[3]) }});
+    return m_quality(internal::corners(t));
   }
 
   // Whether a vertex is on a constraint, as far as it has a dimension that tells.

@@ -45,7 +45,7 @@ public:
       return false;
     m_best_point.clear(m_mesh.measure_of_badness());
     for(const auto& f : m_star.faces())
-      m_best_point.add({{ Mesh::coordinates(f[0]), Mesh::coordinates(f[1]), Mesh::coordinates(f[2]) }});
+      m_best_point.add(internal::corners(f));
     Coordinates_3 p = Mesh::coordinates(v);
     m_limits.assign(m_mesh.allowed_lengths(), v, m_star.neighbors());
     return m_best_point.improve(p, m_limits) >= least_progress && m_mesh.move(v, p, m_star.cells(), m_star.faces());

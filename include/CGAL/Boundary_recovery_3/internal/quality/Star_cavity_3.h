@@ -88,8 +88,7 @@ public:
   {
     m_best_point.clear(m_mesh.measure_of_badness());
     for(const Face& f : m_faces)
-      m_best_point.add({{ Mesh::coordinates(f.vertices[0]), Mesh::coordinates(f.vertices[1]),
-                          Mesh::coordinates(f.vertices[2]) }});
+      m_best_point.add(internal::corners(f.vertices));
     m_best_point.improve(m_point, [](const Coordinates_3&) { return true; });
     const std::vector<double>& qualities = m_best_point.qualities();
     for(std::size_t k = 0; k < m_faces.size(); ++k)

@@ -80,9 +80,8 @@ private:
   static double angle_at_edge(const Vertex_handle u, const Vertex_handle v,
                               const Vertex_handle p, const Vertex_handle q)
   {
-    const Cell_corners_3 corners = {{ coordinates_of(u->point()), coordinates_of(v->point()),
-                                      coordinates_of(p->point()), coordinates_of(q->point()) }};
-    return Cell_angles_3(corners)[0]; // the first edge is that of the first two corners
+    const std::array<Vertex_handle, 4> tetrahedron = {{ u, v, p, q }};
+    return Cell_angles_3(internal::corners(tetrahedron))[0]; // the first edge is that of the first two corners
   }
 
   const Domain& m_domain;
