@@ -14,12 +14,12 @@
 
 #include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/distances_3.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/Cell_replacement.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_journal_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_editor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/forget_shape.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_indices.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Allowed_lengths_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Badness_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Domain_keeper_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/sure_roundness.h>
 #include <CGAL/Boundary_recovery_3/internal/util/bare_point.h>
 
@@ -50,22 +50,21 @@ template <typename Tr, typename Domain_, typename Quality_, typename Visitor>
 class Improved_mesh_3
 {
 public:
-  typedef Tr                                Triangulation;
-  typedef Domain_                           Domain;
-  typedef Quality_                          Quality;
-  typedef typename Tr::Vertex_handle        Vertex_handle;
-  typedef typename Tr::Cell_handle          Cell_handle;
-  typedef typename Tr::Geom_traits::Point_3 Point_3;
-  typedef std::array<Coordinates_3, 4>      Corners;
-  typedef Cell_replacement<Tr>              Replacement;
-  typedef typename Replacement::Tetrahedron Tetrahedron;
-  typedef typename Replacement::Cells       Cells;
-  typedef typename Tr::Cell::Subdomain_index Subdomain_index;
+  typedef Tr                                   Triangulation;
+  typedef Domain_                              Domain;
+  typedef Quality_                             Quality;
+  typedef typename Tr::Vertex_handle           Vertex_handle;
+  typedef typename Tr::Cell_handle             Cell_handle;
+  typedef typename Tr::Geom_traits::Point_3    Point_3;
+  typedef std::array<Coordinates_3, 4>         Corners;
+  typedef Domain_keeper_3<Tr, Domain, Visitor> Domain_keeper;
+  typedef Mesh_editor_3<Tr, Domain_keeper>     Editor;
+  typedef typename Editor::Tetrahedron         Tetrahedron;
+  typedef typename Editor::Cells               Cells;
 
   Improved_mesh_3(Tr& tr, Domain& domain, const Quality& quality, Visitor& visitor)
-    : m_tr(tr), m_domain(domain), m_quality(quality), m_visitor(visitor),
-      m_orientation(tr.geom_traits().orientation_3_object()),
-      m_lengths(tr)
+    : m_tr(tr), m_domain(domain), m_quality(quality), m_domain_keeper(domain, visitor), m_editor(tr, m_domain_keeper),
+      m_orientation(tr.geom_traits().orientation_3_object()), m_lengths(tr)
   { }
 
   Tr& triangulation() { return m_tr; }
@@ -189,7 +188,7 @@ public:
       if(! is_positive(point(f[0]), point(f[1]), point(f[2]), p))
         return false;
     will_change(cells);
-    set_point(v, typename Tr::Point(p));
+    m_editor.move(v, typename Tr::Point(p));
     for(const Cell_handle c : cells)
       internal::forget_shape(*c);
     has_changed(cells);
@@ -207,7 +206,7 @@ public:
     for(const Vertex_handle v : vertices)
     {
       before.push_back(v->point());
-      set_point(v, typename Tr::Point(Point_3((*place)[0], (*place)[1], (*place)[2])));
+      m_editor.move(v, typename Tr::Point(Point_3((*place)[0], (*place)[1], (*place)[2])));
       ++place;
     }
     const bool is_valid = std::all_of(cells.begin(), cells.end(), [&](const Cell_handle c)
@@ -239,7 +238,7 @@ public:
       return replace(old_cells, m_star, dropped);
     } catch(...) {
       if(v->cell() == Cell_handle()) // else the star is there, and the visitor threw afterwards
-        delete_vertex(v);
+        m_editor.delete_vertex(v);
       throw;
     }
   }
@@ -250,27 +249,18 @@ public:
   const Cells& replace(const CellRange& old_cells, const TetrahedronRange& tetrahedra,
                        const VertexRange& dropped = VertexRange())
   {
-    const Subdomain_index region = (*old_cells.begin())->subdomain_index();
-    will_exchange(old_cells, tetrahedra.size(), dropped);
-    m_visitor.before_cells_removal(old_cells);
-    for(const Cell_handle c : old_cells)
-      m_domain.remove(c);
+    if(m_editor.journal().is_active())
+      for(const Vertex_handle v : dropped)
+        m_dropped_vertices.push_back({ v, m_lengths.of_constraints(v) });
+    will_change(old_cells);
     try {
-      m_replace(m_tr, old_cells, tetrahedra);
+      m_editor.replace(old_cells, tetrahedra, dropped);
     } catch(...) {
-      for(const Cell_handle c : old_cells)
-        m_domain.add(c);
+      m_domain_keeper.after_failure(old_cells);
       throw;
     }
-    if(m_journal.is_active())
-      m_journal.after_exchange(m_replace.new_cells());
-    for(const Vertex_handle v : dropped)
-      delete_vertex(v);
-    for(const Cell_handle c : m_replace.new_cells())
-      set_indices(c, region);
-    has_changed(m_replace.new_cells());
-    m_visitor.after_cells_creation(m_replace.new_cells());
-    return m_replace.new_cells();
+    has_changed(m_editor.new_cells());
+    return m_editor.new_cells();
   }
 
   // --- attempts -----------------------------------------------------------------------------------------------------
@@ -278,7 +268,7 @@ public:
   // What is changed from now on may be taken back. Until it is kept or undone, the measure of badness is to stay.
   void begin_attempt()
   {
-    m_journal.begin();
+    m_editor.begin();
     m_gain = 0;
     m_dropped_vertices.clear();
   }
@@ -286,16 +276,16 @@ public:
   // By how much the weight of the bad cells has become less since then.
   double gain_of_attempt() const { return m_gain; }
 
-  void keep_attempt() { m_journal.commit(); }
+  void keep_attempt() { m_editor.commit(); }
 
   // Takes all back. Returns the cells that came back, and those around vertices that moved back. They have new handles,
   // and so may vertices of theirs.
   std::vector<Cell_handle> undo_attempt()
   {
     std::vector<Vertex_handle> moved;
-    m_journal.change().for_each_moved_vertex([&](const Vertex_handle v, const auto&) { moved.push_back(v); });
-    Undoing_visitor undoing_visitor{ m_domain, m_visitor, std::vector<Cell_handle>() };
-    for(const auto& [before, now] : m_journal.undo(m_tr, undoing_visitor))
+    m_editor.journal().change().for_each_moved_vertex([&](const Vertex_handle v, const auto&) { moved.push_back(v); });
+    Undoing_visitor undoing_visitor{ m_domain_keeper, std::vector<Cell_handle>() };
+    for(const auto& [before, now] : m_editor.undo(undoing_visitor))
       m_lengths.set_of_constraints(now, constraints_at_dropped_vertex(before));
     std::vector<Cell_handle> cells = std::move(undoing_visitor.cells);
     for(const Vertex_handle v : moved)
@@ -316,26 +306,17 @@ private:
     Range constraints;
   };
 
-  // Keeps the domain up to date, as replace() does.
   struct Undoing_visitor
   {
-    Domain& domain;
-    Visitor& visitor;
+    Domain_keeper& domain_keeper;
     std::vector<Cell_handle> cells; // that came back
 
-    void before_cells_removal(const std::vector<Cell_handle>& going)
-    {
-      visitor.before_cells_removal(going);
-      for(const Cell_handle c : going)
-        domain.remove(c);
-    }
+    void before_cells_removal(const std::vector<Cell_handle>& going) { domain_keeper.before_cells_removal(going); }
 
     void after_cells_creation(const std::vector<Cell_handle>& coming)
     {
-      for(const Cell_handle c : coming)
-        domain.add(c);
       cells = coming;
-      visitor.after_cells_creation(coming);
+      domain_keeper.after_cells_return(coming);
     }
   };
 
@@ -344,14 +325,14 @@ private:
   template <typename CellRange>
   void will_change(const CellRange& cells)
   {
-    if(m_journal.is_active())
+    if(m_editor.journal().is_active())
       m_gain += weight_of(cells);
   }
 
   template <typename CellRange>
   void has_changed(const CellRange& cells)
   {
-    if(m_journal.is_active())
+    if(m_editor.journal().is_active())
       m_gain -= weight_of(cells);
   }
 
@@ -364,33 +345,6 @@ private:
     return sum;
   }
 
-  // Nothing fails afterwards for want of memory.
-  template <typename CellRange, typename VertexRange>
-  void will_exchange(const CellRange& old_cells, const std::size_t number_of_new_cells, const VertexRange& dropped)
-  {
-    if(! m_journal.is_active())
-      return;
-    m_journal.before_exchange(old_cells, number_of_new_cells);
-    m_journal.make_room_for_removed_vertices(dropped.size());
-    for(const Vertex_handle v : dropped)
-      m_dropped_vertices.push_back({ v, m_lengths.of_constraints(v) });
-    will_change(old_cells);
-  }
-
-  void set_point(const Vertex_handle v, const typename Tr::Point& p)
-  {
-    if(m_journal.is_active())
-      m_journal.before_move(v);
-    v->set_point(p);
-  }
-
-  void delete_vertex(const Vertex_handle v)
-  {
-    if(m_journal.is_active())
-      m_journal.before_removal(v);
-    m_tr.tds().delete_vertex(v);
-  }
-
   // The first one that had the handle: others got the room that it had left.
   const Range& constraints_at_dropped_vertex(const Vertex_handle v) const
   {
@@ -398,21 +352,17 @@ private:
                         [&](const Dropped_vertex& d) { return d.vertex == v; })->constraints;
   }
 
-  // --- vertices and cells -------------------------------------------------------------------------------------------
+  // --- vertices -----------------------------------------------------------------------------------------------------
 
   static double distance(const Vertex_handle u, const Vertex_handle v)
   {
     return internal::distance(coordinates(u), coordinates(v));
   }
 
-  Vertex_handle create_vertex(const Point_3& p, const Subdomain_index region, const double size, const double least)
+  template <typename Subdomain_index>
+  Vertex_handle create_vertex(const Point_3& p, const Subdomain_index& region, const double size, const double least)
   {
-    if(m_journal.is_active())
-      m_journal.make_room_for_new_vertices(1);
-    const Vertex_handle v = m_tr.tds().create_vertex();
-    if(m_journal.is_active())
-      m_journal.after_creation(v);
-    v->set_point(typename Tr::Point(p));
+    const Vertex_handle v = m_editor.create_vertex(typename Tr::Point(p));
     if constexpr(Has_vertex_indices<typename Tr::Vertex>::value)
       internal::set_vertex_indices(*v, 3, region);
     if constexpr(Has_meshing_info<typename Tr::Vertex>::value)
@@ -424,30 +374,17 @@ private:
     return v;
   }
 
-  // Facets between the new cells have no mark.
-  void set_indices(const Cell_handle c, const Subdomain_index region)
-  {
-    c->set_subdomain_index(region);
-    for(int i = 0; i < 4; ++i)
-    {
-      const Cell_handle n = c->neighbor(i);
-      c->set_surface_patch_index(i, n->surface_patch_index(n->index(c)));
-    }
-    m_domain.add(c);
-  }
-
   Tr& m_tr;
   Domain& m_domain;
   const Quality& m_quality;
-  Visitor& m_visitor;
+  Domain_keeper m_domain_keeper;
+  Editor m_editor; // with a journal, in an attempt
   typename Tr::Geom_traits::Orientation_3 m_orientation;
-  Replacement m_replace;
   std::vector<Tetrahedron> m_star;
   Badness_3 m_badness = 1;
   double m_enough_roundness = std::numeric_limits<double>::infinity();
   Allowed_lengths_3<Tr> m_lengths;
-  Mesh_journal_3<Tr> m_journal;                   // of the attempt, if there is one
-  std::vector<Dropped_vertex> m_dropped_vertices; // by it, in order
+  std::vector<Dropped_vertex> m_dropped_vertices; // by the attempt, in order
   double m_gain = 0;
 };
 
