@@ -7,7 +7,9 @@
 
 #include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/Cell_quality_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Improve_bad_cells_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Improve_domain_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Search_locally_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -274,6 +276,76 @@ void test_random_meshes(const unsigned first, const unsigned last)
   assert(number_after < number_before);
 }
 
+// The bad cells of a scene, with the operations on them, and the search, without the schedule.
+struct Bad_cell_improvement
+  : public Improvement<K>
+{
+  typedef internal::Improve_bad_cells_3<Tr, Domain, Quality, Visitor> Improve_bad_cells;
+  typedef internal::Search_locally_3<Tr, Domain, Quality, Visitor>    Search_locally;
+
+  static constexpr double angle = 12;
+
+  explicit Bad_cell_improvement(const unsigned seed)
+    : Improvement<K>(seed, options_of(seed)), improve(scene.tr, domain, quality, context),
+      search(improve, domain, quality, context)
+  {
+    improve.set_measure_of_badness(quality.of_angle(angle));
+    for(const Cell_handle c : scene.cells())
+      if(scene.contains(c))
+        improve.bad_cells().push(c);
+  }
+
+  // Whether these are all bad cells, each of them once.
+  bool is_complete(const std::vector<Improve_bad_cells::Bad_cell>& cells) const
+  {
+    std::set<Cell_handle> in_list, in_mesh;
+    for(const auto& c : cells)
+      assert(in_list.insert(c.cell).second);
+    for(const Cell_handle c : scene.cells())
+      if(scene.contains(c) && quality(internal::corners(c)) < quality.of_angle(angle))
+        in_mesh.insert(c);
+    return in_list == in_mesh;
+  }
+
+  double weight() const
+  {
+    const internal::Badness_3 badness(quality.of_angle(angle));
+    double sum = 0;
+    for(const Cell_handle c : scene.cells())
+      if(scene.contains(c))
+        sum += badness.weight(quality(internal::corners(c)));
+    return sum;
+  }
+
+  Improve_bad_cells improve;
+  Search_locally search;
+};
+
+// No cell is lost from the list, whatever is done, taken back, or left; and the search finds something.
+void test_search()
+{
+  double sum_before = 0, sum = 0;
+  for(unsigned seed = 0; seed < 12; ++seed)
+  {
+    Bad_cell_improvement t(seed);
+    t.judge.remember_all();
+    t.improve.try_all(0);
+    assert(t.judge.is_unchanged());
+    const auto cells = t.improve.bad_cells().next_round();
+    assert(t.is_complete(cells));
+    t.improve.bad_cells().put_back(cells);
+    t.improve.try_all();
+    const double before = t.weight();
+    t.search(t.angle);
+    assert(t.is_complete(t.improve.bad_cells().next_round()) && t.weight() <= before + 1e-9);
+    t.check();
+    sum_before += before;
+    sum += t.weight();
+  }
+  std::cout << "weight of bad cells before and after the search " << sum_before << " -> " << sum << std::endl;
+  assert(sum < 0.95 * sum_before);
+}
+
 // If all cells are good enough, nothing is done.
 void test_nothing_to_do()
 {
@@ -361,6 +433,7 @@ int main()
 #ifndef BR3_TEST_EPICK_ONLY
   test_random_meshes<CGAL::Exact_predicates_exact_constructions_kernel>(2, 4);
 #endif
+  test_search();
   test_nothing_to_do();
   test_interruptions(2);
   test_interruptions(3);

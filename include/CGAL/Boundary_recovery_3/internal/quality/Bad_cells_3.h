@@ -58,8 +58,9 @@ public:
     return q;
   }
 
-  // It was not visited.
+  // It was not visited, or they were not.
   void put_back(const Bad_cell& c) { m_cells.push_back(c); }
+  void put_back(const std::vector<Bad_cell>& cells) { m_cells.insert(m_cells.end(), cells.begin(), cells.end()); }
 
   // These cells of the domain are new, or have a vertex that moved.
   template <typename CellRange>

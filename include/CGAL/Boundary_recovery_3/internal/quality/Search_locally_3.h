@@ -1,0 +1,151 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_SEARCH_LOCALLY_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_SEARCH_LOCALLY_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Bad_cells_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Improve_bad_cells_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Insert_near_bad_cell_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Move_at_random_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Walls_at_edge_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
+
+#include <CGAL/Random.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+/*
+ * *Iterated local search* [LMS03]: the mesh is perturbed near one bad cell after the other, and all operations have a
+ * turn there. If the cells are not less bad then, all of that is taken back.
+ */
+template <typename Tr, typename Domain, typename Quality, typename Visitor>
+class Search_locally_3
+{
+public:
+  typedef Improve_bad_cells_3<Tr, Domain, Quality, Visitor> Improve_bad_cells;
+  typedef typename Improve_bad_cells::Mesh                  Mesh;
+  typedef typename Improve_bad_cells::Bad_cell              Bad_cell;
+  typedef typename Tr::Cell_handle                          Cell_handle;
+
+  Search_locally_3(Improve_bad_cells& improve, const Domain& domain, const Quality& quality,
+                   Recovery_context<Visitor>& context)
+    : m_improve(improve), m_context(context), m_mesh(improve.mesh()), m_bad_cells(improve.bad_cells()),
+      m_walls_at_edge(domain), m_insert_near(m_mesh, quality), m_move_at_random(m_mesh)
+  { }
+
+  // For all bad cells but those that are forced to be below `angle`, in degrees.
+  void operator()(const double angle)
+  {
+    std::size_t number_of_attempts = 0;
+    std::vector<Bad_cell> forced_cells;
+    for(int k = 0; k < max_number_of_searches && m_context.go_further(); ++k)
+    {
+      std::vector<Bad_cell> cells;
+      for(const Bad_cell& c : m_bad_cells.next_round())
+      {
+        if(! m_bad_cells.contains(c.cell))
+          continue;
+        if(internal::is_forced(m_walls_at_edge, c.cell, angle))
+          forced_cells.push_back(c);
+        else if(number_of_attempts < max_number_of_attempts && m_context.go_further_after_short_step())
+        {
+          number_of_attempts += attempt(c.cell);
+          const std::vector<Bad_cell> around = m_bad_cells.take();
+          cells.insert(cells.end(), around.begin(), around.end());
+        }
+        else
+          cells.push_back(c);
+      }
+      m_bad_cells.put_back(cells);
+    }
+    m_bad_cells.put_back(forced_cells);
+  }
+
+private:
+  // See "Tuning constants" in the manual.
+  static constexpr int max_number_of_searches = 60; // through all bad cells
+  static constexpr std::size_t max_number_of_attempts = 3000;
+  static constexpr std::size_t max_number_of_visits = 50; // in an attempt
+  static constexpr double share_of_insertions = 0.25; // of the attempts
+  static constexpr double tolerated_loss = 3;
+  static constexpr double least_gain = 1e-6;
+
+  // Afterwards, the bad cells that are new or back are in the list. Returns whether the mesh could be perturbed.
+  bool attempt(const Cell_handle c)
+  {
+    const Quality_improvement_counts counts = m_improve.counts();
+    m_bad_cells.begin_visit();
+    m_mesh.begin_attempt();
+    const bool is_perturbed = perturb_near(c);
+    push_if_bad(c);
+    if(is_perturbed)
+      m_improve.try_all(max_number_of_visits);
+    if(m_mesh.gain_of_attempt() > least_gain)
+      m_mesh.keep_attempt();
+    else
+    {
+      m_bad_cells.take();
+      m_bad_cells.push_changed(m_mesh.undo_attempt());
+      push_if_bad(c);
+      m_improve.counts() = counts;
+    }
+    return is_perturbed;
+  }
+
+  // The cell itself may be gone, or not be one of those that are changed.
+  void push_if_bad(const Cell_handle c)
+  {
+    if(m_bad_cells.contains(c))
+      m_bad_cells.push(c);
+  }
+
+  // At random.
+  bool perturb_near(const Cell_handle c)
+  {
+    if(m_random.get_double() < share_of_insertions)
+    {
+      if(! m_insert_near.find_any(c, tolerated_loss, m_random))
+        return false;
+      m_insert_near.apply();
+      m_improve.note_insertion(m_insert_near);
+    }
+    else
+    {
+      if(! m_move_at_random(c, m_random))
+        return false;
+      ++m_improve.counts().number_of_moved_vertices;
+      m_bad_cells.push_changed(m_move_at_random.cells());
+    }
+    return true;
+  }
+
+  Improve_bad_cells& m_improve;
+  Recovery_context<Visitor>& m_context;
+  Mesh& m_mesh;
+  Bad_cells_3<Mesh>& m_bad_cells;
+  Walls_at_edge_3<Tr, Domain> m_walls_at_edge;
+  Insert_near_bad_cell_3<Mesh> m_insert_near;
+  Move_at_random_3<Mesh> m_move_at_random;
+  CGAL::Random m_random = CGAL::Random(0); // always the same numbers
+};
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_SEARCH_LOCALLY_3_H
