@@ -106,6 +106,7 @@ private:
 
   // See "Tuning constants" in the manual.
   static constexpr double really_bad_angle = 12;
+  static constexpr double very_bad_angle = 10.1;
   static constexpr double nearly_as_bad_angle = 16;
   static constexpr std::size_t cells_per_nearly_bad_cell = 1000; // so many are worked on above that angle
   static constexpr int number_of_perturbations = 2;
@@ -139,7 +140,8 @@ private:
   }
 
   // Where nothing helps any more, vertices are inserted near the worst cells though that makes others bad, and all
-  // operations have another turn. That gets out of states that no single operation makes better.
+  // operations have another turn. That gets out of states that no single operation makes better. At last, those that
+  // are very bad may become better at the cost of the others.
   void improve_with_perturbations()
   {
     improve_leniently();
@@ -152,6 +154,9 @@ private:
       improve_leniently();
     }
     m_search_locally(really_bad_angle);
+    set_enough(very_bad_angle);
+    improve_leniently();
+    m_search_locally(very_bad_angle);
     m_improve.set_visits_only_changed(false);
   }
 

@@ -79,8 +79,8 @@ public:
 private:
   // See "Tuning constants" in the manual.
   static constexpr int max_number_of_searches = 60; // through all bad cells
-  static constexpr std::size_t max_number_of_attempts = 3000;
-  static constexpr std::size_t max_number_of_visits = 50; // in an attempt
+  static constexpr std::size_t max_number_of_attempts = 6000;
+  static constexpr std::size_t max_number_of_visits = 25; // in an attempt
   static constexpr double share_of_insertions = 0.25; // of the attempts
   static constexpr double tolerated_loss = 3;
   static constexpr double least_gain = 1e-6;
