@@ -27,7 +27,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
 #include <iterator>
 #include <limits>
 #include <utility>
