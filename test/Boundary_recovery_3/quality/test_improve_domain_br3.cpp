@@ -336,7 +336,10 @@ void test_search()
     t.improve.bad_cells().put_back(cells);
     t.improve.try_all();
     const double before = t.weight();
-    t.search(t.angle);
+    t.judge.remember_all();
+    t.search(t.angle, 0);
+    assert(t.judge.is_unchanged());
+    t.search(t.angle, 6000);
     assert(t.is_complete(t.improve.bad_cells().next_round()) && t.weight() <= before + 1e-9);
     t.check();
     sum_before += before;
@@ -375,8 +378,9 @@ void test_interruptions(const unsigned seed)
     number_of_calls = t.visitor.number_of_calls;
     worst = t.worst();
   }
+  std::cout << number_of_questions << " questions, " << number_of_calls << " calls" << std::endl;
   assert(number_of_questions > 5 && number_of_calls > 20);
-  for(std::size_t k = 1; k <= number_of_questions; ++k)
+  for(std::size_t k = 1; k <= number_of_questions; k += 1 + number_of_questions / 40)
   {
     Improvement<K> t(seed, options_of(seed));
     t.judge.remember_all();

@@ -103,6 +103,9 @@ public:
   // The number of the visit that goes on.
   std::size_t visit() const { return m_visit; }
 
+  // How many there are at most: some may be gone or good.
+  std::size_t size() const { return m_cells.size(); }
+
   // Begins a round: the cells to be worked through, the worst one first; there is none left here. In equal meshes, the
   // order is the same.
   std::vector<Bad_cell> next_round()

@@ -37,8 +37,8 @@ namespace internal {
  * Then, only those cells count that are really bad, others may get worse for them, and all operations are tried. For
  * what that leaves, beside the thin triangles of a surface, a few cells may become very bad so that many are not; and a
  * few times, the mesh is perturbed, which the next operations make up for, or that is taken back. Those that are nearly
- * as bad, or the worst ones where these are few, are worked on afterwards, so that the worst ones have the choice. At
- * last, all the others get rounder, where that is for nothing.
+ * as bad have a turn of the same kind before the last one of the very bad ones. Then they, or the worst cells where
+ * these are few, are worked on strictly again. At last, all the others get rounder, where that is for nothing.
  */
 template <typename Tr, typename Domain, typename Quality, typename Visitor>
 class Improve_domain_3
@@ -112,6 +112,8 @@ private:
   static constexpr int number_of_perturbations = 2;
   static constexpr std::size_t max_number_of_perturbed_cells = 2500;
   static constexpr double tolerated_loss = 1;
+  static constexpr std::size_t max_number_of_attempts = 6000; // of each search
+  static constexpr std::size_t max_number_of_attempts_above = 1500; // for those that are only nearly as bad
 
   void set_enough(const double degrees) { m_improve.set_measure_of_badness(m_quality.of_angle(degrees)); }
 
@@ -120,15 +122,22 @@ private:
   void improve_nearly_as_bad_cells()
   {
     set_enough(m_target);
-    std::vector<double> qualities;
-    for(const Cell_handle c : m_mesh.triangulation().finite_cell_handles())
-      if(m_mesh.domain().contains(c))
-        qualities.push_back(m_bad_cells.push(c));
+    std::vector<double> qualities = push_all();
     if(qualities.empty())
       return;
     const double least = m_quality.of_angle((std::min)(m_target, nearly_as_bad_angle));
     m_improve.set_measure_of_badness(std::clamp(quality_of_few(qualities), least, m_quality.of_angle(m_target)));
     m_improve.try_all();
+  }
+
+  // Puts all cells into the list that are bad; it may have some of them. Returns the qualities of all.
+  std::vector<double> push_all()
+  {
+    std::vector<double> qualities;
+    for(const Cell_handle c : m_mesh.triangulation().finite_cell_handles())
+      if(m_mesh.domain().contains(c))
+        qualities.push_back(m_bad_cells.push(c));
+    return qualities;
   }
 
   // The quality that only few of these are below.
@@ -153,11 +162,25 @@ private:
       m_improve.try_all();
       improve_leniently();
     }
-    m_search_locally(really_bad_angle);
+    m_search_locally(really_bad_angle, max_number_of_attempts);
+    improve_nearly_as_bad_cells_leniently();
     set_enough(very_bad_angle);
     improve_leniently();
-    m_search_locally(very_bad_angle);
+    m_search_locally(very_bad_angle, max_number_of_attempts);
     m_improve.set_visits_only_changed(false);
+  }
+
+  // None gets very bad. Where there are many, a search does not pay: the surface forces nearly all of them.
+  void improve_nearly_as_bad_cells_leniently()
+  {
+    const double angle = (std::min)(m_target, nearly_as_bad_angle);
+    set_enough(angle);
+    push_all();
+    m_improve.set_visits_only_changed(false); // most of them were not visited yet
+    improve_leniently(m_quality.of_angle(very_bad_angle));
+    m_improve.set_visits_only_changed(true);
+    if(m_bad_cells.size() <= max_number_of_attempts_above)
+      m_search_locally(angle, max_number_of_attempts_above);
   }
 
   void perturb()
@@ -174,13 +197,13 @@ private:
     }
   }
 
-  // No cell gets worse than the worst one is.
-  void improve_leniently()
+  // No cell gets worse than this quality, nor than the worst one is.
+  void improve_leniently(const double least_quality = 0)
   {
     const std::vector<Bad_cell> cells = m_bad_cells.next_round();
     if(cells.empty())
       return;
-    m_improve.set_measure_of_badness(Badness_3(m_mesh.enough(), cells.front().quality));
+    m_improve.set_measure_of_badness(Badness_3(m_mesh.enough(), (std::max)(least_quality, cells.front().quality)));
     m_bad_cells.put_back(cells);
     m_improve.try_all();
   }

@@ -48,8 +48,8 @@ public:
       m_walls_at_edge(domain), m_insert_near(m_mesh, quality), m_move_at_random(m_mesh)
   { }
 
-  // For all bad cells but those that are forced to be below `angle`, in degrees.
-  void operator()(const double angle)
+  // For all bad cells but those that are forced to be below `angle`, in degrees, as far as the attempts go.
+  void operator()(const double angle, const std::size_t max_number_of_attempts)
   {
     std::size_t number_of_attempts = 0;
     std::vector<Bad_cell> forced_cells;
@@ -79,7 +79,6 @@ public:
 private:
   // See "Tuning constants" in the manual.
   static constexpr int max_number_of_searches = 60; // through all bad cells
-  static constexpr std::size_t max_number_of_attempts = 6000;
   static constexpr std::size_t max_number_of_visits = 25; // in an attempt
   static constexpr double share_of_insertions = 0.25; // of the attempts
   static constexpr double tolerated_loss = 3;
