@@ -205,8 +205,8 @@ void test_numbers()
 void test_quality()
 {
   Scene<K> one(boxes()), many(boxes());
-  one.make(.2);
-  many.make(.2, parameters::number_of_subdomains(8));
+  one.make(.15);
+  many.make(.15, parameters::number_of_subdomains(8));
   const auto& expected = one.result.improvement.after;
   const auto& found = many.result.improvement.after;
   const auto share = [](const BR3::Mesh_quality_3& quality, const int i)
