@@ -91,9 +91,7 @@ public:
   void operator()(const double min_dihedral_angle)
   {
     set_target(min_dihedral_angle);
-    for(const Cell_handle c : m_mesh.triangulation().finite_cell_handles())
-      if(m_mesh.domain().contains(c))
-        add(c);
+    for_each_cell([&](const Cell_handle c) { add(c); });
     (*this)();
   }
 
@@ -115,6 +113,15 @@ private:
   static constexpr std::size_t max_number_of_attempts = 6000; // of each search
   static constexpr std::size_t max_number_of_attempts_above = 1500; // for those that are only nearly as bad
 
+  // Of the domain.
+  template <typename Function>
+  void for_each_cell(const Function& f) const
+  {
+    for(const Cell_handle c : m_mesh.triangulation().finite_cell_handles())
+      if(m_mesh.domain().contains(c))
+        f(c);
+  }
+
   void set_enough(const double degrees) { m_improve.set_measure_of_badness(m_quality.of_angle(degrees)); }
 
   // Those below an angle, and if these are few, the worst ones below the target. The list has only those that were bad
@@ -122,22 +129,13 @@ private:
   void improve_nearly_as_bad_cells()
   {
     set_enough(m_target);
-    std::vector<double> qualities = push_all();
+    std::vector<double> qualities;
+    for_each_cell([&](const Cell_handle c) { qualities.push_back(m_bad_cells.push(c)); });
     if(qualities.empty())
       return;
     const double least = m_quality.of_angle((std::min)(m_target, nearly_as_bad_angle));
     m_improve.set_measure_of_badness(std::clamp(quality_of_few(qualities), least, m_quality.of_angle(m_target)));
     m_improve.try_all();
-  }
-
-  // Puts all cells into the list that are bad; it may have some of them. Returns the qualities of all.
-  std::vector<double> push_all()
-  {
-    std::vector<double> qualities;
-    for(const Cell_handle c : m_mesh.triangulation().finite_cell_handles())
-      if(m_mesh.domain().contains(c))
-        qualities.push_back(m_bad_cells.push(c));
-    return qualities;
   }
 
   // The quality that only few of these are below.
@@ -175,7 +173,7 @@ private:
   {
     const double angle = (std::min)(m_target, nearly_as_bad_angle);
     set_enough(angle);
-    push_all();
+    for_each_cell([&](const Cell_handle c) { m_bad_cells.push(c); });
     m_improve.set_visits_only_changed(false); // most of them were not visited yet
     improve_leniently(m_quality.of_angle(very_bad_angle));
     m_improve.set_visits_only_changed(true);
