@@ -14,8 +14,8 @@
 
 #include <CGAL/Boundary_recovery_3/Shell_quality_3.h>
 #include <CGAL/Boundary_recovery_3/Shell_validity_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Domain_keeper_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_index_transfer_3.h>
 #include <CGAL/Shell_transformation_3.h>
 
 #include <vector>
@@ -65,33 +65,21 @@ public:
   typedef typename Tr::Edge         Edge;
 
 private:
+  // Remembers the new cells, too.
   struct Keeper
+    : public Domain_keeper_3<Tr, Domain, Visitor>
   {
-    Mesh_index_transfer_3<Tr> transfer;
-    Domain& domain;
-    Visitor& visitor;
-    std::vector<Cell_handle> new_cells;
-
-    template <typename CellRange>
-    void before_cells_removal(const CellRange& cells)
-    {
-      visitor.before_cells_removal(cells);
-      transfer.collect(cells);
-      for(const Cell_handle c : cells)
-        domain.remove(c);
-    }
+    typedef Domain_keeper_3<Tr, Domain, Visitor> Base;
+    using Base::Base;
 
     template <typename CellRange>
     void after_cells_creation(const CellRange& cells)
     {
-      transfer.distribute(cells);
-      for(const Cell_handle c : cells)
-      {
-        domain.add(c);
-        new_cells.push_back(c);
-      }
-      visitor.after_cells_creation(cells);
+      new_cells.insert(new_cells.end(), cells.begin(), cells.end());
+      Base::after_cells_creation(cells);
     }
+
+    std::vector<Cell_handle> new_cells;
   };
 
   typedef Shell_transformation_3<Tr, Worst_cell_first_3<Tr>, Shorter_edges_validity_3, Keeper> Transformation;
@@ -101,8 +89,7 @@ public:
   static constexpr int max_degree = Transformation::max_degree;
 
   Remove_long_edge_3(Tr& tr, Domain& domain, Visitor& visitor)
-    : m_keeper{ Mesh_index_transfer_3<Tr>(tr), domain, visitor, {} },
-      m_transform(tr, Worst_cell_first_3<Tr>(tr), Shorter_edges_validity_3(), m_keeper)
+    : m_keeper(domain, visitor), m_transform(tr, Worst_cell_first_3<Tr>(tr), Shorter_edges_validity_3(), m_keeper)
   { }
 
   // Returns whether the edge is gone, or less cells are at it; then none of those that were there is left. No facet at

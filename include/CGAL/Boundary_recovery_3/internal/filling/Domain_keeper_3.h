@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Boundary_recovery_3 authors
 
-#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_DOMAIN_KEEPER_3_H
-#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_DOMAIN_KEEPER_3_H
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_DOMAIN_KEEPER_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_DOMAIN_KEEPER_3_H
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
@@ -17,8 +17,8 @@ namespace Boundary_recovery_3 {
 namespace internal {
 
 /*
- * The visitor of a `Mesh_editor_3` that exchanges cells of one region of a domain at a time: keeps the domain and the
- * indices of its cells up to date, and hands on everything to another visitor, which finds them so.
+ * The visitor of whatever exchanges cells of one region of a domain at a time, with no wall between them: keeps the
+ * domain and the indices of its cells up to date, and hands on everything to another visitor, which finds them so.
  */
 template <typename Tr, typename Domain, typename Visitor>
 class Domain_keeper_3
@@ -93,4 +93,4 @@ private:
 } // namespace Boundary_recovery_3
 } // namespace CGAL
 
-#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_DOMAIN_KEEPER_3_H
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_DOMAIN_KEEPER_3_H
