@@ -41,6 +41,7 @@ public:
   {
     m_cells.reserve(max_number_of_cells + 3); // so that nothing throws while cells are marked
     m_faces.reserve(max_number_of_cells + 3);
+    m_neighbors.reserve(max_number_of_cells + 6);
   }
 
   // Returns false if the vertex is not free, or has too many cells.
@@ -51,6 +52,8 @@ public:
     m_cells.clear();
     m_faces.clear();
     push(v->cell());
+    const Face first_face = internal::facet_vertices(v->cell(), v->cell()->index(v));
+    m_neighbors.assign(first_face.begin(), first_face.end());
     bool is_free = true;
     for(std::size_t k = 0; is_free && k < m_cells.size(); ++k)
       is_free = m_cells.size() <= m_max_number_of_cells && go_on_from(m_cells[k], v);
@@ -65,15 +68,7 @@ public:
   const std::vector<Face>& faces() const { return m_faces; }
 
   // The other ends of the edges of the vertex, in the order in which they are met.
-  const std::vector<Vertex_handle>& neighbors()
-  {
-    m_neighbors.clear();
-    for(const Face& f : m_faces)
-      for(const Vertex_handle u : f)
-        if(! internal::contains(m_neighbors, u))
-          m_neighbors.push_back(u);
-    return m_neighbors;
-  }
+  const std::vector<Vertex_handle>& neighbors() const { return m_neighbors; }
 
 private:
   // Adds the face of a cell and its neighbors at the vertex. Returns false if something is constrained there.
@@ -85,7 +80,8 @@ private:
       {
         if(m_mesh.domain().is_wall(c, k) || is_constrained_edge(v, c->vertex(k)))
           return false;
-        push(c->neighbor(k));
+        if(c->neighbor(k)->tds_data().is_clear())
+          enter(c->neighbor(k), c);
       }
     m_faces.push_back(internal::facet_vertices(c, i));
     return true;
@@ -99,10 +95,17 @@ private:
       return false;
   }
 
+  // All vertices of the cell but one were met in the cell before.
+  void enter(const Cell_handle c, const Cell_handle from)
+  {
+    push(c);
+    const Vertex_handle apex = c->vertex(c->index(from));
+    if(! internal::contains(m_neighbors, apex))
+      m_neighbors.push_back(apex);
+  }
+
   void push(const Cell_handle c)
   {
-    if(! c->tds_data().is_clear())
-      return;
     c->tds_data().mark_in_conflict();
     m_cells.push_back(c);
   }

@@ -76,11 +76,12 @@ public:
     m_improve.try_most();
     if(m_target > really_bad_angle)
     {
-      set_enough(really_bad_angle);
-      m_improve.try_all();
-      if(! m_improve.is_strict())
-        improve_with_perturbations();
-      improve_nearly_as_bad_cells();
+      if(is_any_nearly_as_bad()) // else there is nothing to do, and the list is complete
+      {
+        improve_really_bad_cells();
+        list_all_below(m_target);
+      }
+      improve_worst_cells();
     }
     if(m_target > 0)
       center_vertices();
@@ -122,28 +123,50 @@ private:
         f(c);
   }
 
-  void set_enough(const double degrees) { m_improve.set_measure_of_badness(m_quality.of_angle(degrees)); }
-
-  // Those below an angle, and if these are few, the worst ones below the target. The list has only those that were bad
-  // enough before.
-  void improve_nearly_as_bad_cells()
+  std::size_t number_of_cells() const
   {
-    set_enough(m_target);
-    std::vector<double> qualities;
-    for_each_cell([&](const Cell_handle c) { qualities.push_back(m_bad_cells.push(c)); });
-    if(qualities.empty())
-      return;
-    const double least = m_quality.of_angle((std::min)(m_target, nearly_as_bad_angle));
-    m_improve.set_measure_of_badness(std::clamp(quality_of_few(qualities), least, m_quality.of_angle(m_target)));
-    m_improve.try_all();
+    std::size_t number = 0;
+    for_each_cell([&](const Cell_handle) { ++number; });
+    return number;
   }
 
-  // The quality that only few of these are below.
-  static double quality_of_few(std::vector<double>& qualities)
+  void set_enough(const double degrees) { m_improve.set_measure_of_badness(m_quality.of_angle(degrees)); }
+
+  // Whether there is a cell below this angle, if all that are below the target are in the list.
+  bool is_any_nearly_as_bad()
   {
-    const auto few = qualities.begin() + static_cast<std::ptrdiff_t>(qualities.size() / cells_per_nearly_bad_cell);
-    std::nth_element(qualities.begin(), few, qualities.end());
-    return *few;
+    const std::vector<Bad_cell> cells = m_bad_cells.next_round();
+    m_bad_cells.put_back(cells);
+    return ! cells.empty() && cells.front().quality < m_quality.of_angle(nearly_as_bad_target());
+  }
+
+  double nearly_as_bad_target() const { return (std::min)(m_target, nearly_as_bad_angle); }
+
+  void improve_really_bad_cells()
+  {
+    set_enough(really_bad_angle);
+    m_improve.try_all();
+    if(! m_improve.is_strict())
+      improve_with_perturbations();
+  }
+
+  // They are what is bad from now on. While only worse ones were, the others were not in the list.
+  void list_all_below(const double angle)
+  {
+    set_enough(angle);
+    for_each_cell([&](const Cell_handle c) { m_bad_cells.push(c); });
+  }
+
+  // Those below an angle, and if these are few, the worst ones below the target.
+  void improve_worst_cells()
+  {
+    const std::vector<Bad_cell> cells = m_bad_cells.next_round();
+    m_bad_cells.put_back(cells);
+    const std::size_t number_of_few = number_of_cells() / cells_per_nearly_bad_cell;
+    const double least = m_quality.of_angle(nearly_as_bad_target());
+    if(number_of_few < cells.size())
+      m_improve.set_measure_of_badness((std::max)(cells[number_of_few].quality, least));
+    m_improve.try_all();
   }
 
   // Where nothing helps any more, vertices are inserted near the worst cells though that makes others bad, and all
@@ -171,14 +194,12 @@ private:
   // None gets very bad. Where there are many, a search does not pay: the surface forces nearly all of them.
   void improve_nearly_as_bad_cells_leniently()
   {
-    const double angle = (std::min)(m_target, nearly_as_bad_angle);
-    set_enough(angle);
-    for_each_cell([&](const Cell_handle c) { m_bad_cells.push(c); });
+    list_all_below(nearly_as_bad_target());
     m_improve.set_visits_only_changed(false); // most of them were not visited yet
     improve_leniently(m_quality.of_angle(very_bad_angle));
     m_improve.set_visits_only_changed(true);
     if(m_bad_cells.size() <= max_number_of_attempts_above)
-      m_search_locally(angle, max_number_of_attempts_above);
+      m_search_locally(nearly_as_bad_target(), max_number_of_attempts_above);
   }
 
   void perturb()
