@@ -130,15 +130,14 @@ def angles_in(found):
 
 def mesh_by_gmsh(arguments, programs, surface, size, algorithm):
     """HXT's time has its optimization in it, that of the other algorithm has not."""
-    gmsh = shutil.which("gmsh")
-    if gmsh is None or arguments.no_gmsh:
+    if arguments.no_gmsh:
         return {"outcome": "skipped"}
     rows = []
     with tempfile.TemporaryDirectory(prefix="br3_") as folder:
         mesh = os.path.join(folder, "out.mesh")
         write_for_gmsh(surface, size, ALGORITHMS_OF_GMSH[algorithm], folder)
         for _ in range(arguments.runs):
-            status, output, memory = run_measured([gmsh, os.path.join(folder, "in.geo"), "-3", "-nt", "1", "-v", "5",
+            status, output, memory = run_measured(["gmsh", os.path.join(folder, "in.geo"), "-3", "-nt", "1", "-v", "5",
                                                    "-o", mesh], arguments.timeout)
             if status != 0:
                 return {"outcome": outcome_of(status)}
@@ -359,6 +358,10 @@ def main():
     if not os.access(arguments.mesher, os.X_OK):
         sys.exit("there is no %s; build the target mesh_surface" % arguments.mesher)
     programs = Programs(arguments)
+    if shutil.which("gmsh") is None:
+        arguments.no_gmsh = True
+    if not arguments.no_gmsh and not os.access(programs.angles, os.X_OK):
+        sys.exit("there is no %s; build the target benchmark_angles, or give --no-gmsh" % programs.angles)
     records = Records(arguments, "meshing.jsonl", ("kind", "model", "program", "size"))
     if not arguments.no_models:
         measure_surfaces(arguments, programs, records)

@@ -132,7 +132,7 @@ private:
 
   void set_enough(const double degrees) { m_improve.set_measure_of_badness(m_quality.of_angle(degrees)); }
 
-  // Whether there is a cell below this angle, if all that are below the target are in the list.
+  // Whether there is a cell below that target. All that are below the other one have to be in the list.
   bool is_any_nearly_as_bad()
   {
     const std::vector<Bad_cell> cells = m_bad_cells.next_round();
