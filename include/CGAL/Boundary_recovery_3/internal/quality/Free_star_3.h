@@ -95,7 +95,7 @@ private:
       return false;
   }
 
-  // All vertices of the cell but one were met in the cell before.
+  // Only the vertex opposite to where the cell is entered may be new.
   void enter(const Cell_handle c, const Cell_handle from)
   {
     push(c);
