@@ -8,7 +8,7 @@ usage: check_meshes.py --program PROGRAM --verify VERIFIER [options] FOLDER
   --twice N      two runs of surfaces of fewer than N triangles (300)
   --jobs N       surfaces at the same time (2)
   --limit S      seconds that one run may take (60)
-  --budget S     seconds after which no further surface is begun; the rest counts as failed (170)
+  --budget S     seconds after which no further surface is begun; the rest counts as failed (480)
 
 Each surface is meshed with the sizes that it has itself, and with the mean length of its edges everywhere, or more where
 that would need too many cells. What is demanded of both meshes:
@@ -91,7 +91,7 @@ def judge(arguments, surface):
 
 
 def main():
-    parser = parser_of(__doc__, 2000, 170)
+    parser = parser_of(__doc__, 2000, 480)
     parser.add_argument("--cells", type=int, default=60000)
     parser.add_argument("--twice", type=int, default=300)
     arguments = arguments_of(parser)
