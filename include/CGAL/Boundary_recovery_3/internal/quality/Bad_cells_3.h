@@ -106,12 +106,19 @@ public:
   // How many there are at most: some may be gone or good.
   std::size_t size() const { return m_cells.size(); }
 
-  // Begins a round: the cells to be worked through, the worst one first; there is none left here. In equal meshes, the
-  // order is the same.
-  std::vector<Bad_cell> next_round()
+  // What is in the list, without those that are gone or good, the worst one first. In equal meshes, the order is the
+  // same.
+  const std::vector<Bad_cell>& worst_first()
   {
     remove_what_is_not_bad();
     sort_worst_first(m_cells.begin(), m_cells.end());
+    return m_cells;
+  }
+
+  // Begins a round: these are to be worked through; there is none left here.
+  std::vector<Bad_cell> next_round()
+  {
+    worst_first();
     return begin_round();
   }
 

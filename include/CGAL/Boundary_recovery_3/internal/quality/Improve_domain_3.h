@@ -135,8 +135,7 @@ private:
   // Whether there is a cell below that target. All that are below the other one have to be in the list.
   bool is_any_nearly_as_bad()
   {
-    const std::vector<Bad_cell> cells = m_bad_cells.next_round();
-    m_bad_cells.put_back(cells);
+    const std::vector<Bad_cell>& cells = m_bad_cells.worst_first();
     return ! cells.empty() && cells.front().quality < m_quality.of_angle(nearly_as_bad_target());
   }
 
@@ -160,8 +159,7 @@ private:
   // Those below an angle, and if these are few, the worst ones below the target.
   void improve_worst_cells()
   {
-    const std::vector<Bad_cell> cells = m_bad_cells.next_round();
-    m_bad_cells.put_back(cells);
+    const std::vector<Bad_cell>& cells = m_bad_cells.worst_first();
     const std::size_t number_of_few = number_of_cells() / cells_per_nearly_bad_cell;
     const double least = m_quality.of_angle(nearly_as_bad_target());
     if(number_of_few < cells.size())
@@ -219,11 +217,10 @@ private:
   // No cell gets worse than this quality, nor than the worst one is.
   void improve_leniently(const double least_quality = 0)
   {
-    const std::vector<Bad_cell> cells = m_bad_cells.next_round();
+    const std::vector<Bad_cell>& cells = m_bad_cells.worst_first();
     if(cells.empty())
       return;
     m_improve.set_measure_of_badness(Badness_3(m_mesh.enough(), (std::max)(least_quality, cells.front().quality)));
-    m_bad_cells.put_back(cells);
     m_improve.try_all();
   }
 
