@@ -31,9 +31,15 @@ namespace Boundary_recovery_3 {
  * there, carried into space, where sizes grow with the distance.
  *
  * The size at a point `p` is the smallest \f$ h_q + g |pq| \f$ of all vertices `q` of the surface, where \f$ h_q \f$ is
- * the mean length of the edges of the surface at `q`, and `g` is the *grading*. Hence no size is larger than another
- * one plus `g` times the distance. Vertices without edges, and edges without length, do not count. If there are no
- * others the size is infinite, which no mesh can have.
+ * the size of the surface at `q`, and `g` is the *grading*. Hence no size is larger than another one plus `g` times the
+ * distance.
+ *
+ * The size of the surface at `q` is the mean length \f$ m_q \f$ of its edges there, unless `q` belongs to a few small
+ * triangles on a coarse surface, as isosurfaces have them. To see that, a triangle first has the mean length of its
+ * edges; then a vertex has the mean of its triangles, weighted by area, a triangle the mean of its vertices, and a
+ * vertex again the mean of its triangles, \f$ a_q \f$. If \f$ a_q > (1 + g)^2 m_q \f$, that is, if the surface grows
+ * faster than sizes may, \f$ a_q \f$ is the size. Vertices without edges, edges without length and triangles without
+ * area do not count. If nothing does, the size is infinite, which no mesh can have.
  *
  * Sizes are computed in floating point numbers, and depend on `p` alone. Several threads may ask at the same time.
  *
@@ -75,7 +81,7 @@ public:
    */
   template <typename VertexPairRange>
   Surface_sizing_field_3(const Tr& tr, const double grading, const VertexPairRange& edges)
-    : m_sizes(internal::sites_of_surface(internal::surface_edges_and(tr, edges)), grading)
+    : m_sizes(internal::sites_of_surface(internal::sized_surface_and(tr, edges), grading), grading)
   {
     CGAL_precondition(grading >= 0 && grading < internal::Axis_box_3::infinity());
   }
@@ -92,7 +98,7 @@ public:
    */
   template <typename PointRange, typename TriangleRange>
   Surface_sizing_field_3(const PointRange& points, const TriangleRange& triangles, const double grading = 0.2)
-    : m_sizes(internal::sites_of_surface(internal::surface_edges(points, triangles)), grading)
+    : m_sizes(internal::sites_of_surface(internal::sized_surface(points, triangles), grading), grading)
   {
     CGAL_precondition(grading >= 0 && grading < internal::Axis_box_3::infinity());
   }

@@ -132,28 +132,77 @@ void test_grading(const Field& field, const double grading)
   assert(steepest > grading * .9);
 }
 
-// The mean length of the edges at each vertex, in another way.
+template <typename Point_3>
+double distance(const Point_3& p, const Point_3& q)
+{
+  return distance(internal::coordinates_of(p), internal::coordinates_of(q));
+}
+
+template <typename Point_3>
+double area(const Point_3& p, const Point_3& q, const Point_3& r)
+{
+  return std::sqrt(CGAL::to_double(CGAL::squared_area(p, q, r)));
+}
+
+// The mean length of the edges at a vertex, 0 if there is none.
+template <typename Point_3>
+double mean_length(const std::vector<Point_3>& points, const std::vector<std::array<int, 3> >& triangles, const int i)
+{
+  std::set<int> neighbors;
+  for(const auto& t : triangles)
+    if(std::count(t.begin(), t.end(), i) > 0)
+      neighbors.insert(t.begin(), t.end());
+  neighbors.erase(i);
+  double sum = 0, number = 0;
+  for(const int j : neighbors)
+    if(points[j] != points[i])
+    {
+      sum += distance(points[i], points[j]);
+      ++number;
+    }
+  return number > 0 ? sum / number : 0;
+}
+
+// The mean by area of what `size` says of the triangles at a vertex, 0 if there is no area.
+template <typename Point_3, typename Size>
+double mean_by_area(const std::vector<Point_3>& points, const std::vector<std::array<int, 3> >& triangles, const int i,
+                    const Size& size)
+{
+  double sum = 0, total = 0;
+  for(const auto& t : triangles)
+    if(std::count(t.begin(), t.end(), i) > 0)
+    {
+      const double weight = area(points[t[0]], points[t[1]], points[t[2]]);
+      sum += weight * size(t);
+      total += weight;
+    }
+  return total > 0 ? sum / total : 0;
+}
+
+// The sizes of a surface at its vertices, by the definition.
 template <typename Point_3>
 std::vector<Site> brute_force_sites(const std::vector<Point_3>& points,
-                                    const std::vector<std::array<int, 3> >& triangles)
+                                    const std::vector<std::array<int, 3> >& triangles, const double grading)
 {
+  const auto first_mean = [&](const int i)
+  {
+    return mean_by_area(points, triangles, i, [&](const std::array<int, 3>& t)
+    {
+      return (distance(points[t[0]], points[t[1]]) + distance(points[t[1]], points[t[2]]) +
+              distance(points[t[2]], points[t[0]])) / 3;
+    });
+  };
   std::vector<Site> sites;
   for(int i = 0; i < static_cast<int>(points.size()); ++i)
   {
-    std::set<int> neighbors;
-    for(const auto& t : triangles)
-      if(std::count(t.begin(), t.end(), i) > 0)
-        neighbors.insert(t.begin(), t.end());
-    neighbors.erase(i);
-    double sum = 0, number = 0;
-    for(const int j : neighbors)
-      if(points[j] != points[i])
-      {
-        sum += distance(internal::coordinates_of(points[i]), internal::coordinates_of(points[j]));
-        ++number;
-      }
-    if(number > 0)
-      sites.push_back(Site{ internal::coordinates_of(points[i]), sum / number });
+    const double length = mean_length(points, triangles, i);
+    const double by_area = mean_by_area(points, triangles, i, [&](const std::array<int, 3>& t)
+    {
+      return (first_mean(t[0]) + first_mean(t[1]) + first_mean(t[2])) / 3;
+    });
+    if(length > 0)
+      sites.push_back(Site{ internal::coordinates_of(points[i]),
+                            by_area > std::pow(1 + grading, 2) * length ? by_area : length });
   }
   return sites;
 }
@@ -179,8 +228,11 @@ std::vector<std::array<int, 3> > surface_of(const Tr& tr, std::vector<typename T
       for(int j = 0, k = 0; j < 4; ++j)
         if(j != i)
           t[k++] = static_cast<int>(std::find(vertices.begin(), vertices.end(), c->vertex(j)) - vertices.begin());
+      std::sort(t.begin(), t.end());
       triangles.push_back(t);
     }
+  std::sort(triangles.begin(), triangles.end()); // most of them were seen from both sides
+  triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
   return triangles;
 }
 
@@ -206,7 +258,7 @@ void test_triangulation()
 
   std::vector<Point_3> points;
   const std::vector<std::array<int, 3> > triangles = surface_of(tr, points);
-  const std::vector<Site> sites = brute_force_sites(points, triangles);
+  const std::vector<Site> sites = brute_force_sites(points, triangles, .1);
   const CGAL::Boundary_recovery_3::Surface_sizing_field_3<Tr> field(tr, .1), of_triangles(points, triangles, .1);
   const auto size = [&](const Coordinates_3& p) { return CGAL::to_double(field(Point_3(p[0], p[1], p[2]))); };
   for(int k = 0; k < 200; ++k)
@@ -218,6 +270,97 @@ void test_triangulation()
   }
   assert(field.grading() == .1);
   test_grading(size, .1);
+}
+
+// A square of 2 n^2 equal triangles. At `vertex` it is cut by a fan of eight tiny triangles, as isosurfaces are where
+// they pass a vertex of their grid.
+template <typename Point_3>
+void make_square(const int n, const double tiny, std::vector<Point_3>& points,
+                 std::vector<std::array<int, 3> >& triangles)
+{
+  const auto number = [n](const int i, const int j) { return i * (n + 1) + j; };
+  for(int i = 0; i <= n; ++i)
+    for(int j = 0; j <= n; ++j)
+      points.push_back(Point_3(i, j, 0));
+  const int center = number(n / 2, n / 2);
+  for(int i = 0; i < n; ++i)
+    for(int j = 0; j < n; ++j)
+    {
+      triangles.push_back({{ number(i, j), number(i + 1, j), number(i + 1, j + 1) }});
+      triangles.push_back({{ number(i, j), number(i + 1, j + 1), number(i, j + 1) }});
+    }
+  if(tiny == 0)
+    return;
+  std::vector<std::array<int, 3> > more; // around the center: each of its triangles is cut off at a corner
+  for(auto& t : triangles)
+    for(int k = 0; k < 3; ++k)
+      if(t[k] == center)
+      {
+        const auto corner = [&](const int end)
+        {
+          const Point_3 p = CGAL::ORIGIN + ((points[center] - CGAL::ORIGIN) * (1 - tiny) +
+                                            (points[end] - CGAL::ORIGIN) * tiny);
+          const auto known = std::find(points.begin(), points.end(), p);
+          if(known != points.end())
+            return static_cast<int>(known - points.begin());
+          points.push_back(p);
+          return static_cast<int>(points.size()) - 1;
+        };
+        const int next = t[(k + 1) % 3], last = t[(k + 2) % 3], a = corner(next), b = corner(last);
+        more.push_back({{ center, a, b }});
+        more.push_back({{ a, next, b }});
+        t = {{ b, next, last }};
+        break;
+      }
+  triangles.insert(triangles.end(), more.begin(), more.end());
+}
+
+// A few tiny triangles do not rule a coarse surface; where triangles are alike, nothing changes.
+void test_tiny_triangles()
+{
+  typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+  typedef Kernel::Point_3 Point_3;
+  typedef CGAL::Boundary_constrained_mesh_triangulation_3<Kernel>::type Tr;
+  for(const double tiny : { 0., 1. / 4, 1. / 1024, 1. / 1048576 })
+  {
+    std::vector<Point_3> points;
+    std::vector<std::array<int, 3> > triangles;
+    make_square(8, tiny, points, triangles);
+    const CGAL::Boundary_recovery_3::Surface_sizing_field_3<Tr> field(points, triangles);
+    const std::vector<Site> sites = brute_force_sites(points, triangles, .2);
+    for(const Site& q : sites)
+      assert(are_equal(field(Point_3(q.point[0], q.point[1], q.point[2])), brute_force(sites, .2, q.point)));
+    auto turned = triangles; // and given twice, in another order
+    for(auto& t : turned)
+      std::swap(t[0], t[2]);
+    turned.insert(turned.begin(), triangles.rbegin(), triangles.rend());
+    const CGAL::Boundary_recovery_3::Surface_sizing_field_3<Tr> same_field(points, turned);
+    for(const Point_3& p : points)
+      assert(same_field(p) == field(p));
+    const double mean_edge = (4 + 2 * std::sqrt(2.)) / 6, at_center = field(Point_3(4, 4, 0));
+    assert(tiny == 0 ? are_equal(at_center, mean_edge) : at_center > mean_edge / 2);
+  }
+}
+
+// What is not finite in the squares of coordinates, or nothing, is the same in another unit.
+void test_scales()
+{
+  typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+  typedef Kernel::Point_3 Point_3;
+  typedef CGAL::Boundary_constrained_mesh_triangulation_3<Kernel>::type Tr;
+  std::vector<Point_3> points;
+  std::vector<std::array<int, 3> > triangles;
+  make_square(4, 1. / 64, points, triangles);
+  const CGAL::Boundary_recovery_3::Surface_sizing_field_3<Tr> field(points, triangles);
+  for(const double unit : { std::ldexp(1., -800), std::ldexp(1., -400), std::ldexp(1., 400), std::ldexp(1., 800) })
+  {
+    std::vector<Point_3> scaled;
+    for(const Point_3& p : points)
+      scaled.push_back(Point_3(unit * p.x(), unit * p.y(), unit * p.z()));
+    const CGAL::Boundary_recovery_3::Surface_sizing_field_3<Tr> scaled_field(scaled, triangles);
+    for(std::size_t i = 0; i < points.size(); ++i)
+      assert(scaled_field(scaled[i]) == unit * field(points[i]));
+  }
 }
 
 // Nothing is there to take sizes from.
@@ -279,6 +422,8 @@ int main()
   test_triangulation<CGAL::Boundary_constrained_mesh_triangulation_3<Epick>::type>();
   test_triangulation<CGAL::Boundary_constrained_mesh_triangulation_3<Epeck>::type>();
   test_triangulation<CGAL::Tetrahedral_remeshing::Remeshing_triangulation_3<Epick> >();
+  test_tiny_triangles();
+  test_scales();
   test_nothing<CGAL::Boundary_constrained_mesh_triangulation_3<Epick>::type>();
   std::cout << "done" << std::endl;
   return 0;
