@@ -136,7 +136,7 @@ make_mesh_of_surface(Tr& tr, const FaceListGraph& surface, const SizingField& si
  *     \cgalParamDescription{by how much the size grows per length, away from the surface, if there is no `size`.
  *                           What is negative or not finite is `invalid_input`}
  *     \cgalParamType{`double`}
- *     \cgalParamDefault{0.2}
+ *     \cgalParamDefault{0.3}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{face_patch_map}
  *     \cgalParamDescription{the patch of each triangle, see `mark_domain()`}

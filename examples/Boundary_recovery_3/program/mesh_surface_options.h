@@ -28,7 +28,7 @@ constexpr const char* meshing_usage =
   "  --background MESH      sizes at the vertices of a tetrahedral mesh: a .mesh file with a .sol file beside it, or\n"
   "                         one of TetGen's .node, .ele and .mtr files, with the others beside it\n"
   "  --grading G            sizes from the surface or of the background mesh grow by at most G per length; default:\n"
-  "                         0.2 from the surface, and no limit in the mesh\n"
+  "                         0.3 from the surface, and no limit in the mesh\n"
   "  --no-field-points      insert no points for the sizes: only those that the surface needs, if any; nor improve\n"
   "                         the tetrahedra\n"
   "  --max-vertices N       mesh nothing if the mesh would have more vertices than that\n"
@@ -69,7 +69,7 @@ struct Meshing_options
   double size = 0;                  // 0: from the surface
   std::string sources;
   std::string background;
-  double grading = 0.2;
+  double grading = 0.3;
   bool has_grading = false;
   bool insert_field_points = true;
   double min_angle = 25;            // in degrees, that of the library

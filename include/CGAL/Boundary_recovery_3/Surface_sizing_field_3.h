@@ -37,9 +37,9 @@ namespace Boundary_recovery_3 {
  * The size of the surface at `q` is the mean length \f$ m_q \f$ of its edges there, unless `q` belongs to a few small
  * triangles on a coarse surface, as isosurfaces have them. To see that, a triangle first has the mean length of its
  * edges; then a vertex has the mean of its triangles, weighted by area, a triangle the mean of its vertices, and a
- * vertex again the mean of its triangles, \f$ a_q \f$. If \f$ a_q > (1 + g)^2 m_q \f$, that is, if the surface grows
- * faster than sizes may, \f$ a_q \f$ is the size. Vertices without edges, edges without length and triangles without
- * area do not count. If nothing does, the size is infinite, which no mesh can have.
+ * vertex again the mean of its triangles, \f$ a_q \f$. If \f$ a_q > (1 + g) m_q \f$, that is, if the surface grows
+ * faster than sizes may over the length of an edge, \f$ a_q \f$ is the size. Vertices without edges, edges without
+ * length and triangles without area do not count. If nothing does, the size is infinite, which no mesh can have.
  *
  * Sizes are computed in floating point numbers, and depend on `p` alone. Several threads may ask at the same time.
  *
@@ -62,10 +62,10 @@ public:
    * The triangulation is not used afterwards.
    *
    * \param tr the triangulation; its cells are models of `MeshCellBase_3`, as far as these functions go
-   * \param grading by how much sizes grow per length, without unit
+   * \param grading by how much sizes grow per length, without unit; 0.3 by default
    * \pre `grading` is not negative, and finite.
    */
-  explicit Surface_sizing_field_3(const Tr& tr, const double grading = 0.2)
+  explicit Surface_sizing_field_3(const Tr& tr, const double grading = internal::default_surface_grading)
     : Surface_sizing_field_3(tr, grading, std::vector<std::array<typename Tr::Vertex_handle, 2> >())
   { }
 
@@ -93,11 +93,12 @@ public:
    * \tparam TriangleRange a range of triples of numbers of points, from 0
    * \param points the points
    * \param triangles the triangles; neither their orientation nor their order matters
-   * \param grading by how much sizes grow per length, without unit
+   * \param grading by how much sizes grow per length, without unit; 0.3 by default
    * \pre `grading` is not negative, and finite. All points that the triangles name are there.
    */
   template <typename PointRange, typename TriangleRange>
-  Surface_sizing_field_3(const PointRange& points, const TriangleRange& triangles, const double grading = 0.2)
+  Surface_sizing_field_3(const PointRange& points, const TriangleRange& triangles,
+                         const double grading = internal::default_surface_grading)
     : m_sizes(internal::sites_of_surface(internal::sized_surface(points, triangles), grading), grading)
   {
     CGAL_precondition(grading >= 0 && grading < internal::Axis_box_3::infinity());

@@ -285,7 +285,7 @@ def test_sizes():
     assert report['number_of_field_points'] < 10 and coarse < n
     result, report = mesh('default', surface)  # edges of the surface have lengths from 0.2 to 0.28
     check_domain(result, *surface)
-    assert report['size'] is None and report['grading'] == 0.2
+    assert report['size'] is None and report['grading'] == 0.3
     assert max(n / 4, coarse) < len(result.tetrahedra) < n
     uniform, _ = mesh('flat', surface, '--grading', '0')
     assert len(uniform.tetrahedra) > len(result.tetrahedra)

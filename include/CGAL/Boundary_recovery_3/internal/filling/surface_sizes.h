@@ -29,6 +29,9 @@ namespace CGAL {
 namespace Boundary_recovery_3 {
 namespace internal {
 
+// By how much sizes from a surface grow per length unless the caller says so, see "Tuning constants" in the manual.
+constexpr double default_surface_grading = 0.3;
+
 // A surface as a size field sees it: the places of its vertices, its triangles, and all edges, each once. Neither their
 // orientation nor their order tells anything.
 struct Sized_surface_3
@@ -117,9 +120,9 @@ Sized_surface_3 sized_surface(const PointRange& points, const TriangleRange& tri
 
 /*
  * The sizes that a surface has at its vertices: the mean length of the edges there, unless the triangles around say
- * otherwise. These have means that are weighted by area, from triangles to vertices and back. Along the two rings of
- * triangles that this takes, sizes may grow twice by the grading. If they are larger than that, the vertex is one of a
- * few that are close together on a coarse surface, as on isosurfaces, and the means by area count.
+ * otherwise. Those have means that are weighted by area, spread from triangles to vertices twice. Over the length of an
+ * edge, sizes may grow by the grading. Where the means by area are larger than that, the vertex is one of a few that
+ * are close together on a coarse surface, as on isosurfaces, and these means count.
  *
  * Edges without length and triangles without area do not count. Vertices without edges have the size 0.
  */
@@ -131,9 +134,8 @@ public:
   {
     find_mean_lengths();
     const Numbers by_area = means_by_area();
-    const double largest_growth = (1 + grading) * (1 + grading);
     for(std::size_t v = 0; v < m_sizes.size(); ++v)
-      if(by_area[v] > largest_growth * m_sizes[v])
+      if(by_area[v] > (1 + grading) * m_sizes[v])
         m_sizes[v] = by_area[v];
   }
 

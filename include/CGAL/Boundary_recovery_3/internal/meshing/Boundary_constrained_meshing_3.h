@@ -176,7 +176,7 @@ private:
   template <typename Recorder>
   void fill_and_improve(const Sizes_from_surface&, Recorder& recorder, Result& result)
   {
-    const double grading = get(internal::grading, 0.2);
+    const double grading = get(internal::grading, internal::default_surface_grading);
     if(grading >= 0 && grading < std::numeric_limits<double>::infinity())
       fill_and_improve(Surface_sizing_field_3<Tr>(m_tr, grading, result.constrained_edges), recorder, result);
     else
