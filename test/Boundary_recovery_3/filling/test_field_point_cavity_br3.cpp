@@ -6,6 +6,7 @@
 #include "grid_scene_br3.h"
 #include "mesh_validity_br3.h"
 #include "random_numbers_br3.h"
+#include "time_growth_br3.h"
 
 #include <CGAL/Boundary_constrained_mesh_triangulation_3.h>
 #include <CGAL/Boundary_recovery_3/Cell_replacement_visitor_3.h>
@@ -25,10 +26,25 @@
 #include <cstdlib>
 #include <iostream>
 #include <map>
+#include <new>
 #include <random>
 #include <set>
 #include <utility>
 #include <vector>
+
+std::size_t largest_allocation = 0;
+
+// (Inlined, GCC would take malloc() and free() for a mismatch.)
+[[gnu::noinline]] void* operator new(const std::size_t size)
+{
+  largest_allocation = (std::max)(largest_allocation, size);
+  if(void* const p = std::malloc(size))
+    return p;
+  throw std::bad_alloc();
+}
+
+[[gnu::noinline]] void operator delete(void* const p) noexcept { std::free(p); }
+[[gnu::noinline]] void operator delete(void* const p, std::size_t) noexcept { std::free(p); }
 
 namespace internal = CGAL::Boundary_recovery_3::internal;
 typedef CGAL::Exact_predicates_inexact_constructions_kernel K;
@@ -277,9 +293,82 @@ void test_vertex_inside()
   cavity.clear(true);
 }
 
+// n vertices on a sphere, all of which its center sees. All edges of the hull are constrained.
+struct Sphere
+{
+  typedef Scene<K> S;
+
+  explicit Sphere(const int n)
+    : scene(-1),
+      domain(scene.tr, CGAL::Static_boolean_property_map<S::Cell_handle, true>(), S::Edge_map(scene.edges)),
+      cavity(scene.tr, domain)
+  {
+    std::mt19937 rng(1);
+    std::vector<S::Point> points;
+    while(points.size() < static_cast<std::size_t>(n))
+    {
+      const double angle = br3_test::random_int(rng, 100000), z = (br3_test::random_int(rng, 20001) - 10000) / 10001.;
+      const double r = std::sqrt(1 - z * z);
+      points.emplace_back(r * std::cos(angle), r * std::sin(angle), z);
+    }
+    scene.tr.insert(points.begin(), points.end());
+    for(const S::Cell_handle c : scene.tr.all_cell_handles())
+      c->set_subdomain_index(scene.tr.is_infinite(c) ? 0 : 1);
+    for(const S::Cell_handle c : scene.tr.all_cell_handles())
+      if(scene.tr.is_infinite(c))
+        add_edges(internal::facet_vertices(c, c->index(scene.tr.infinite_vertex())));
+    first = scene.tr.locate(center);
+  }
+
+  void add_edges(const std::array<S::Vertex_handle, 3>& f)
+  {
+    for(std::size_t i = 0; i < 3; ++i)
+      scene.edges.insert({ f[i], f[(i + 1) % 3] });
+  }
+
+  void find()
+  {
+    assert(cavity.find(center, first));
+    assert(cavity.faces().size() > scene.tr.number_of_vertices()); // some points are hidden by flat cells
+  }
+
+  // How long it takes to find the cavity.
+  double time()
+  {
+    return br3_test::time_of([&]
+    {
+      find();
+      cavity.clear(true);
+    });
+  }
+
+  const S::Point center = S::Point(0, 0, 0);
+  S scene;
+  S::Domain domain;
+  S::Cavity cavity;
+  S::Cell_handle first;
+};
+
+// A large cavity takes no more memory, nor time, than goes with its surface.
+void test_large_cavity()
+{
+  const int n = 4000;
+  Sphere sphere(n), small(n / 8);
+  assert(br3_test::exponent(small.time(), sphere.time(), 8) < 1.5);
+  CGAL::Default_cell_replacement_visitor_3 visitor;
+  internal::Insert_field_point_3<Sphere::S::Tr, Sphere::S::Domain, CGAL::Default_cell_replacement_visitor_3>
+    insert(sphere.scene.tr, sphere.domain, visitor);
+  largest_allocation = 0;
+  sphere.find();
+  insert(sphere.cavity, sphere.center);
+  assert(largest_allocation < std::size_t(1000 * n)); // a table of all pairs has 16 n^2 bytes
+  assert(br3_test::is_valid_mesh(sphere.scene.tr));
+}
+
 int main()
 {
   test_vertex_inside();
+  test_large_cavity();
   Counts counts;
   for(unsigned seed = 0; seed < 42; ++seed)
     test<K>(seed, counts);

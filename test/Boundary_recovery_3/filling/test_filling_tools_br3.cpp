@@ -7,7 +7,7 @@
 
 #include <CGAL/Boundary_constrained_mesh_triangulation_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Forecast_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/Local_numbers.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Local_vertices.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Region_sizes_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Vertex_sizes_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
@@ -53,27 +53,27 @@ void insert_random_points(Triangulation& tr, const int n, std::mt19937& rng)
     tr.insert(point(random_place(rng)));
 }
 
-void test_local_numbers()
+void test_local_vertices()
 {
   std::mt19937 rng(1);
   Plain_tr tr;
   insert_random_points(tr, 300, rng);
   const std::vector<Plain_tr::Vertex_handle> vertices(tr.finite_vertex_handles().begin(),
                                                       tr.finite_vertex_handles().end());
-  internal::Local_numbers<Plain_tr::Vertex_handle> numbers;
+  internal::Local_vertices<Plain_tr::Vertex_handle> local;
   for(int round = 0; round < 200; ++round)
   {
-    numbers.clear();
+    local.clear();
     std::map<Plain_tr::Vertex_handle, std::size_t> expected;
     const int n = br3_test::random_int(rng, round % 2 == 0 ? 20 : 600);
     for(int k = 0; k < n; ++k)
     {
       const auto v = vertices[br3_test::random_int(rng, static_cast<int>(vertices.size()))];
-      assert(numbers.insert(v) == expected.emplace(v, expected.size()).second);
+      assert(local.insert(v) == expected.emplace(v, expected.size()).second);
     }
-    assert(numbers.size() == expected.size());
+    assert(local.size() == expected.size());
     for(const auto& e : expected)
-      assert(numbers[e.first] == e.second && numbers.vertices()[e.second] == e.first);
+      assert(local.vertices()[e.second] == e.first);
   }
 }
 
@@ -254,7 +254,7 @@ void test_available_memory()
 
 int main()
 {
-  test_local_numbers();
+  test_local_vertices();
   test_vertex_sizes<Tr>();
   test_vertex_sizes<Plain_tr>();
   test_circumsphere();

@@ -12,13 +12,14 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/internal/filling/Local_numbers.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Local_vertices.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/tetrahedron_edges.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Edge_walk_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/util/bare_point.h>
-#include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 
+#include <CGAL/Triangulation_utils_3.h>
 #include <CGAL/enum.h>
 
 #include <algorithm>
@@ -53,7 +54,7 @@ public:
   typedef typename Tr::Cell_handle      Cell_handle;
   typedef typename Tr::Geom_traits::Point_3 Point;
   typedef std::vector<Cell_handle>      Cells;
-  typedef Local_numbers<Vertex_handle>  Vertices;
+  typedef Local_vertices<Vertex_handle>  Vertices;
 
   // The facet opposite to the vertex `index` of a cell of the cavity, seen from inside.
   struct Face
@@ -75,7 +76,8 @@ public:
     m_min_squared_distance = min_distance * min_distance;
     m_max_seam = max_seam;
     return start(first) && grow()
-        && (are_faces_seen() || shrink_until_seen()) && is_no_vertex_inside() && ! has_constrained_edge_inside();
+        && ((! is_large() && are_faces_seen()) || shrink_until_seen())
+        && is_no_vertex_inside() && ! has_constrained_edge_inside();
   }
 
   const Cells& cells() const { return m_cells; }
@@ -161,11 +163,12 @@ private:
       return false;
   }
 
+  bool is_large() const { return m_cells.size() >= max_number_of_hidden_cells; }
+
   // Whether the point does not see a facet from inside; only asked for in large cavities.
   bool is_hidden(const Cell_handle c, const int i) const
   {
-    return m_cells.size() >= max_number_of_hidden_cells
-        && ! (internal::volume_times_6_with(internal::corners(c), i, m_coordinates) > 0);
+    return is_large() && ! (internal::volume_times_6_with(internal::corners(c), i, m_coordinates) > 0);
   }
 
   // Whether the circumsphere of a cell contains the point, in floating point numbers: a wrong answer makes another
@@ -244,25 +247,47 @@ private:
   // but the first cell is not asked, and the others are in floating point numbers.
   bool is_no_vertex_inside() const { return 2 * m_vertices.size() == m_faces.size() + 4; }
 
-  // Edges of faces are not inside.
-  bool has_constrained_edge_inside()
+  // Edges of faces are not inside: walks from one of their faces to the other one meet all cells of the cavity at them.
+  // Each walk is done in both directions.
+  bool has_constrained_edge_inside() const
   {
     if constexpr(Domain::has_constrained_edges)
-      for(const Cell_handle c : m_cells)
-        for(int i = 0; i < 4; ++i)
-          for(int j = 0; j < i; ++j)
-            if(m_domain.is_constrained_edge(c->vertex(i), c->vertex(j))
-               && ! is_edge_of_face(c->vertex(i), c->vertex(j)))
-              return true;
-    return false;
+    {
+      const std::size_t n = number_of_constrained_edges_of_cells();
+      return n > 0 && 2 * n != number_of_cells_at_constrained_edges_of_faces();
+    }
+    else
+      return false;
   }
 
-  bool is_edge_of_face(const Vertex_handle u, const Vertex_handle v) const
+  std::size_t number_of_constrained_edges_of_cells() const
   {
-    return std::any_of(m_faces.begin(), m_faces.end(), [&](const Face& f)
-    {
-      return internal::contains(f.vertices, u) && internal::contains(f.vertices, v);
-    });
+    std::size_t n = 0;
+    for(const Cell_handle c : m_cells)
+      for(int i = 0; i < 4; ++i)
+        for(int j = 0; j < i; ++j)
+          n += m_domain.is_constrained_edge(c->vertex(i), c->vertex(j));
+    return n;
+  }
+
+  std::size_t number_of_cells_at_constrained_edges_of_faces() const
+  {
+    std::size_t n = 0;
+    for(const Face& f : m_faces)
+      for(int i = 0; i < 3; ++i)
+        if(m_domain.is_constrained_edge(f.vertices[(i + 1) % 3], f.vertices[(i + 2) % 3]))
+          n += number_of_cells_at_edge(f, i);
+    return n;
+  }
+
+  // Of the edge of a face that is opposite to its vertex i: those of the cavity, from that face to the other one.
+  static std::size_t number_of_cells_at_edge(const Face& f, const int i)
+  {
+    std::size_t n = 1;
+    Edge_walk_3<Tr> walk(f.cell, Triangulation_utils_3::vertex_triple_index(f.index, i), f.index);
+    for(; walk.cell()->neighbor(walk.next_facet())->tds_data().is_in_conflict(); ++walk)
+      ++n;
+    return n;
   }
 
   const Tr& m_tr;

@@ -13,6 +13,7 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/filling/Field_point_cavity_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
 
 #include <array>
 #include <cstddef>
@@ -24,8 +25,9 @@ namespace Boundary_recovery_3 {
 namespace internal {
 
 /*
- * Stars the cavity of a field point from it, where millions of points are inserted: the cells are linked by a table of
- * the edges of the cavity. Regions, and the marks of the faces, are carried over.
+ * Stars the cavity of a field point from it, where millions of points are inserted. The cells are linked by a hash
+ * table of the edges of the cavity, which is as large as the cavity needs: most have some ten faces, but the center of
+ * a sphere sees all of it. Regions, and the marks of the faces, are carried over.
  *
  * The visitor is told of the cells that go and come, see `CellReplacementVisitor_3`.
  */
@@ -47,8 +49,8 @@ public:
     const Vertex_handle v = prepare(cavity);
     v->set_point(typename Tr::Point(p));
     v->set_cell(m_new_cells.front());
-    glue_facets(cavity.cells().front()->subdomain_index());
-    glue_cells(cavity.vertices());
+    glue_facets(cavity);
+    glue_cells(cavity.faces());
     for(const Cell_handle c : cavity.cells())
     {
       m_domain.remove(c);
@@ -60,28 +62,18 @@ public:
   }
 
 private:
-  typedef typename Tr::Cell                     Cell;
-  typedef typename Cell::Subdomain_index        Subdomain_index;
-  typedef typename Cell::Surface_patch_index    Surface_patch_index;
+  typedef typename Cavity::Face Face;
 
-  // What is left of a face when the cells of the cavity are gone: the facet of the cell behind it, and its mark.
-  struct Facet
-  {
-    std::array<Vertex_handle, 3> vertices; // as those of the face
-    Cell_handle cell;
-    int index;
-    Surface_patch_index patch;
-  };
+  static constexpr std::uint32_t empty = std::uint32_t(-1);
 
   // Creates the vertex and the cells.
   Vertex_handle prepare(Cavity& cavity)
   {
     try {
       m_visitor.before_cells_removal(cavity.cells());
-      collect_facets(cavity);
-      reserve_edges(cavity.vertices().size());
+      clear_slots(cavity.faces().size());
       const Vertex_handle v = m_tr.tds().create_vertex();
-      create_cells(v);
+      create_cells(cavity.faces(), v);
       return v;
     } catch(...) {
       cavity.clear(true);
@@ -89,23 +81,13 @@ private:
     }
   }
 
-  void collect_facets(const Cavity& cavity)
-  {
-    m_facets.clear();
-    for(const auto& f : cavity.faces())
-    {
-      const Cell_handle n = f.cell->neighbor(f.index);
-      m_facets.push_back(Facet{ f.vertices, n, n->index(f.cell), f.cell->surface_patch_index(f.index) });
-    }
-  }
-
   // All of them, or none; then the vertex goes, too.
-  void create_cells(const Vertex_handle v)
+  void create_cells(const std::vector<Face>& faces, const Vertex_handle v)
   {
     m_new_cells.clear();
-    m_new_cells.reserve(m_facets.size());
+    m_new_cells.reserve(faces.size());
     try {
-      for(const Facet& f : m_facets)
+      for(const Face& f : faces)
         m_new_cells.push_back(m_tr.tds().create_cell(f.vertices[0], f.vertices[1], f.vertices[2], v));
     } catch(...) {
       for(const Cell_handle c : m_new_cells)
@@ -115,58 +97,74 @@ private:
     }
   }
 
-  void glue_facets(const Subdomain_index region)
+  void glue_facets(const Cavity& cavity)
   {
-    for(std::size_t k = 0; k < m_facets.size(); ++k)
+    const auto region = cavity.cells().front()->subdomain_index();
+    for(std::size_t k = 0; k < m_new_cells.size(); ++k)
     {
-      const Facet& f = m_facets[k];
+      const Face& f = cavity.faces()[k];
       const Cell_handle c = m_new_cells[k];
+      const Cell_handle n = f.cell->neighbor(f.index);
       c->set_subdomain_index(region);
-      c->set_surface_patch_index(3, f.patch);
-      m_tr.tds().set_adjacency(c, 3, f.cell, f.index);
+      c->set_surface_patch_index(3, f.cell->surface_patch_index(f.index));
+      m_tr.tds().set_adjacency(c, 3, n, n->index(f.cell));
       for(const Vertex_handle v : f.vertices)
         v->set_cell(c);
       m_domain.add(c);
     }
   }
 
-  void reserve_edges(const std::size_t n)
+  // At most three of eight will be in use.
+  void clear_slots(const std::size_t number_of_faces)
   {
-    if(m_facet_at_edge.size() < n * n)
-      m_facet_at_edge.resize(n * n);
+    std::size_t n = 16;
+    while(n < 4 * number_of_faces)
+      n *= 2;
+    m_slots.assign(n, empty);
   }
 
-  // Two cells whose faces have an edge in common are neighbors. These faces pass along it in opposite directions, so
-  // that each direction belongs to one of them: no entry of the table is read that was not written before.
-  void glue_cells(const Local_numbers<Vertex_handle>& number)
+  // Two cells whose faces have an edge in common are neighbors.
+  void glue_cells(const std::vector<Face>& faces)
   {
-    const std::size_t n = number.size();
-    const auto for_each_edge = [&](const auto& work)
+    for(std::size_t k = 0; k < faces.size(); ++k)
     {
-      for(std::size_t k = 0; k < m_facets.size(); ++k)
+      const std::array<Vertex_handle, 3>& v = faces[k].vertices;
+      const std::array<std::uint64_t, 3> shares = {{ hash_share(v[0]), hash_share(v[1]), hash_share(v[2]) }};
+      for(std::size_t i = 0; i < 3; ++i)
       {
-        const std::array<Vertex_handle, 3>& f = m_facets[k].vertices;
-        const std::array<std::size_t, 3> v = {{ number[f[0]], number[f[1]], number[f[2]] }};
-        for(std::size_t i = 0; i < 3; ++i)
-          work(v[(i + 1) % 3], v[(i + 2) % 3], static_cast<std::uint32_t>(4 * k + i));
+        const std::size_t a = (i + 1) % 3, b = (i + 2) % 3;
+        std::uint32_t& slot = slot_of_edge(faces, v[a], v[b], shares[a] + shares[b]);
+        if(slot == empty)
+          slot = static_cast<std::uint32_t>(4 * k + i);
+        else
+          m_tr.tds().set_adjacency(m_new_cells[k], static_cast<int>(i),
+                                   m_new_cells[slot / 4], static_cast<int>(slot % 4));
       }
+    }
+  }
+
+  // That with the face from which the edge is passed in the other direction, from v to u; an empty one if it has not
+  // been met.
+  std::uint32_t& slot_of_edge(const std::vector<Face>& faces, const Vertex_handle u, const Vertex_handle v,
+                              const std::uint64_t hash)
+  {
+    const auto is_edge = [&](const std::uint32_t facet)
+    {
+      const std::array<Vertex_handle, 3>& f = faces[facet / 4].vertices;
+      const std::size_t k = facet % 4;
+      return f[(k + 1) % 3] == v && f[(k + 2) % 3] == u;
     };
-    for_each_edge([&](const std::size_t u, const std::size_t v, const std::uint32_t facet)
-    {
-      m_facet_at_edge[u * n + v] = facet;
-    });
-    for_each_edge([&](const std::size_t u, const std::size_t v, const std::uint32_t facet)
-    {
-      m_new_cells[facet / 4]->set_neighbor(static_cast<int>(facet % 4), m_new_cells[m_facet_at_edge[v * n + u] / 4]);
-    });
+    std::size_t i = static_cast<std::size_t>(hash) & (m_slots.size() - 1);
+    while(m_slots[i] != empty && ! is_edge(m_slots[i]))
+      i = (i + 1) & (m_slots.size() - 1);
+    return m_slots[i];
   }
 
   Tr& m_tr;
   Domain& m_domain;
   Visitor& m_visitor;
-  std::vector<Facet> m_facets;
-  std::vector<Cell_handle> m_new_cells;       // in the order of the facets; the index of the new vertex is 3
-  std::vector<std::uint32_t> m_facet_at_edge; // by two vertices: 4 times the number of a new cell, plus its facet's
+  std::vector<Cell_handle> m_new_cells; // in the order of the faces; the index of the new vertex is 3
+  std::vector<std::uint32_t> m_slots;   // of edges: 4 times the number of a face, plus the index of its other vertex
 };
 
 } // namespace internal

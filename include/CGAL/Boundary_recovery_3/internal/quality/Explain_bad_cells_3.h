@@ -16,9 +16,9 @@
 #include <CGAL/Boundary_recovery_3/internal/filling/Cell_shape_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Unit_frame_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Edge_walk_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Cell_angles_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/Edge_walk_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Walls_at_edge_3.h>
 
 #include <CGAL/Unique_hash_map.h>

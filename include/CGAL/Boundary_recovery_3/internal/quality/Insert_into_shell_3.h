@@ -14,8 +14,8 @@
 
 #include <CGAL/Boundary_recovery_3/internal/filling/Cell_shape_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/tetrahedron_edges.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Edge_walk_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Cell_angles_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/Edge_walk_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Star_cavity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/deepest_point.h>
 

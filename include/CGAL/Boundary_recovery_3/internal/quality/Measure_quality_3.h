@@ -16,9 +16,9 @@
 #include <CGAL/Boundary_recovery_3/internal/filling/Vertex_sizes_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/distances_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Edge_walk_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Cell_angles_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Cell_shape_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/Edge_walk_3.h>
 
 #include <CGAL/number_utils.h>
 

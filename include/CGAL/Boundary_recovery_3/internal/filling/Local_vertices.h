@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Boundary_recovery_3 authors
 
-#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_LOCAL_NUMBERS_H
-#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_LOCAL_NUMBERS_H
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_LOCAL_VERTICES_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_LOCAL_VERTICES_H
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
@@ -23,14 +23,14 @@ namespace Boundary_recovery_3 {
 namespace internal {
 
 /*
- * Numbers the few vertices of a cavity in the order in which they come. To clear it costs nothing, whatever its size,
- * so it can serve millions of cavities, most of them small.
+ * The few vertices of a cavity, each once, in the order in which they come. To clear it costs nothing, whatever its
+ * size, so it can serve millions of cavities, most of them small.
  */
 template <typename Vertex_handle>
-class Local_numbers
+class Local_vertices
 {
 public:
-  Local_numbers() : m_slots(64) { }
+  Local_vertices() : m_slots(64) { }
 
   void clear()
   {
@@ -50,19 +50,15 @@ public:
     Slot& slot = m_slots[position(v)];
     if(slot.round == m_round)
       return false;
-    slot = Slot{ m_round, static_cast<std::uint32_t>(m_vertices.size()), v };
+    slot = Slot{ m_round, v };
     m_vertices.push_back(v);
     return true;
   }
-
-  // The number of a vertex that is there.
-  std::size_t operator[](const Vertex_handle v) const { return m_slots[position(v)].number; }
 
 private:
   struct Slot
   {
     std::uint64_t round = 0; // when it was filled; it is empty in all other rounds
-    std::uint32_t number = 0;
     Vertex_handle vertex;
   };
 
@@ -78,8 +74,8 @@ private:
   void enlarge()
   {
     m_slots.assign(2 * m_slots.size(), Slot());
-    for(std::size_t k = 0; k < m_vertices.size(); ++k)
-      m_slots[position(m_vertices[k])] = Slot{ m_round, static_cast<std::uint32_t>(k), m_vertices[k] };
+    for(const Vertex_handle v : m_vertices)
+      m_slots[position(v)] = Slot{ m_round, v };
   }
 
   std::vector<Slot> m_slots;
@@ -91,4 +87,4 @@ private:
 } // namespace Boundary_recovery_3
 } // namespace CGAL
 
-#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_LOCAL_NUMBERS_H
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_LOCAL_VERTICES_H

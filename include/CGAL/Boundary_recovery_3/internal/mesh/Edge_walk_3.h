@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Boundary_recovery_3 authors
 
-#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_EDGE_WALK_3_H
-#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_EDGE_WALK_3_H
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_MESH_EDGE_WALK_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_MESH_EDGE_WALK_3_H
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
@@ -60,4 +60,4 @@ private:
 } // namespace Boundary_recovery_3
 } // namespace CGAL
 
-#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_EDGE_WALK_3_H
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_MESH_EDGE_WALK_3_H
