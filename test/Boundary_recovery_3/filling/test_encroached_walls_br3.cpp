@@ -6,6 +6,7 @@
 #include "encroachment_br3.h"
 #include "mesh_validity_br3.h"
 #include "random_numbers_br3.h"
+#include "time_growth_br3.h"
 
 #include <CGAL/Boundary_constrained_mesh_triangulation_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Encroached_walls_3.h>
@@ -13,6 +14,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/improve_mesh_quality.h>
 #include <CGAL/insert_field_points.h>
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
@@ -157,6 +159,59 @@ void test_place_beside()
   assert(number_of_moved > 500);
 }
 
+// n needles at the tip of a cone, without those at its base.
+std::vector<Triangle> cone(const int n)
+{
+  std::vector<Point> base;
+  for(int i = 0; i < n; ++i)
+    base.emplace_back(std::cos(2 * CGAL_PI * i / n), std::sin(2 * CGAL_PI * i / n), 0);
+  std::vector<Triangle> result;
+  for(std::size_t i = 0; i < base.size(); ++i)
+    result.push_back({{ base[i], base[(i + 1) % base.size()], Point(0, 0, 1) }});
+  return result;
+}
+
+// Inside of the cone, at most a tenth of its height away from it.
+Point place_beside_cone(std::mt19937& rng)
+{
+  const double z = br3_test::random_int(rng, 900) / 1000., r = 1 - z - br3_test::random_int(rng, 1000) / 7000.;
+  const double angle = br3_test::random_int(rng, 1000);
+  return Point(r * std::cos(angle), r * std::sin(angle), z);
+}
+
+double time_beside_cone(const int n)
+{
+  Scene scene(1, 0);
+  scene.triangles = cone(n);
+  const Walls walls = scene.walls(.1);
+  return br3_test::time_of([&]
+  {
+    std::mt19937 rng(1);
+    for(int k = 0; k < 100; ++k)
+      walls.place_beside(coordinates(place_beside_cone(rng)), .1);
+  });
+}
+
+// Needles at one vertex have nearly the same edges, which count once: a place is looked at no longer where there are
+// more of them. What encroaches is the same, but for what hardly does.
+void test_cone()
+{
+  assert(br3_test::exponent(time_beside_cone(1000), time_beside_cone(16000), 16) < .5);
+  Scene scene(1, 0);
+  scene.triangles = cone(400);
+  const Walls walls = scene.walls(.1);
+  int number_of_encroaching = 0, number_of_others = 0;
+  for(int k = 0; k < 200; ++k)
+  {
+    const Point p = place_beside_cone(scene.rng);
+    const double nearest = scene.encroachment(p, .1).nearest();
+    const bool is_encroached = walls.are_encroached_by(coordinates(p), .1);
+    assert(is_encroached ? nearest < 1 + 1e-6 : nearest > .7);
+    ++(is_encroached ? number_of_encroaching : number_of_others);
+  }
+  assert(number_of_encroaching > 20 && number_of_others > 20);
+}
+
 // A block with two triangles on each side.
 Tr block(const double x, const double y, const double z)
 {
@@ -208,6 +263,7 @@ int main()
   test_what_encroaches();
   test_small_walls();
   test_place_beside();
+  test_cone();
   test_block({{ 1, 1, 1 }}, .1, {{ 300, 3000 }}, 8);     // 2.4 degrees if points may encroach
   test_block({{ 1, 1, 1 }}, .6, {{ 1, 20 }}, 20);        // nothing is large
   test_block({{ 10, 10, 1 }}, .25, {{ 1000, 5000 }}, 1); // there is room for some

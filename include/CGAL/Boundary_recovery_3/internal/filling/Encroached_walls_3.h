@@ -21,6 +21,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <set>
 #include <vector>
 
 namespace CGAL {
@@ -52,8 +53,9 @@ public:
   explicit Encroached_walls_3(const std::vector<Wall>& walls)
     : m_frame(box_of(walls))
   {
+    Known_edges known;
     for(const Wall& w : walls)
-      add(w);
+      add(w, known);
     build();
   }
 
@@ -91,6 +93,7 @@ private:
   static constexpr double cosine_of_lens = -0.9659258262890683;    // of the angle of 165 degrees,
   static constexpr double half_width_of_lens = 0.0658262487936979; // and how wide that makes it, as a part of the edge
   static constexpr double largest_clearance = 1.5;  // in sizes
+  static constexpr double least_difference = 0.125; // of the ends of two edges that count, as a part of the clearance
   static constexpr int max_number_of_steps = 8;
   static constexpr double step_beyond = 1 + 1e-6;   // the clearance, in view of rounding errors
 
@@ -142,8 +145,24 @@ private:
     return box;
   }
 
+  typedef std::set<std::array<double, 7> > Known_edges; // by the step of a grid, and the places of both ends in it
+
+  // Whether no edge was there that is nearly the same: they would be thousands at the tip of a cone, or around a
+  // cylinder, all at the same places.
+  static bool is_new(const Coordinates_3& q, const Coordinates_3& r, const double clearance, Known_edges& known)
+  {
+    const double step = std::exp2(std::floor(std::log2(least_difference * clearance)));
+    std::array<double, 7> key = {{ step }};
+    for(std::size_t i = 0; i < 3; ++i)
+    {
+      key[1 + i] = std::floor(q[i] / step);
+      key[4 + i] = std::floor(r[i] / step);
+    }
+    return known.insert(key).second;
+  }
+
   // Of the two walls at an edge, which see it in different directions, one adds it.
-  void add(const Wall& wall)
+  void add(const Wall& wall, Known_edges& known)
   {
     Corners p;
     for(std::size_t i = 0; i < 3; ++i)
@@ -157,8 +176,9 @@ private:
       const Coordinates_3& q = p[i];
       const Coordinates_3& r = p[(i + 1) % 3];
       const double length = internal::distance(q, r);
-      if(q < r && is_large(length, size))
-        m_shapes.push_back(Shape{ Near_triangle_3(Corners{{ q, r, q }}), length, half_width_of_lens * length, true });
+      const double clearance = half_width_of_lens * length;
+      if(q < r && is_large(length, size) && is_new(q, r, clearance, known))
+        m_shapes.push_back(Shape{ Near_triangle_3(Corners{{ q, r, q }}), length, clearance, true });
     }
   }
 
