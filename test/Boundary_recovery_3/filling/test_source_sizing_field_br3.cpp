@@ -12,6 +12,8 @@
 
 #undef NDEBUG
 
+#include "time_growth_br3.h"
+
 #include <CGAL/Boundary_recovery_3/Size_source_3.h>
 #include <CGAL/Boundary_recovery_3/Source_sizing_field_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Size_around_3.h>
@@ -270,6 +272,75 @@ void test_messages()
   assert(! read_size_sources(closed, sources, message) && message == "line 1: it cannot be read");
 }
 
+// The same place, with a growth of its own or not, and a size or a radius that is.
+Source changed(const Source& s, const double size, const double radius, const Size_growth& growth)
+{
+  switch(s.shape())
+  {
+    case Source::Shape::point:    return Source::point(s.vertex(0), size, radius, growth);
+    case Source::Shape::segment:  return Source::segment(s.vertex(0), s.vertex(1), size, radius, growth);
+    case Source::Shape::triangle: return Source::triangle(s.vertex(0), s.vertex(1), s.vertex(2), size, radius, growth);
+    default:                      return Source::box(s.vertex(0), s.vertex(1), size, radius, growth);
+  }
+}
+
+// Sources that are at the same place as others, equal ones among them, count where they are smaller.
+void test_sources_at_one_place()
+{
+  std::mt19937 rng(5);
+  std::vector<Source> sources;
+  for(int i = 0; i < 10; ++i)
+  {
+    const Source s = random_source(rng, 1);
+    sources.insert(sources.end(), 3, s);
+    for(const double size : { .5, 1., 2. })
+      for(const double radius : { s.radius(), .3 * s.radius(), .2 })
+      {
+        sources.push_back(changed(s, size * s.size(), radius, s.growth()));
+        sources.push_back(changed(s, size * s.size(), radius, Size_growth::linear(.1)));
+        sources.push_back(changed(s, size * s.size(), radius, Size_growth::doubling_at(2)));
+      }
+  }
+  std::shuffle(sources.begin(), sources.end(), rng);
+  sources.erase(std::remove_if(sources.begin(), sources.end(), [](const Source& s) { return ! s.is_valid(); }),
+                sources.end());
+  assert(sources.size() > 250);
+  const Field field(sources, .3);
+  for(int k = 0; k < 2000; ++k)
+  {
+    const Point_3 p = random_place(rng, k % 2 == 0 ? 1 : 4);
+    const double expected = brute_force(sources, .3, p);
+    assert(std::abs(field(p) - expected) <= 1e-9 * expected);
+  }
+}
+
+double time_of_questions(const std::vector<Source>& sources)
+{
+  const Field field(sources, 3);
+  return br3_test::time_of([&]
+  {
+    for(int k = 0; k < 500; ++k)
+      assert(field(Point_3(.01 * k, 1, 1)) <= 3);
+  });
+}
+
+// Many sources at one place take no more time than one.
+void test_time_of_sources_at_one_place()
+{
+  std::vector<Source> equal, different;
+  for(int i = 0; i < 10000; ++i)
+  {
+    equal.push_back(Source::point(Point_3(1, 2, 3), .1, .2, Size_growth::linear(.2)));
+    different.push_back(Source::point(Point_3(1, 2, 3), .1 + .0001 * (i % 1000), .0001 * (i % 77),
+                                      Size_growth::doubling_at(2)));
+  }
+  for(const auto* const many : { &equal, &different })
+  {
+    const std::vector<Source> few(many->begin(), many->begin() + 10);
+    assert(br3_test::exponent(time_of_questions(few), time_of_questions(*many), 1000) < .4);
+  }
+}
+
 // Exact numbers are rounded to the nearest floating point numbers.
 void test_exact_kernel()
 {
@@ -289,6 +360,8 @@ int main()
   test_random_sources(300, 1, .3, 300);
   test_random_sources(20, 1e9, infinity, 200);
   test_random_sources(20, 1e-9, 1e-10, 200);
+  test_sources_at_one_place();
+  test_time_of_sources_at_one_place();
   test_shapes();
   test_formulas();
   test_validity();

@@ -12,6 +12,8 @@
 
 #undef NDEBUG
 
+#include "time_growth_br3.h"
+
 #include <CGAL/Boundary_constrained_mesh_triangulation_3.h>
 #include <CGAL/Boundary_recovery_3/Surface_sizing_field_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Box_hierarchy_3.h>
@@ -113,6 +115,33 @@ void test_degenerate_cones()
     const std::vector<Site> same(n, Site{ {{ 1, 2, 3 }}, 5 });
     assert(internal::Cone_minimum_3(same, .2)({{ 1, 2, 3 }}) == 5);
     assert(are_equal(internal::Cone_minimum_3(same, .2)({{ 1, 2, 13 }}), 7));
+  }
+}
+
+double time_of_questions(const std::vector<Site>& sites)
+{
+  const internal::Cone_minimum_3 cones(sites, .2);
+  return br3_test::time_of([&]
+  {
+    for(int k = 0; k < 500; ++k)
+      assert(cones({{ .01 * k, 1, 1 }}) < 2);
+  });
+}
+
+// Of many sites at one place, the smallest counts, and they take no more time than one.
+void test_sites_at_one_place()
+{
+  std::vector<Site> equal, falling;
+  for(int i = 0; i < 20000; ++i)
+  {
+    equal.push_back(Site{ {{ 1, 2, 3 }}, .1 });
+    falling.push_back(Site{ {{ 1, 2, 3 }}, .2 - .000005 * i });
+  }
+  for(const auto* const many : { &equal, &falling })
+  {
+    const std::vector<Site> few(many->begin(), many->begin() + 20);
+    assert(br3_test::exponent(time_of_questions(few), time_of_questions(*many), 1000) < .4);
+    assert(are_equal(internal::Cone_minimum_3(*many, .2)({{ 1, 2, 13 }}), many->back().size + 2));
   }
 }
 
@@ -420,6 +449,7 @@ int main()
   test_cones(500, 1, 0, 1.01, 3);
   test_sphere();
   test_degenerate_cones();
+  test_sites_at_one_place();
   test_triangulation<CGAL::Boundary_constrained_mesh_triangulation_3<Epick>::type>();
   test_triangulation<CGAL::Boundary_constrained_mesh_triangulation_3<Epeck>::type>();
   test_triangulation<CGAL::Tetrahedral_remeshing::Remeshing_triangulation_3<Epick> >();

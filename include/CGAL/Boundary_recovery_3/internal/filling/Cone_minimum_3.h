@@ -50,6 +50,7 @@ public:
     std::vector<Site> scaled;
     for(const Site& q : sites)
       scaled.push_back(Site{ m_frame.to_frame(q.point), m_frame.to_frame(q.size) });
+    keep_smallest_at_places(scaled);
     build(scaled);
     scaled.erase(std::remove_if(scaled.begin(), scaled.end(), [&](const Site& q) { return minimum(q.point) < q.size; }),
                  scaled.end());
@@ -76,6 +77,21 @@ private:
     for(const Site& q : sites)
       box.add(q.point);
     return box;
+  }
+
+  // Where several sites are at one place, the smallest one counts: wherever one of them is of interest, all would be.
+  // If there are none, the order stays.
+  static void keep_smallest_at_places(std::vector<Site>& sites)
+  {
+    std::vector<Site> sorted = sites;
+    std::sort(sorted.begin(), sorted.end(), [](const Site& p, const Site& q)
+    {
+      return p.point != q.point ? p.point < q.point : p.size < q.size;
+    });
+    const auto are_at_one_place = [](const Site& p, const Site& q) { return p.point == q.point; };
+    sorted.erase(std::unique(sorted.begin(), sorted.end(), are_at_one_place), sorted.end());
+    if(sorted.size() < sites.size())
+      sites.swap(sorted);
   }
 
   void build(const std::vector<Site>& sites)

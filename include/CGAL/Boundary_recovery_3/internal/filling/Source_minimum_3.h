@@ -23,6 +23,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <tuple>
 #include <vector>
 
 namespace CGAL {
@@ -30,7 +31,7 @@ namespace Boundary_recovery_3 {
 namespace internal {
 
 /*
- * The smallest size that one of many sources, or the background, has at a place.
+ * The smallest size that one of many sources, or the background, has at a place. Equal sources count once.
  *
  * It can be called by several threads.
  */
@@ -46,12 +47,12 @@ public:
     : m_frame(box_of(sources)), m_background(m_frame.to_frame(background))
   {
     std::vector<Place> places;
-    std::vector<Axis_box_3> boxes;
     for(const Source& s : sources)
-    {
       places.push_back(place_of(s));
-      boxes.push_back(places.back().box);
-    }
+    remove_dominated(places);
+    std::vector<Axis_box_3> boxes;
+    for(const Place& place : places)
+      boxes.push_back(place.box);
     m_hierarchy = Box_hierarchy_3<1>(boxes);
     for(const std::size_t i : m_hierarchy.order())
       m_places.push_back(places[i]);
@@ -109,6 +110,27 @@ private:
       box.add(vertices[i]);
     }
     return Place{ s.shape(), Near_triangle_3(vertices), box, size_around(s, m_frame.from_frame(1)) };
+  }
+
+  // Of sources of one shape at one place that grow in the same way, those are left out that are nowhere smaller than
+  // another one. Equal ones, above all: wherever one of them is of interest, all would be.
+  static void remove_dominated(std::vector<Place>& places)
+  {
+    const auto kind = [](const Place& p)
+    {
+      return std::make_tuple(p.shape, p.triangle.vertex(0), p.triangle.vertex(1), p.triangle.vertex(2),
+                             p.around.is_linear, p.around.rate);
+    };
+    std::sort(places.begin(), places.end(), [&](const Place& p, const Place& q)
+    {
+      return std::make_tuple(kind(p), p.around.size, - p.around.radius)
+           < std::make_tuple(kind(q), q.around.size, - q.around.radius);
+    });
+    const auto is_dominated = [&](const Place& p, const Place& q) // by p, which is before q
+    {
+      return kind(p) == kind(q) && p.around.radius >= q.around.radius;
+    };
+    places.erase(std::unique(places.begin(), places.end(), is_dominated), places.end());
   }
 
   void find_reaches()
