@@ -28,6 +28,7 @@
 #include <cassert>
 #include <cstddef>
 #include <iostream>
+#include <iterator>
 #include <random>
 #include <set>
 #include <utility>
@@ -270,11 +271,83 @@ void test(const unsigned seed)
   assert(number_of_vertices_on_constraints > 100);
 }
 
+// Vertices that are in no triangulation: all that the search asks for is where they are. Handles count how often they
+// are compared.
+struct Loose_vertex
+{
+  Epick::Point_3 p;
+
+  const Epick::Point_3& point() const { return p; }
+};
+
+struct Loose_handle
+{
+  typedef std::forward_iterator_tag iterator_category;
+  typedef Loose_vertex              value_type;
+  typedef std::ptrdiff_t            difference_type;
+  typedef const Loose_vertex*       pointer;
+  typedef const Loose_vertex&       reference;
+
+  const Loose_vertex* v;
+
+  const Loose_vertex* operator->() const { return v; }
+  const Loose_vertex& operator*() const { return *v; }
+
+  friend bool operator==(const Loose_handle x, const Loose_handle y)
+  {
+    ++number_of_comparisons;
+    return x.v == y.v;
+  }
+
+  static std::size_t number_of_comparisons;
+};
+
+std::size_t Loose_handle::number_of_comparisons = 0;
+
+struct Loose_vertices
+{
+  typedef Loose_handle Vertex_handle;
+
+  std::vector<Vertex_handle> handles;
+
+  const std::vector<Vertex_handle>& finite_vertex_handles() const { return handles; }
+};
+
+// Points on one facet, each of which is a defect: they are not compared with all vertices.
+void test_many_defects()
+{
+  typedef internal::Recovery_diagnosis<Epick> Diagnosis;
+  const std::size_t n = 1000;
+  internal::Indexed_input_3<Epick::Point_3> input;
+  input.facets.push_back({{ 0, 1, 2 }});
+  std::vector<Loose_vertex> vertices = { { Epick::Point_3(0, 0, 0) }, { Epick::Point_3(n, 0, 0) },
+                                         { Epick::Point_3(0, n, 0) } };
+  for(std::size_t i = 1; i < n; ++i)
+    vertices.push_back({ Epick::Point_3(static_cast<double>(i), .5, 0) });
+  Loose_vertices tr;
+  for(const Loose_vertex& v : vertices)
+  {
+    tr.handles.push_back(Loose_handle{ &v });
+    input.points.push_back(v.point());
+  }
+  const std::vector<Diagnosis::Simplex> constraints(1, internal::describe_facet(input, 0));
+  const Epick kernel;
+  Diagnosis diagnosis(input, kernel);
+  Stopping_visitor patient;
+  Context context(patient);
+  const auto defects = diagnosis.vertices_on_constraints(constraints, tr, tr.handles, context);
+  assert(defects.size() == n - 1);
+  for(std::size_t i = 0; i < defects.size(); ++i)
+    assert(defects[i].simplices[0].index == i + 3);
+  assert(Loose_handle::number_of_comparisons < 20 * n);
+}
+
 int main()
 {
   test<Epick>(1);
   test<Epeck>(2);
   std::mt19937 rng(3);
   test_stopped_insertion(rng);
+  test_many_defects();
   std::cout << "done" << std::endl;
 }

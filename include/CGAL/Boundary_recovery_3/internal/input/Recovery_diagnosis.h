@@ -18,6 +18,7 @@
 #include <CGAL/Boundary_recovery_3/internal/input/box_search.h>
 
 #include <CGAL/Bbox_3.h>
+#include <CGAL/Unique_hash_map.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -102,28 +103,37 @@ public:
     std::sort(found.begin(), found.end());
     found.resize((std::min)(m_number_of_defects, m_max_number_of_defects));
     std::vector<Defect> defects;
+    if(found.empty())
+      return defects;
+    const Unique_hash_map<Vertex_handle, std::size_t> index = index_of_vertices(vertices);
     for(const auto& pair : found)
       defects.push_back(Defect{ Input_defect_kind::intersecting_constraints,
-                                { describe(all[pair.second], vertices), constraints[pair.first] } });
+                                { describe(all[pair.second], index), constraints[pair.first] } });
     return defects;
   }
 
 private:
   typedef Numbered_box_3 Box;
 
-  // A vertex that is not of the input has no index.
+  // Of vertices of the input; the first one where it has several at one point. Others have no index.
   template <typename Vertex_handle>
-  static Simplex describe(const Vertex_handle v, const std::vector<Vertex_handle>& vertices)
+  static Unique_hash_map<Vertex_handle, std::size_t> index_of_vertices(const std::vector<Vertex_handle>& vertices)
+  {
+    Unique_hash_map<Vertex_handle, std::size_t> index(Simplex::no_index, vertices.size());
+    for(std::size_t i = vertices.size(); i-- > 0; )
+      index[vertices[i]] = i;
+    return index;
+  }
+
+  template <typename Vertex_handle>
+  static Simplex describe(const Vertex_handle v, const Unique_hash_map<Vertex_handle, std::size_t>& index)
   {
     Simplex vertex;
     vertex.dimension = 0;
     vertex.points.assign(1, v->point());
-    const auto it = std::find(vertices.begin(), vertices.end(), v);
-    if(it != vertices.end())
-    {
-      vertex.index = static_cast<std::size_t>(it - vertices.begin());
+    vertex.index = index[v];
+    if(vertex.index != Simplex::no_index)
       vertex.vertices.assign(1, vertex.index);
-    }
     return vertex;
   }
 
