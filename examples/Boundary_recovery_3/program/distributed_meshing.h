@@ -106,6 +106,7 @@ private:
   const Part_store& m_store;
   const Work& m_work;
   const std::vector<Round> m_rounds;
+  const std::size_t m_max_number_of_vertices;
   std::size_t m_round = 0; // that is to be done, or was done last
   Round_plan m_plan;
   std::vector<std::vector<std::size_t> > m_tasks_of_part; // those that have cells of it
@@ -114,8 +115,9 @@ private:
 
 public:
   Distributed_meshing(const boost::mpi::communicator& world, const Part_store& store, const Work& work,
-                      const std::vector<Round>& rounds)
-    : m_world(world), m_exchange(world), m_store(store), m_work(work), m_rounds(rounds)
+                      const std::vector<Round>& rounds, const std::size_t max_number_of_vertices)
+    : m_world(world), m_exchange(world), m_store(store), m_work(work), m_rounds(rounds),
+      m_max_number_of_vertices(max_number_of_vertices)
   { }
 
   // whether an earlier run came to one of the rounds; then it is continued
@@ -283,8 +285,10 @@ private:
       join.add(load(parts_name(m_round, p), record(p, k)));
     Part part = join.joined();
     CGAL::Default_boundary_constrained_mesh_visitor_3 visitor;
-    const auto work_report = m_work(part, m_rounds[m_round], static_cast<std::size_t>(m_plan.number_of_vertices),
-                                    visitor, (std::numeric_limits<double>::infinity)());
+    const std::size_t number_of_vertices = static_cast<std::size_t>(m_plan.number_of_vertices);
+    const std::size_t number_left = m_max_number_of_vertices - (std::min)(m_max_number_of_vertices, number_of_vertices);
+    const auto work_report = m_work(part, m_rounds[m_round], number_of_vertices, number_left, visitor,
+                                    (std::numeric_limits<double>::infinity)());
     check(work_report.filling);
     for(const auto& v : part.vertices)
       report.new_vertices += v.number >= m_plan.number_of_vertices;

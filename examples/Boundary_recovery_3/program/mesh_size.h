@@ -72,6 +72,17 @@ public:
     return size;
   }
 
+  // a number that no size within a distance of a point is below, 0 if that is not known
+  double least_size_around(const Point& p, const double radius, const int index) const
+  {
+    double size = m_background ? 0 : m_uniform;
+    if(m_surface)
+      size = (std::min)(size, m_surface->least_size_around(p, radius, index));
+    if(m_sources)
+      size = (std::min)(size, m_sources->least_size_around(p, radius, index));
+    return size;
+  }
+
   // by how much the size grows per length, at most; infinity if that is not known
   double grading() const
   {

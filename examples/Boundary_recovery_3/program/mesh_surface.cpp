@@ -59,9 +59,10 @@ Result mesh(Triangulation& tr, const Surface<Point>& surface, const Size& size, 
 }
 
 // the regions, unless they are not known: only what is outside would be written otherwise
-Domain<Point> make_domain(const Triangulation& tr, const Result& result)
+Domain<Point> make_domain(const Triangulation& tr, const Result& result, const Meshing_options& options)
 {
-  return reason_for_no_mesh(result).empty() ? make_meshed_domain(tr, result) : Domain<Point>();
+  return reason_for_no_mesh(result, options.maximum_number_of_vertices).empty() ? make_meshed_domain(tr, result)
+                                                                                : Domain<Point>();
 }
 
 // without the Delaunay insertion, as `recover_boundary` tells it: the phases of the recovery are not all of it
@@ -147,7 +148,7 @@ int finish(const Meshing_options& options, Program<Point>& program, const Result
 
   if(options.timing)
     print_timing(result, measured);
-  const std::string reason = reason_for_no_mesh(result);
+  const std::string reason = reason_for_no_mesh(result, options.maximum_number_of_vertices);
   if(! reason.empty())
   {
     program.fail("there is no mesh: " + reason);
@@ -185,7 +186,7 @@ int run(const Meshing_options& options, Program<Point>& program)
   Result result = mesh(tr, program.surface(), size, options, progress);
   timer.stop();
 
-  Domain<Point> domain = make_domain(tr, result);
+  Domain<Point> domain = make_domain(tr, result, options);
   program.use_numbers_of_file(result.recovery, domain);
   const Measurements measured = measure(tr, domain, size, result, timer.time(), options);
   return finish(options, program, result, domain, measured);

@@ -60,6 +60,7 @@ typedef Kernel::Point_3                                               Point;
 typedef CGAL::Boundary_constrained_mesh_triangulation_3<Kernel>::type Triangulation;
 typedef CGAL::Boundary_constrained_mesh_result_3<Triangulation>       Result;
 typedef CGAL::Boundary_recovery_3::Dihedral_angle_quality_3           Quality;
+typedef CGAL::Boundary_recovery_3::Meshing_status                     Status;
 typedef Mesh_size<Triangulation>                                      Size;
 typedef internal::Mesh_part_3<Triangulation>                          Part;
 typedef internal::Work_on_part_3<Triangulation, Size, Quality>        Work;
@@ -99,9 +100,8 @@ public:
     if(! m_exchange.do_all_agree(read(message)) || ! have_all_the_same_input(message) ||
        ! m_exchange.do_all_agree(open_store(message)))
       return tell(message);
-    const Work work(size(), Quality(), m_options.min_angle,
-                    m_options.maximum_number_of_vertices);
-    Meshing meshing(m_world, m_store, work, rounds());
+    const Work work(size(), Quality(), m_options.min_angle);
+    Meshing meshing(m_world, m_store, work, rounds(), m_options.maximum_number_of_vertices);
     m_division_timer.start();
     const int status = meshing.resume() ? int(success) : divide(meshing);
     m_division_timer.stop();
@@ -220,7 +220,7 @@ private:
       m_program.use_numbers_of_file(result.recovery, nothing);
       return m_program.refuse_input(result.recovery);
     }
-    const std::string reason = reason_for_no_mesh(result);
+    const std::string reason = reason_for_no_mesh(result, m_options.maximum_number_of_vertices);
     if(! reason.empty())
       return cannot_mesh(reason);
     store_sides(tr, result);
@@ -243,8 +243,11 @@ private:
       return cannot_mesh("there would be about "
                          + std::to_string(static_cast<std::uint64_t>(forecast.forecast_of_vertices)) + " points");
     const std::size_t n = m_options.number_of_subdomains;
-    internal::Fill_background_3<Triangulation, Size>(size(), forecast.forecast_of_cells, n)
-      (tr, domain, visitor, forever);
+    const auto filling = internal::Fill_background_3<Triangulation, Size>(size(), forecast.forecast_of_cells, n)
+      (tr, domain, visitor, m_options.maximum_number_of_vertices, forever);
+    if(filling.status == Status::too_large)
+      return cannot_mesh("there would be about "
+                         + std::to_string(static_cast<std::uint64_t>(filling.forecast_of_vertices)) + " points");
     internal::Decomposition_3<Triangulation> decomposition(tr);
     parts = decomposition.divide(size(), domain, result.constrained_edges, n, result.recovery.vertices);
     number_of_vertices = decomposition.number_of_vertices();

@@ -68,9 +68,20 @@ bool is_improved(const Result& result)
   return result.improvement.after.number_of_cells > 0;
 }
 
-// why there is no mesh of the domain; empty if there is one
+// what would be too much: vertices, if there may be so many, or else the memory
 template <typename Result>
-std::string reason_for_no_mesh(const Result& result)
+std::string reason_for_too_large(const Result& result, const std::size_t max_number_of_vertices)
+{
+  const std::string what = "it would have about " + round_number(result.filling.forecast_of_vertices) +
+                           " vertices and " + round_number(result.filling.forecast_of_cells) + " tetrahedra, ";
+  if(result.filling.forecast_of_vertices > double(max_number_of_vertices))
+    return what + "and " + std::to_string(max_number_of_vertices) + " vertices are allowed";
+  return what + "which do not fit into the memory";
+}
+
+// why there is no mesh of the domain, which may have so many vertices; empty if there is one
+template <typename Result>
+std::string reason_for_no_mesh(const Result& result, const std::size_t max_number_of_vertices)
 {
   using CGAL::Boundary_recovery_3::Meshing_status;
 
@@ -86,8 +97,7 @@ std::string reason_for_no_mesh(const Result& result)
     case Meshing_status::invalid_input:
       return "the input is invalid";
     case Meshing_status::too_large:
-      return "it would have about " + round_number(result.filling.forecast_of_vertices) + " vertices and " +
-             round_number(result.filling.forecast_of_cells) + " tetrahedra, which is more than allowed, or than fits";
+      return reason_for_too_large(result, max_number_of_vertices);
     case Meshing_status::stopped:
       return result.number_of_regions > 0 ? std::string() : "the work was stopped before the surface was recovered";
   }
@@ -109,6 +119,10 @@ void print_mesh(std::ostream& os, const Result& result, const Domain& domain, co
   }
   if(is_improved(result))
     print_improvement(os, result.improvement, bad_tetrahedra, domain);
+  if(! result.filling.is_field_resolved)
+    os << "small sizes between the places that were asked may have been missed\n";
+  if(result.number_of_subdomains > 1)
+    os << result.number_of_subdomains << " sub-domains\n";
   os << to_string(result.status) << ": " << count(domain.points.size(), "point") << ", "
      << count(domain.number_of_field_points, "field point") << " and "
      << count(domain.number_of_steiner_points, "Steiner point") << " among them, and " << domain.tetrahedra.size()

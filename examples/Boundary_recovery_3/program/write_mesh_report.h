@@ -36,6 +36,8 @@ void write_meshing(Json_writer& json, const Result& result)
   json.entry("forecast_of_tetrahedra", result.filling.forecast_of_cells);
   json.entry("forecast_of_vertices", result.filling.forecast_of_vertices);
   json.entry("number_of_field_points", result.filling.number_of_field_points);
+  json.entry("is_field_resolved", result.filling.is_field_resolved);
+  json.entry("number_of_meshed_subdomains", result.number_of_subdomains);
   json.key("invalid_sizes");
   json.objects(result.filling.invalid_sizes, [&](const auto& invalid)
   {

@@ -73,12 +73,18 @@ struct Field_points_result_3
   Meshing_status status = Meshing_status::meshed;
 
   /// the number of cells in the domain that the size field asks for, estimated before any point was inserted: the
-  /// integral of \f$ 6 \sqrt 2 / h^3 \f$, or the number of cells that are there if that is larger
+  /// integral of \f$ 6 \sqrt 2 / h^3 \f$, or the number of cells that are there if that is larger. It is made again if
+  /// it was so low that points had to be refused.
   double forecast_of_cells = 0;
 
   double forecast_of_vertices = 0; ///< the same for the vertices of the triangulation
 
   std::size_t number_of_field_points = 0; ///< number of points that were inserted
+
+  /// whether no size in a cell is less than an eighth of what the cell has without having been looked at. It is `false`
+  /// if nobody knows: if the field tells neither its `grading()` nor its `least_size_around()` a place, or if its
+  /// grading is so large that there was no end of questions.
+  bool is_field_resolved = true;
 
   /// the place that made the status `invalid_input`: none, or one
   std::vector<Invalid_size> invalid_sizes;
@@ -115,6 +121,9 @@ struct Boundary_constrained_mesh_result_3
 
   int number_of_regions = 0; ///< step 5: number of regions of the domain
   Filling filling;           ///< step 6: field points
+
+  /// into how many sub-domains the domain was divided for steps 6 and 7; 1 if it was not
+  std::size_t number_of_subdomains = 1;
 
   /// step 7: the improvement of the quality; empty if nobody asked for it
   Improvement improvement;

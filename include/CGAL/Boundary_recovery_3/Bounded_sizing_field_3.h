@@ -56,6 +56,13 @@ public:
     return size > 0 ? (std::min)((std::max)(size, m_lower), m_upper) : size;
   }
 
+  /// returns a number that no size within a distance `radius` of `p` is below, 0 if the field does not tell.
+  FT least_size_around(const Point_3& p, const double radius, const int index) const
+  {
+    const double least = internal::least_size_of_field_around<GT>(m_field, p, radius, index);
+    return least > 0 ? (std::min)((std::max)(least, m_lower), m_upper) : 0;
+  }
+
   /// returns by how much sizes grow per length, at most; infinity if the field does not tell.
   double grading() const { return internal::grading_of_field<GT>(m_field); }
 

@@ -25,7 +25,7 @@ enum class Meshing_status
   invalid_input, ///< the surface cannot be recovered by anybody, or a size is not a positive number, or an angle not
                  ///< possible; what is wrong is listed
   too_large,     ///< the mesh would take more vertices, or more memory, than allowed; the forecast tells how many. No
-                 ///< field point was inserted
+                 ///< field point was inserted, or if the first forecast was too low, no more than allowed
   stopped        ///< the visitor or the time limit ended the work early, with a valid mesh
 };
 

@@ -65,6 +65,17 @@ public:
     return smallest;
   }
 
+  /// returns a number that no size within a distance `radius` of `p` is below, 0 if one of the fields does not tell.
+  FT least_size_around(const Point_3& p, const double radius, const int index) const
+  {
+    const auto smallest = [&](const Fields& ... fields)
+    {
+      return (std::min)({ std::numeric_limits<double>::infinity(),
+                          internal::least_size_of_field_around<GT>(fields, p, radius, index)... });
+    };
+    return std::apply(smallest, m_fields);
+  }
+
   /// returns by how much sizes grow per length, at most; infinity if one of the fields does not tell.
   double grading() const
   {

@@ -64,6 +64,14 @@ public:
     return smallest;
   }
 
+  /// returns a number that no size within a distance `radius` of `p` is below in the region `index`, 0 if the field
+  /// there does not tell.
+  FT least_size_around(const Point_3& p, const double radius, const int index) const
+  {
+    const auto found = m_parts.find(index);
+    return (found != m_parts.end() ? found->second : m_default).least_size(p, radius, index);
+  }
+
   /// returns by how much sizes grow per length inside of a region, at most; infinity if one of the fields does not
   /// tell.
   double grading() const
@@ -78,6 +86,7 @@ private:
   struct Part
   {
     std::function<double(const Point_3&, int, int)> size;
+    std::function<double(const Point_3&, double, int)> least_size;
     double grading;
   };
 
@@ -88,7 +97,11 @@ private:
     {
       return internal::size_of_field<GT>(field, p, dimension, index);
     };
-    return Part{ size, internal::grading_of_field<GT>(field) };
+    const auto least_size = [field](const Point_3& p, const double radius, const int index)
+    {
+      return internal::least_size_of_field_around<GT>(field, p, radius, index);
+    };
+    return Part{ size, least_size, internal::grading_of_field<GT>(field) };
   }
 
   Part m_default;

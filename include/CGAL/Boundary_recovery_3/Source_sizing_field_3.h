@@ -75,6 +75,12 @@ public:
   template <typename AnyIndex>
   FT operator()(const Point_3& p, const int /* dimension */, const AnyIndex& /* index */) const { return (*this)(p); }
 
+  /// returns a number that no size within a distance `radius` of `p` is below: the smallest one.
+  FT least_size_around(const Point_3& p, const double radius, const int /* index */) const
+  {
+    return m_is_valid ? m_sizes.around(internal::coordinates_of(p), radius) : std::numeric_limits<double>::quiet_NaN();
+  }
+
   /// returns by how much sizes grow per length, at most; infinity if some double, and there is no background.
   double grading() const { return m_sizes.grading(); }
 

@@ -111,6 +111,12 @@ public:
   template <typename AnyIndex>
   FT operator()(const Point_3& p, const int /* dimension */, const AnyIndex& /* index */) const { return (*this)(p); }
 
+  /// returns a number that no size within a distance `radius` of `p` is below: the smallest one.
+  FT least_size_around(const Point_3& p, const double radius, const int /* index */) const
+  {
+    return m_sizes.around(internal::coordinates_of(p), radius);
+  }
+
   /// returns by how much sizes grow per length, at most.
   double grading() const { return m_sizes.grading(); }
 

@@ -8,6 +8,11 @@
 #include "mesh_validity_br3.h"
 
 #include <CGAL/Boundary_constrained_mesh_triangulation_3.h>
+#include <CGAL/Boundary_recovery_3/Bounded_sizing_field_3.h>
+#include <CGAL/Boundary_recovery_3/Minimum_sizing_field_3.h>
+#include <CGAL/Boundary_recovery_3/Region_sizing_field_3.h>
+#include <CGAL/Boundary_recovery_3/Size_source_3.h>
+#include <CGAL/Boundary_recovery_3/Source_sizing_field_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Field_point_insertion_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Fill_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/visitor_of.h>
@@ -311,7 +316,12 @@ struct Counting_visitor
   using CGAL::Default_boundary_constrained_mesh_visitor_3::on_progress;
 
   void on_phase_begin(const BR3::Meshing_phase phase) { begun.push_back(phase); }
-  void on_phase_end(const BR3::Meshing_phase_report& report) { ended.push_back(report.phase); }
+  void on_phase_end(const BR3::Meshing_phase_report& report)
+  {
+    ended.push_back(report.phase);
+    if(report.phase == BR3::Meshing_phase::forecast)
+      forecast = report.number_of_vertices;
+  }
 
   void on_progress(const BR3::Meshing_phase phase, const std::size_t done, const std::size_t total)
   {
@@ -341,6 +351,7 @@ struct Counting_visitor
   bool go_further() { return number_of_questions++ != last_question; }
 
   std::vector<BR3::Meshing_phase> begun, ended;
+  std::size_t forecast = 0;
   double progress = 0;
   int number_of_reports = 0;
   long number_of_cells = 0;
@@ -367,9 +378,23 @@ void test_limits()
     const auto size = [&](const K::Point_3&) { return visitor.begun.size() < 2 ? 1. : 0.1; };
     const auto result = CGAL::insert_field_points(scene.tr, size, parameters::maximum_number_of_vertices(500),
                                                   parameters::visitor(std::ref(visitor)));
-    assert(result.forecast_of_vertices < 500 && result.status == Status::too_large);
+    assert(visitor.forecast < 500 && result.forecast_of_vertices > 500 && result.status == Status::too_large);
     assert(scene.tr.number_of_vertices() == 500);
     before.check(scene, result.number_of_field_points);
+  }
+  { // the limit is as many vertices as there will be, or one less
+    const auto number_and_status = [](const std::size_t limit)
+    {
+      Scene<Tr> scene(3);
+      Counting_visitor visitor;
+      const auto size = [&](const K::Point_3&) { return visitor.begun.size() < 2 ? 1. : 0.4; };
+      const auto result = CGAL::insert_field_points(scene.tr, size, parameters::maximum_number_of_vertices(limit),
+                                                    parameters::visitor(std::ref(visitor)));
+      return std::make_pair(scene.tr.number_of_vertices(), result.status);
+    };
+    const std::size_t number = number_and_status(100000).first;
+    assert(number_and_status(number) == std::make_pair(number, Status::meshed));
+    assert(number_and_status(number - 1) == std::make_pair(number - 1, Status::too_large));
   }
   for(const double size : { 3e-9, 1e-30, 1e-300 }) // does not fit into any memory
   {
@@ -385,6 +410,74 @@ void test_limits()
     const auto result = CGAL::insert_field_points(scene.tr, size);
     assert(result && result.number_of_field_points == 0);
   }
+}
+
+// Small sizes around a place, and how fast they grow from there.
+struct Spot
+{
+  double operator()(const K::Point_3& p) const
+  {
+    ++number_of_questions;
+    return (std::min)(1., 0.01 + growth * std::sqrt(CGAL::squared_distance(p, place)));
+  }
+
+  K::Point_3 place;
+  double growth;
+  mutable std::size_t number_of_questions = 0;
+};
+
+struct Graded_spot
+  : public Spot
+{
+  double grading() const { return growth; }
+};
+
+// Fills a block of cubes, and returns whether there is a vertex where the sizes are small.
+template <typename Field>
+bool is_seen(const Field& field, const K::Point_3& place, const bool is_resolved)
+{
+  Scene<Tr> scene(4);
+  const State<Tr> before(scene);
+  const auto result = CGAL::insert_field_points(scene.tr, field);
+  assert(result && result.is_field_resolved == is_resolved);
+  before.check(scene, result.number_of_field_points);
+  double nearest = 1;
+  for(const Tr::Vertex_handle v : scene.tr.finite_vertex_handles())
+    nearest = (std::min)(nearest, std::sqrt(CGAL::squared_distance(v->point(), place)));
+  return nearest < 0.1;
+}
+
+// None is missed, as long as the field tells how small it can be: by its gradation, or by bounds.
+void test_small_sizes()
+{
+  typedef BR3::Source_sizing_field_3<K> Sources;
+  std::size_t number_of_missed = 0;
+  for(const K::Point_3& place : { K::Point_3(0.47, 2.63, 3.31), K::Point_3(1.4, 1.3, 1.6), K::Point_3(2.3, 3.8, 0.4) })
+  {
+    number_of_missed += ! is_seen(Spot{ place, 2 }, place, false);
+    assert(is_seen(Graded_spot{ { place, 2 } }, place, true));
+    const auto doubling = BR3::Size_source_3<K>::point(place, 0.01, 0.02, BR3::Size_growth::doubling_at(0.03));
+    const auto steep = BR3::Size_source_3<K>::point(place, 0.004, 0.01, BR3::Size_growth::linear(1e3));
+    const Sources bounded({ doubling }, 1), unbounded({ doubling }), wall({ steep }, 1);
+    assert(is_seen(bounded, place, true) && is_seen(unbounded, place, true) && is_seen(wall, place, true));
+    const auto smallest = BR3::make_minimum_sizing_field<K>(1., std::cref(unbounded), 2.);
+    assert(is_seen(smallest, place, true));
+    BR3::Region_sizing_field_3<K> regions(smallest);
+    regions.set_field(2, BR3::make_bounded_sizing_field<K>(smallest, 0.01, 1));
+    assert(is_seen(regions, place, true));
+  }
+  assert(number_of_missed > 0);
+}
+
+// It is told if nobody knows, also if the sizes could grow so fast that there would be no end of questions.
+void test_unresolved_fields()
+{
+  const K::Point_3 outside(9, 9, 9);
+  assert(! is_seen(1., outside, true));
+  const Graded_spot steep{ { outside, 1e6 } };
+  assert(! is_seen(steep, outside, false) && steep.number_of_questions < 500000);
+  assert(! is_seen(BR3::make_minimum_sizing_field<K>(Spot{ outside, 1 }, 1.), outside, false));
+  assert(! is_seen([](const K::Point_3&) { return 1.; }, outside, false));
 }
 
 void test_visitor()
@@ -492,6 +585,8 @@ int main()
   test_selection();
   test_constrained_edges();
   test_limits();
+  test_small_sizes();
+  test_unresolved_fields();
   test_visitor();
   test_invalid_sizes();
   test_empty();

@@ -321,6 +321,23 @@ def test_sources():
     assert 'folder.txt' in check_file_error('sources.off', '--sources', 'folder.txt')
 
 
+def test_small_source():
+    """it is far smaller than the cells around it, and grows steeply: nothing near it tells of it"""
+    name, place = write('grid.off', off_text(*grid_box(10))), (0.2888, 0.1825, 0.4168)
+    write('small.txt', 'point %r %r %r 0.0008 0.005 3\n' % place)
+    arguments = '--size', '0.1', '--sources', 'small.txt', '--no-improvement'
+    numbers = []
+    for number in ('1', '2', '3', '4', '8'):
+        report = report_of(name, *arguments, '--subdomains', number, '-o', 'small.mesh', status=MESHED)
+        result = read_mesh('small.mesh')
+        assert report['is_field_resolved'] and report['number_of_meshed_subdomains'] == int(number)
+        assert min(math.dist(p, place) for p in result.points) < 0.0008
+        numbers.append(len(result.points))
+        assert 0.8 * numbers[0] < numbers[-1] < 1.2 * numbers[0]
+    error = run(name, *arguments, '--subdomains', '8', '--max-vertices', '1000', status=INCOMPLETE).err
+    assert 'and 1000 vertices are allowed' in error
+
+
 def grid(n):
     """the points and tetrahedra of the unit cube, divided into n * n * n cubes of six tetrahedra each"""
     points = [(x / n, y / n, z / n) for x in range(n + 1) for y in range(n + 1) for z in range(n + 1)]
@@ -640,6 +657,9 @@ def test_subdomains():
     assert text[0] == text[1] == text[2]
     result, report = mesh('subdomains', box((0, 0, 0), (1, 2, 3)), '--size', '0.2', '--subdomains', '5')
     assert report['number_of_subdomains'] == 5 and len(result.triangles) == 12
+    assert report['number_of_meshed_subdomains'] == 5
+    report = report_of(name, '--subdomains', '1000000', status=MESHED)
+    assert report['number_of_subdomains'] == 1000000 and report['number_of_meshed_subdomains'] == 1
     assert 'decomposition' in [phase['name'] for phase in report['meshing_phases']]
     assert math.isclose(signed_volume(result.points, result.tetrahedra), 6 * 6, rel_tol=1e-9)
 

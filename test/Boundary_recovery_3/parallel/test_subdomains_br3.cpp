@@ -89,8 +89,8 @@ struct Scene
   using Base::tr;
   using Base::result;
 
-  template <typename ... NPs>
-  Result& make(const double size, const NPs& ... nps)
+  template <typename Size, typename ... NPs>
+  Result& make(const Size& size, const NPs& ... nps)
   {
     result = CGAL::make_boundary_constrained_mesh_3(tr, points, soup.triangles, size,
                                                     parameters::constrained_edges(soup.edges), nps...);
@@ -217,6 +217,81 @@ void test_quality()
     assert(share(found, i) <= 1.1 * share(expected, i) + .0005);
   assert(found.share_of_edges_in_size > expected.share_of_edges_in_size - .01);
   assert(found.mean_radius_ratio > expected.mean_radius_ratio - .01);
+}
+
+// Small sizes around a place, which none of the other sizes tell of.
+struct Spot
+{
+  double operator()(const K::Point_3& p) const
+  {
+    return (std::min)(1., 0.01 + 3 * (std::max)(0., std::sqrt(CGAL::squared_distance(p, place)) - 0.03));
+  }
+
+  double grading() const { return 3; }
+
+  static double distance(const Scene<K>& scene)
+  {
+    double nearest = 1;
+    for(const auto v : scene.tr.finite_vertex_handles())
+      nearest = (std::min)(nearest, std::sqrt(CGAL::squared_distance(v->point(), place)));
+    return nearest;
+  }
+
+  static const inline K::Point_3 place = K::Point_3(4.387, 1.824, 2.368);
+};
+
+void test_small_sizes()
+{
+  const auto coarse = parameters::improve_quality(false);
+  std::size_t numbers[5] = { };
+  for(const std::size_t number : { 1, 2, 3, 4 })
+  {
+    Scene<K> scene(boxes()), unknown(boxes());
+    assert(scene.make(Spot(), parameters::number_of_subdomains(number), coarse));
+    scene.check();
+    assert(scene.result.filling.is_field_resolved && Spot::distance(scene) < 0.01);
+    assert(scene.result.number_of_subdomains == number);
+    numbers[number] = scene.tr.number_of_vertices();
+    assert(numbers[number] > 0.8 * numbers[1] && numbers[number] < 1.2 * numbers[1]);
+    unknown.make([](const K::Point_3& p) { return Spot()(p); }, parameters::number_of_subdomains(number), coarse);
+    assert(! unknown.result.filling.is_field_resolved);
+  }
+}
+
+// Never are there more vertices than allowed; the limit does not change the mesh if there are not; and what would be
+// needed is told.
+void test_number_of_vertices()
+{
+  const auto coarse = parameters::improve_quality(false);
+  Scene<K> free(boxes());
+  assert(free.make(Spot(), parameters::number_of_subdomains(4), coarse));
+  const std::size_t number = free.tr.number_of_vertices();
+  for(const std::size_t limit : { number, number - 1, number / 2, number / 4 })
+    for(const std::size_t number_of_threads : { 1, 3 })
+    {
+      const Threads threads(number_of_threads);
+      Scene<K> scene(boxes());
+      scene.make(Spot(), parameters::number_of_subdomains(4), coarse, parameters::maximum_number_of_vertices(limit));
+      scene.check();
+      assert(scene.tr.number_of_vertices() <= limit);
+      const auto& filling = scene.result.filling;
+      assert(filling.number_of_field_points <= limit);
+      if(limit == number)
+        assert(scene.result && scene.portrait() == free.portrait());
+      else
+        assert(filling.status == BR3::Meshing_status::too_large
+               && filling.forecast_of_vertices > static_cast<double>(limit));
+    }
+}
+
+// Far more sub-domains than there are cells.
+void test_many_subdomains()
+{
+  Scene<K> scene(boxes());
+  assert(scene.make(3, parameters::number_of_subdomains(100000000), parameters::improve_quality(false)));
+  scene.check();
+  assert(scene.result.number_of_subdomains >= 1
+         && scene.result.number_of_subdomains < scene.tr.number_of_finite_cells());
 }
 
 struct Stopping_visitor
@@ -691,6 +766,9 @@ int main()
   test_regions<Exact>(.8, 3);
   test_numbers();
   test_quality();
+  test_small_sizes();
+  test_number_of_vertices();
+  test_many_subdomains();
   test_stops();
   std::cout << "done" << std::endl;
 }

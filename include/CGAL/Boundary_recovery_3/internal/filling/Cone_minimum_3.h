@@ -52,15 +52,21 @@ public:
       scaled.push_back(Site{ m_frame.to_frame(q.point), m_frame.to_frame(q.size) });
     keep_smallest_at_places(scaled);
     build(scaled);
-    scaled.erase(std::remove_if(scaled.begin(), scaled.end(), [&](const Site& q) { return minimum(q.point) < q.size; }),
-                 scaled.end());
+    const auto is_useless = [&](const Site& q) { return minimum(q.point, 0) < q.size; };
+    scaled.erase(std::remove_if(scaled.begin(), scaled.end(), is_useless), scaled.end());
     build(scaled);
   }
 
   double grading() const { return m_grading; }
 
   // The size at p, infinity if there are no sites.
-  double operator()(const Coordinates_3& p) const { return m_frame.from_frame(minimum(m_frame.to_frame(p))); }
+  double operator()(const Coordinates_3& p) const { return m_frame.from_frame(minimum(m_frame.to_frame(p), 0)); }
+
+  // The smallest size within a distance of p.
+  double around(const Coordinates_3& p, const double radius) const
+  {
+    return m_frame.from_frame(minimum(m_frame.to_frame(p), m_grading * m_frame.to_frame(radius)));
+  }
 
 private:
   static constexpr std::size_t leaf_size = 16;
@@ -133,34 +139,36 @@ private:
     });
   }
 
-  // In the unit frame. Roots are drawn only of what may become the minimum: h + g d <= m if (g d)^2 <= (m - h)^2.
-  double minimum(const Coordinates_3& p) const
+  // In the unit frame, with all sizes by `drop` smaller, but for those of the sites. Roots are drawn only of what may
+  // become the minimum: h + g d <= m if (g d)^2 <= (m - h)^2.
+  double minimum(const Coordinates_3& p, const double drop) const
   {
     double smallest = std::numeric_limits<double>::infinity();
     const auto is_of_interest = [&](const std::size_t child, const double squared_distance)
     {
-      const double rest = smallest - m_smallest_sizes[child];
+      const double rest = smallest + drop - m_smallest_sizes[child];
       return rest > 0 && m_squared_grading * squared_distance <= rest * rest;
     };
-    m_hierarchy.search(p, is_of_interest, [&](const std::size_t leaf) { look_at(m_leaves[leaf], p, smallest); });
+    m_hierarchy.search(p, is_of_interest, [&](const std::size_t leaf) { look_at(m_leaves[leaf], p, drop, smallest); });
     return smallest;
   }
 
   // Makes the number m smaller, if the sites of a leaf do. That h + g d <= m is written without comparisons and roots,
   // as (g d)^2 - (m - h) |m - h| <= 0: processors compute that for several sites at once.
-  void look_at(const Leaf& leaf, const Coordinates_3& p, double& smallest) const
+  void look_at(const Leaf& leaf, const Coordinates_3& p, const double drop, double& smallest) const
   {
     std::array<double, leaf_size> squares, excess;
+    const double limit = smallest + drop;
     for(std::size_t i = 0; i < leaf_size; ++i)
     {
       const double x = leaf.x[i] - p[0], y = leaf.y[i] - p[1], z = leaf.z[i] - p[2];
-      const double rest = smallest - leaf.size[i];
+      const double rest = limit - leaf.size[i];
       squares[i] = x * x + y * y + z * z;
       excess[i] = m_squared_grading * squares[i] - rest * std::abs(rest);
     }
     for(std::size_t i = 0; i < leaf_size; ++i)
       if(excess[i] <= 0)
-        smallest = (std::min)(smallest, leaf.size[i] + m_grading * std::sqrt(squares[i]));
+        smallest = (std::min)(smallest, leaf.size[i] + (std::max)(0., m_grading * std::sqrt(squares[i]) - drop));
   }
 
   double m_grading = 0;

@@ -22,6 +22,7 @@
 #include <CGAL/Boundary_recovery_3/internal/util/available_memory.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -75,7 +76,19 @@ public:
     return finish();
   }
 
+  // The forecast of a mesh which has so many field points already, and is to get more of them.
+  Result forecast_of_unfinished(const std::size_t number_of_field_points)
+  {
+    m_result.number_of_field_points = number_of_field_points;
+    forecast();
+    m_result.forecast_of_vertices = (std::max)(m_result.forecast_of_vertices,
+                                               static_cast<double>(m_tr.number_of_vertices() + 1));
+    return m_result;
+  }
+
 private:
+  typedef Region_sizes_3<Tr, SizingField> Sizes;
+
   // See "Tuning constants" in the manual.
   static constexpr double cells_per_forecast_cell = 1.32;
   static constexpr double cells_per_wall = 1.2;
@@ -132,11 +145,12 @@ private:
 
   void forecast()
   {
+    m_cells.clear();
     for(const Cell_handle c : m_tr.finite_cell_handles())
       if(m_domain.contains(c))
         m_cells.push_back(c);
     const double number_of_cells = static_cast<double>(m_cells.size());
-    const double number_of_vertices = static_cast<double>(m_tr.number_of_vertices());
+    const double number_of_vertices = static_cast<double>(m_tr.number_of_vertices() - m_result.number_of_field_points);
     m_result.forecast_of_cells = number_of_cells; // what is there at least
     m_result.forecast_of_vertices = number_of_vertices;
     if(! m_sizes.ask_at_vertices(m_cells) || m_effort == Forecast_effort::none)
@@ -161,7 +175,13 @@ private:
   double number_of_regular_cells()
   {
     auto size = [this](const Coordinates_3& p, const int region) { return m_sizes.of_field(p, region); };
-    Forecast_3<decltype(size)> integral(size, m_sizes.gradation());
+    const auto least_size = [this](const std::array<Coordinates_3, 4>& t, const int region)
+    {
+      const Coordinates_3 center = internal::centroid(t);
+      return Sizes::Query::tells_least_sizes
+           ? m_sizes.least_size_around(center, internal::largest_distance(center, t), region) : 0;
+    };
+    Forecast_3<decltype(size), decltype(least_size)> integral(size, m_sizes.gradation(), least_size);
     for(const Cell_handle c : m_cells)
     {
       const auto corners = internal::corners(c);
@@ -185,18 +205,22 @@ private:
   {
     if(m_minds_walls)
       m_sizes.set_walls(Wall_sizes_3<Tr>(m_cells, m_domain));
-    Fill_domain_3<Tr, Domain, Region_sizes_3<Tr, SizingField>, Visitor> fill_domain(m_tr, m_domain, m_sizes, m_context);
+    Fill_domain_3<Tr, Domain, Sizes, Visitor> fill_domain(m_tr, m_domain, m_sizes, m_context);
     const double expected = m_result.forecast_of_vertices - static_cast<double>(m_tr.number_of_vertices());
     fill_domain(m_cells, max_number_of_vertices, static_cast<std::size_t>(expected));
     if(m_leaves_sizes_of_field)
       m_sizes.restore_sizes_of_field();
     m_result.number_of_field_points = fill_domain.vertices().size();
+    m_result.is_field_resolved = fill_domain.is_resolved();
     if(! m_sizes.is_valid())
       refuse_size();
     else if(m_context.is_stopped())
       m_result.status = Meshing_status::stopped;
     else if(fill_domain.is_full())
+    {
       m_result.status = Meshing_status::too_large;
+      forecast_of_unfinished(m_result.number_of_field_points);
+    }
   }
 
   void refuse_size()
@@ -207,7 +231,7 @@ private:
 
   Tr& m_tr;
   Domain& m_domain;
-  Region_sizes_3<Tr, SizingField> m_sizes;
+  Sizes m_sizes;
   Recovery_context<Visitor> m_context;
   const Forecast_effort m_effort;
   bool m_minds_walls = true;

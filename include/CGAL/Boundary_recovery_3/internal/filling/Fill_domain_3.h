@@ -18,6 +18,7 @@
 #include <CGAL/Boundary_recovery_3/internal/filling/Insert_field_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Region_sizes_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Remove_long_edge_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Small_size_search_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Unit_frame_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/facet_towards.h>
@@ -45,6 +46,9 @@ namespace internal {
  * those that are there at first, and after each of them those around the new vertices. No vertex of the cavity of a
  * point is nearer to it than `smallest_distance` times the size there, so the work ends.
  *
+ * Where the sizes grow fast, a cell that is not too large for the size at its centroid may be so elsewhere: it gets a
+ * point at a place where the size is far smaller, if there is one.
+ *
  * Nor does a point encroach on walls that are far larger than the sizes beside them: no cell at such a wall could be
  * good. Where it would, there may be a place beside it.
  *
@@ -63,7 +67,7 @@ public:
 
   Fill_domain_3(Tr& tr, Domain& domain, Sizes& sizes, Recovery_context<Visitor>& context)
     : m_tr(tr), m_domain(domain), m_sizes(sizes), m_context(context), m_cavity(tr, domain),
-      m_insert(tr, domain, context.visitor()), m_remove_edge(tr, domain, context.visitor())
+      m_search(sizes), m_insert(tr, domain, context.visitor()), m_remove_edge(tr, domain, context.visitor())
   { }
 
   // No vertex is left as pending, also if somebody throws.
@@ -80,6 +84,7 @@ public:
   {
     m_max_number_of_vertices = max_number_of_vertices;
     m_expected_number = expected_number;
+    m_search.add_vertices(m_tr.number_of_vertices());
     m_walls = large_walls(cells);
     for(std::size_t k = 0; k < cells.size() && can_go_on(); ++k)
       if(is_there(cells[k]))
@@ -95,10 +100,15 @@ public:
   // The vertices that were inserted, in order.
   const Vertices& vertices() const { return m_vertices; }
 
-  bool is_full() const { return m_tr.number_of_vertices() >= m_max_number_of_vertices; }
+  // Whether no small size can be in a cell unseen.
+  bool is_resolved() const { return m_search.is_complete(); }
+
+  // Whether there would be more of them if that was allowed.
+  bool is_full() const { return m_is_full; }
 
 private:
   typedef Remove_long_edge_3<Tr, Domain, Visitor> Remove_edge;
+  typedef Small_size_search_3<Sizes, Cell_handle> Search;
   typedef typename Sizes::Size                    Size;
 
   // As parts of the size, see "Tuning constants" in the manual.
@@ -115,7 +125,7 @@ private:
   static constexpr int max_number_of_steps = 100;
   static constexpr std::size_t number_of_reports = 200;
 
-  bool can_go_on() { return m_sizes.is_valid() && ! is_full() && m_context.go_further_after_short_step(); }
+  bool can_go_on() { return m_sizes.is_valid() && ! m_is_full && m_context.go_further_after_short_step(); }
 
   // Whether the cell is still there, and no new vertex is at it. Where it was, there may be a new cell.
   bool is_there(const Cell_handle c) const
@@ -186,16 +196,35 @@ private:
     const Sphere_3 sphere = internal::circumsphere(p);
     const double radius = std::sqrt(sphere.squared_radius);
     if(radius <= largest_radius * m_sizes.least_size_inside(c, p))
-      return;
+      return look_where_small(c, p, radius / largest_radius);
     const Coordinates_3 center = internal::centroid(p);
     const Size size = m_sizes(center, c);
     if(radius <= largest_radius * size.possible)
-      return;
+      return look_where_small(c, p, radius / largest_radius);
     const Cell_handle at_center = walk(c, sphere.center);
     if((at_center == Cell_handle() || ! try_point(sphere.center, at_center, m_sizes(sphere.center, at_center)))
        && ! try_point(center, c, size) && ! try_point_beside_walls(center, c, size)
+       && ! try_where_small(c, p, size.possible)
        && internal::longest_edge(p).length > longest_edge * size.possible)
       m_long_cells.push_back(c);
+  }
+
+  // The cell is good for a size. No size is far smaller if sizes do not grow fast, since no corner is farther away from
+  // the centroid than one and a half radii.
+  void look_where_small(const Cell_handle c, const Corners& p, const double size)
+  {
+    constexpr double harmless_growth = (1 - Search::certain) / (1.5 * largest_radius);
+    if(! (m_sizes.gradation() <= harmless_growth))
+      try_where_small(c, p, size);
+  }
+
+  bool try_where_small(const Cell_handle c, const Corners& p, const double size)
+  {
+    return m_search(c, p, size, [&](const Coordinates_3& q)
+    {
+      const Size at_q = m_sizes(q, c);
+      return try_point(q, c, at_q) || try_point_beside_walls(q, c, at_q);
+    });
   }
 
   // If a place encroaches on walls, there may be one beside them.
@@ -326,11 +355,12 @@ private:
     const Point_3 p(coordinates[0], coordinates[1], coordinates[2]);
     const bool is_good = m_cavity.find(p, c, min_distance * size.possible, largest_seam * size.possible)
                          && is_star_good();
-    if(is_good)
+    m_is_full = m_is_full || (is_good && m_tr.number_of_vertices() >= m_max_number_of_vertices);
+    if(is_good && ! m_is_full)
       insert(p, size);
     else
       m_cavity.clear(true);
-    return is_good;
+    return is_good && ! m_is_full;
   }
 
   double worst_quality_of_cavity() const
@@ -361,6 +391,7 @@ private:
     m_sizes.set_pending(v, size);
     m_vertices.push_back(v);
     m_pending.push_back(v);
+    m_search.add_vertices(1);
     report();
   }
 
@@ -385,6 +416,7 @@ private:
   Sizes& m_sizes;
   Recovery_context<Visitor>& m_context;
   Field_point_cavity_3<Tr, Domain> m_cavity;
+  Search m_search;
   Insert_field_point_3<Tr, Domain, Visitor> m_insert;
   Remove_edge m_remove_edge;
   Encroached_walls_3 m_walls; // the large ones
@@ -394,6 +426,7 @@ private:
   std::vector<Cell_handle> m_long_cells; // those that may have an edge that is too long
   std::size_t m_number_of_edges_left = 0;
   std::size_t m_max_number_of_vertices = 0;
+  bool m_is_full = false;
   std::size_t m_expected_number = 0;
   std::size_t m_next_report = 0;
 };

@@ -25,6 +25,12 @@ namespace CGAL {
 namespace Boundary_recovery_3 {
 namespace internal {
 
+// What a forecast is told of a field that does not tell bounds.
+struct Unknown_least_size
+{
+  double operator()(const std::array<Coordinates_3, 4>&, int /* region */) const { return 0; }
+};
+
 /*
  * Estimates how many cells a size field asks for: the integral of 6 sqrt(2) / h^3, which is one regular tetrahedron
  * with edges of length h in its own volume. The tetrahedra given are cut where the sizes inside can differ most for the
@@ -32,16 +38,18 @@ namespace internal {
  * ask for, than that at its centroid, a part of what may differ still is added.
  *
  * `Size` returns the size at a place, given by coordinates and the number of the region. `gradation` is by how much
- * sizes grow per length, as far as that is known.
+ * sizes grow per length, as far as that is known. If they grow fast, `Least_size` is asked for a size that those in a
+ * tetrahedron are not below, so that it is cut where small sizes are hidden.
  */
-template <typename Size>
+template <typename Size, typename Least_size = Unknown_least_size>
 class Forecast_3
 {
 public:
   typedef std::array<Coordinates_3, 4> Tetrahedron;
 
-  Forecast_3(Size& size, const double gradation)
-    : m_size(size), m_gradation((std::min)(gradation, assumed_gradation))
+  Forecast_3(Size& size, const double gradation, const Least_size& least_size = Least_size())
+    : m_size(size), m_gradation((std::min)(gradation, assumed_gradation)),
+      m_asks_for_least_sizes(gradation > assumed_gradation), m_least_size(least_size)
   { }
 
   // By how much sizes are assumed to grow per length.
@@ -56,7 +64,7 @@ public:
     for(std::size_t n = 0; n < max_number_of_questions && ! m_pieces.empty(); n += 2)
     {
       const Piece worst = m_pieces.top();
-      if(! (worst.error > tolerance * m_sum))
+      if(! (worst.urgency > tolerance * m_sum))
         break;
       m_pieces.pop();
       m_sum -= worst.value;
@@ -69,14 +77,14 @@ public:
 private:
   struct Piece
   {
-    double error, value;
+    double urgency, error, value;
     std::size_t number; // so that the order of equal ones is known
     Tetrahedron corners;
     int region;
 
     bool operator<(const Piece& other) const
     {
-      return error < other.error || (error == other.error && number > other.number);
+      return urgency < other.urgency || (urgency == other.urgency && number > other.number);
     }
   };
 
@@ -93,7 +101,9 @@ private:
     const double reach = m_gradation * internal::longest_edge(t).length / 2;
     const double lowest = (std::max)(h - reach, most_refined * h);
     const double error = volume * (density(lowest) - density(h + reach));
-    const Piece piece = { error, volume * density(h), m_number_of_pieces++, t, region };
+    const double least = m_asks_for_least_sizes ? m_least_size(t, region) : 0;
+    const double urgency = least > 0 && least < lowest ? volume * density(least) : error;
+    const Piece piece = { urgency, error, volume * density(h), m_number_of_pieces++, t, region };
     m_sum += piece.value;
     m_error += piece.error;
     if(piece.error > 0)
@@ -116,6 +126,8 @@ private:
 
   Size& m_size;
   double m_gradation;
+  bool m_asks_for_least_sizes;
+  Least_size m_least_size;
   double m_sum = 0;
   double m_error = 0; // of all pieces
   std::size_t m_number_of_pieces = 0;

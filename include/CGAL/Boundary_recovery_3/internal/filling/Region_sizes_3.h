@@ -123,15 +123,29 @@ public:
   // A size that those at the centroid of a cell are known not to fall below, maybe 0; `corners` are those of the cell.
   double least_size_inside(const Cell_handle c, const std::array<Coordinates_3, 4>& corners) const
   {
-    double least = 0;
     const Coordinates_3 center = internal::centroid(corners);
+    const double least = known_least_size(c, corners, center, 0);
+    return least > 0 ? possible_size(least, center, c) : 0;
+  }
+
+  // A number that the field is known not to fall below in a cell within a distance of a place in it, maybe 0.
+  double known_least_size(const Cell_handle c, const std::array<Coordinates_3, 4>& corners, const Coordinates_3& center,
+                          const double radius) const
+  {
+    double least = 0;
     if constexpr(Query::is_constant)
       least = m_constant;
     else if(m_query.gradation() < std::numeric_limits<double>::infinity())
       for(int i = 0; i < 4; ++i)
         least = (std::max)(least, m_at_vertices[c->vertex(i)]
-                                    - m_query.gradation() * internal::distance(corners[i], center));
-    return least > 0 ? possible_size(least, center, c) : 0;
+                                    - m_query.gradation() * (internal::distance(corners[i], center) + radius));
+    return least;
+  }
+
+  // The same, asked from the field.
+  double least_size_around(const Coordinates_3& center, const double radius, const int region)
+  {
+    return m_query.least_size_around(Point_3(center[0], center[1], center[2]), radius, region);
   }
 
   // A size that is likely at the centroid of a cell, if the sizes of the field grow with `gradation`.

@@ -73,8 +73,9 @@ public:
     kind.longest = (std::max)(kind.longest, source.is_linear ? 1 / source.rate : source.rate);
   }
 
-  // The square of the distance, with room for rounding errors; negative if no source does, however near it is.
-  double squared(const double size) const
+  // The square of the distance from a ball's center, with room for rounding errors; negative if no source does, however
+  // near it is.
+  double squared(const double size, const double radius) const
   {
     double reach = -1;
     if(m_linear.smallest_size < size)
@@ -82,7 +83,7 @@ public:
     if(m_doubling.smallest_size < size)
       reach = (std::max)(reach, m_doubling.largest_radius
                                   + std::log2(size / m_doubling.smallest_size) * m_doubling.longest);
-    return reach < 0 ? reach : reach * reach * (1 + 1e-9);
+    return reach < 0 ? reach : (reach + radius) * (reach + radius) * (1 + 1e-9);
   }
 
 private:

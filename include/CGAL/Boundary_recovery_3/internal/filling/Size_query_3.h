@@ -16,6 +16,7 @@
 
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <exception>
 #include <functional>
@@ -98,6 +99,30 @@ double size_at(const Field& field, const Point& p, const int dimension, const in
     return CGAL::to_double(field(p));
 }
 
+// Whether a field has a member function `least_size_around()`, as ours have.
+template <typename Field, typename Point, typename = void>
+struct Has_least_size_around : std::false_type { };
+
+template <typename Field, typename Point>
+struct Has_least_size_around<Field, Point, std::void_t<decltype(double(std::declval<const Field&>().least_size_around(
+                                             std::declval<const Point&>(), 0., 0)))> >
+  : std::true_type { };
+
+// A number that no size of a field within a distance of a place is below; 0 if nobody knows.
+template <typename FT, typename Field, typename Point>
+double least_size_around(const Field& field, const Point& p, const double radius, const int index)
+{
+  if constexpr(Has_least_size_around<Field, Point>::value)
+    return field.least_size_around(p, radius, index);
+  else
+  {
+    const double grading = grading_of<Point, FT>(field);
+    return grading < std::numeric_limits<double>::infinity()
+         ? (std::max)(0., size_at<FT>(field, p, 3, index) - grading * radius) // 0 also if there is no size
+         : 0;
+  }
+}
+
 // What is behind a reference wrapper.
 template <typename Field>
 struct Unwrapped_field { typedef Field type; };
@@ -120,6 +145,14 @@ double grading_of_field(const Field& field)
   return grading_of<typename GT::Point_3, typename GT::FT>(unwrapped);
 }
 
+template <typename GT, typename Field>
+double least_size_of_field_around(const Field& field, const typename GT::Point_3& p, const double radius,
+                                  const int index)
+{
+  const typename Unwrapped_field<Field>::type& unwrapped = field;
+  return least_size_around<typename GT::FT>(unwrapped, p, radius, index);
+}
+
 /*
  * Asks the size field that the caller passed, of whatever kind it is, and watches what it answers.
  *
@@ -137,6 +170,9 @@ public:
   // Whether all sizes are the same number.
   static constexpr bool is_constant = size_field_kind<Field, Point_3, FT>() == Size_field_kind::number;
 
+  // Whether the field tells bounds of its sizes better than by its gradation.
+  static constexpr bool tells_least_sizes = Has_least_size_around<Field, Point_3>::value;
+
   // It keeps a reference to the field only.
   explicit Size_query_3(const SizingField& field) : m_field(field) { }
 
@@ -147,6 +183,21 @@ public:
       return std::numeric_limits<double>::quiet_NaN();
     ++m_number_of_queries;
     return check(p, ask(p, dimension, index));
+  }
+
+  // A number that no size within a distance of p is below; 0 if nobody knows, or if the field throws, as it will where
+  // sizes are asked.
+  double least_size_around(const Point_3& p, const double radius, const int index)
+  {
+    ++m_number_of_queries;
+    try
+    {
+      return internal::least_size_around<FT>(m_field, p, radius, index);
+    }
+    catch(...)
+    {
+      return 0;
+    }
   }
 
   // Whether the field had a size wherever it was asked.

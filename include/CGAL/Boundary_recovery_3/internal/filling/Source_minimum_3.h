@@ -60,7 +60,13 @@ public:
     m_hierarchy.forget_order();
   }
 
-  double operator()(const Coordinates_3& p) const { return m_frame.from_frame(minimum(m_frame.to_frame(p))); }
+  double operator()(const Coordinates_3& p) const { return m_frame.from_frame(minimum(m_frame.to_frame(p), 0)); }
+
+  // The smallest size within a distance of p.
+  double around(const Coordinates_3& p, const double radius) const
+  {
+    return m_frame.from_frame(minimum(m_frame.to_frame(p), m_frame.to_frame(radius)));
+  }
 
   // By how much sizes grow per length, at most. Those that double do without bound, if there is no background.
   double grading() const
@@ -144,23 +150,23 @@ private:
   }
 
   // In the unit frame.
-  double minimum(const Coordinates_3& p) const
+  double minimum(const Coordinates_3& p, const double radius) const
   {
     double smallest = m_background;
     const auto is_of_interest = [&](const std::size_t child, const double squared_distance)
     {
-      return squared_distance <= m_reaches[child].squared(smallest);
+      return squared_distance <= m_reaches[child].squared(smallest, radius);
     };
-    m_hierarchy.search(p, is_of_interest, [&](const std::size_t i) { look_at(m_places[i], p, smallest); });
+    m_hierarchy.search(p, is_of_interest, [&](const std::size_t i) { look_at(m_places[i], p, radius, smallest); });
     return smallest;
   }
 
   // Makes the number smaller, if the source does.
-  static void look_at(const Place& place, const Coordinates_3& p, double& smallest)
+  static void look_at(const Place& place, const Coordinates_3& p, const double radius, double& smallest)
   {
     if(! (place.around.size < smallest))
       return;
-    const double distance = std::sqrt(place.squared_distance(p));
+    const double distance = std::sqrt(place.squared_distance(p)) - radius;
     if(place.around.bound_at(distance) < smallest)
       smallest = (std::min)(smallest, place.around.at(distance));
   }

@@ -15,6 +15,7 @@
 #include <CGAL/Boundary_recovery_3/internal/filling/Unit_frame_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/distances_3.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -62,6 +63,15 @@ inline Coordinates_3 centroid(const std::array<Coordinates_3, 4>& p)
 inline double distance(const Coordinates_3& p, const Coordinates_3& q)
 {
   return std::sqrt(squared_distance(p, q));
+}
+
+// Of a place and the corner of a tetrahedron that is farthest from it.
+inline double largest_distance(const Coordinates_3& p, const std::array<Coordinates_3, 4>& corners)
+{
+  double largest = 0;
+  for(const Coordinates_3& q : corners)
+    largest = (std::max)(largest, squared_distance(p, q));
+  return std::sqrt(largest);
 }
 
 template <typename Cell_handle>

@@ -48,8 +48,8 @@ public:
 
   explicit Decomposition_3(Tr& tr) : m_tr(tr) { }
 
-  // Makes the parts. Constrained edges are given by arrays of two vertex handles. The vertices have the numbers that
-  // they have in the range, and then any ones.
+  // Makes the parts, fewer if there are few cells. Constrained edges are given by arrays of two vertex handles. The
+  // vertices have the numbers that they have in the range, and then any ones.
   template <typename SizingField, typename Domain, typename EdgeRange, typename VertexRange>
   std::vector<Part> divide(const SizingField& size, const Domain& domain, const EdgeRange& constrained_edges,
                            const std::size_t number_of_parts, const VertexRange& first_vertices)
@@ -87,9 +87,9 @@ public:
         whole.constrained_edges.push_back({{ positions[e[0]], positions[e[1]] }});
     for(const auto& v : whole.vertices)
       m_numbers_in_domain.push_back(v.number);
-    std::vector<Part> parts(number_of_parts);
-    for(auto& [p, part] : Split_part_3<Tr>()(whole, { partition.begin(), partition.end() }))
-      parts[p] = std::move(part);
+    std::vector<Part> parts;
+    for(auto& group : Split_part_3<Tr>()(whole, { partition.begin(), partition.end() }))
+      parts.push_back(std::move(group.second));
     return parts;
   }
 

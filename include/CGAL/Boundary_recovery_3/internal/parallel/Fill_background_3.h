@@ -18,7 +18,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 namespace CGAL {
 namespace Boundary_recovery_3 {
@@ -37,13 +36,14 @@ public:
   { }
 
   template <typename Domain, typename Visitor>
-  Field_points_result_3<Tr> operator()(Tr& tr, Domain& domain, Visitor& visitor, const double seconds_left) const
+  Field_points_result_3<Tr> operator()(Tr& tr, Domain& domain, Visitor& visitor,
+                                       const std::size_t max_number_of_vertices, const double seconds_left) const
   {
     Field_point_insertion_3<Tr, Domain, Coarse_field, Visitor> insertion(tr, domain, m_field, visitor,
                                                                          Forecast_effort::none);
     insertion.ignore_sizes_of_walls();
     insertion.leave_sizes_of_field();
-    return insertion((std::numeric_limits<std::size_t>::max)(), seconds_left);
+    return insertion(max_number_of_vertices, seconds_left);
   }
 
 private:
@@ -56,6 +56,11 @@ private:
     double operator()(const typename Tr::Geom_traits::Point_3& p, const int dimension, const int index) const
     {
       return factor * internal::size_of_field<typename Tr::Geom_traits>(field, p, dimension, index);
+    }
+
+    double least_size_around(const typename Tr::Geom_traits::Point_3& p, const double radius, const int index) const
+    {
+      return factor * internal::least_size_of_field_around<typename Tr::Geom_traits>(field, p, radius, index);
     }
 
     double grading() const { return factor * internal::grading_of_field<typename Tr::Geom_traits>(field); }

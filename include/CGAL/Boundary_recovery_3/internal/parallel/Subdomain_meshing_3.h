@@ -32,8 +32,11 @@
 
 #include <CGAL/tags.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <numeric>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -61,7 +64,7 @@ public:
                       const std::size_t max_number_of_vertices, Recorder& recorder, Result& result)
     : m_tr(tr), m_size(size), m_min_dihedral_angle(min_dihedral_angle),
       m_max_number_of_vertices(max_number_of_vertices),
-      m_work(size, quality, min_dihedral_angle, max_number_of_vertices), m_recorder(recorder), m_task_visitor(recorder),
+      m_work(size, quality, min_dihedral_angle), m_recorder(recorder), m_task_visitor(recorder),
       m_result(result), m_decomposition(tr)
   { }
 
@@ -78,6 +81,8 @@ public:
       this->improve();
     else
       put_into_triangulation();
+    if(m_result.filling.status == Meshing_status::too_large)
+      correct_forecast();
   }
 
 private:
@@ -122,15 +127,27 @@ private:
     return bool(m_result.filling);
   }
 
+  // It was too low, but the field is known better by now.
+  void correct_forecast()
+  {
+    Domain whole = whole_domain();
+    Field_point_insertion_3<Tr, Domain, SizingField, Recorder> insertion(m_tr, whole, m_size, m_recorder);
+    const auto corrected = insertion.forecast_of_unfinished(m_result.filling.number_of_field_points);
+    m_result.filling.forecast_of_cells = corrected.forecast_of_cells;
+    m_result.filling.forecast_of_vertices = corrected.forecast_of_vertices;
+  }
+
   void decompose(const std::size_t number_of_subdomains)
   {
     Domain whole = whole_domain();
     const Fill_background_3<Tr, SizingField> fill(m_size, m_result.filling.forecast_of_cells, number_of_subdomains);
-    note(fill(m_tr, whole, m_task_visitor, m_recorder.seconds_left()));
+    note(fill(m_tr, whole, m_task_visitor, m_max_number_of_vertices, m_recorder.seconds_left()));
     m_parts = m_decomposition.divide(m_size, whole, m_result.constrained_edges, number_of_subdomains,
                                      m_result.recovery.vertices);
     m_number_of_vertices = m_number_of_old_vertices = m_decomposition.number_of_vertices();
     m_number_of_old_cells = number_of_cells(m_parts);
+    m_number_of_vertices_in_mesh = m_tr.number_of_vertices();
+    m_result.number_of_subdomains = m_parts.size();
   }
 
   void note(const Field_points_result_3<Tr>& filling)
@@ -245,6 +262,8 @@ private:
       weights.push_back(number_of_cells(task.pieces));
     std::vector<Part> results(tasks.size());
     std::vector<Report> reports(tasks.size());
+    const std::vector<std::size_t> shares = shares_of_vertices(weights);
+    std::vector<std::size_t> numbers_of_vertices(tasks.size());
     internal::for_each_task(weights, [&](const std::size_t k)
     {
       Join_parts_3<Tr> join;
@@ -252,11 +271,57 @@ private:
         join.add(std::move(piece));
       tasks[k].pieces.clear();
       results[k] = join.joined();
-      reports[k] = m_work(results[k], round, m_number_of_vertices, m_task_visitor, m_recorder.seconds_left());
+      numbers_of_vertices[k] = results[k].vertices.size();
+      reports[k] = work_on(results[k], round, shares[k]);
       m_task_visitor.end_task(weights[k]);
     }, Concurrency_tag());
+    for(std::size_t k = 0; k < tasks.size(); ++k)
+      m_number_of_vertices_in_mesh += results[k].vertices.size() - numbers_of_vertices[k];
+    work_with_what_is_left(round, results, reports);
     put_back(tasks, results);
     return note(reports, round);
+  }
+
+  // How many new vertices each task may have, so that all together are not more than may be.
+  std::vector<std::size_t> shares_of_vertices(const std::vector<std::size_t>& weights) const
+  {
+    const std::size_t sum = std::accumulate(weights.begin(), weights.end(), std::size_t(0));
+    std::vector<std::size_t> shares;
+    for(const std::size_t weight : weights) // no overflow: there are no 2^32 cells in memory
+      shares.push_back(number_left() / sum * weight + number_left() % sum * weight / sum);
+    return shares;
+  }
+
+  // A part that would get more new vertices than that stays as it was.
+  Report work_on(Part& part, const Subdomain_round& round, const std::size_t max_number_of_new_vertices)
+  {
+    const bool is_limited = m_max_number_of_vertices < (std::numeric_limits<std::size_t>::max)();
+    Part before = is_limited ? part : Part();
+    const Report report = m_work(part, round, m_number_of_vertices, max_number_of_new_vertices, m_task_visitor,
+                                 m_recorder.seconds_left());
+    if(report.filling.status == Meshing_status::too_large)
+      part = std::move(before);
+    return report;
+  }
+
+  // Those whose share was too small come one after the other, so that the mesh does not depend on how many threads
+  // there are, nor on the limit, if it is kept.
+  void work_with_what_is_left(const Subdomain_round& round, std::vector<Part>& parts, std::vector<Report>& reports)
+  {
+    for(std::size_t k = 0; k < parts.size(); ++k)
+      if(reports[k].filling.status == Meshing_status::too_large)
+      {
+        const std::size_t number_of_vertices = parts[k].vertices.size();
+        reports[k] = m_work(parts[k], round, m_number_of_vertices, number_left(), m_task_visitor,
+                            m_recorder.seconds_left());
+        m_number_of_vertices_in_mesh += parts[k].vertices.size() - number_of_vertices;
+      }
+  }
+
+  // Of vertices that may be inserted.
+  std::size_t number_left() const
+  {
+    return m_max_number_of_vertices - (std::min)(m_max_number_of_vertices, m_number_of_vertices_in_mesh);
   }
 
   // New vertices get numbers in the order of the tasks.
@@ -289,6 +354,7 @@ private:
     for(const Report& report : reports)
     {
       note(report.filling);
+      m_result.filling.is_field_resolved = m_result.filling.is_field_resolved && report.filling.is_field_resolved;
       qualities.push_back(report.before);
       internal::add_counts(m_result.improvement.counts, report.counts);
       is_stopped = is_stopped || report.is_stopped;
@@ -312,6 +378,7 @@ private:
   Result& m_result;
   Decomposition_3<Tr> m_decomposition;
   std::vector<Part> m_parts;
+  std::size_t m_number_of_vertices_in_mesh = 0;
   std::size_t m_number_of_vertices = 0;     // numbers from there on are free
   std::size_t m_number_of_old_vertices = 0; // in the place of which the mesh will be
   std::size_t m_number_of_old_cells = 0;

@@ -57,25 +57,24 @@ public:
   typedef Mesh_part_3<Tr>   Part;
   typedef Part_report_3<Tr> Report;
 
-  Work_on_part_3(const SizingField& size, const Quality& quality, const double min_dihedral_angle,
-                 const std::size_t max_number_of_vertices)
-    : m_size(size), m_quality(quality), m_min_dihedral_angle(min_dihedral_angle),
-      m_max_number_of_vertices(max_number_of_vertices)
+  Work_on_part_3(const SizingField& size, const Quality& quality, const double min_dihedral_angle)
+    : m_size(size), m_quality(quality), m_min_dihedral_angle(min_dihedral_angle)
   { }
 
-  // The mesh has a number of vertices, and numbers from there on are free.
+  // New vertices get numbers from the first one that is free, and there may be so many of them at most; else nothing is
+  // improved.
   template <typename Visitor>
-  Report operator()(Part& part, const Subdomain_round& round, const std::size_t number_of_vertices, Visitor& visitor,
-                    const double seconds_left) const
+  Report operator()(Part& part, const Subdomain_round& round, const std::size_t first_new_number,
+                    const std::size_t max_number_of_new_vertices, Visitor& visitor, const double seconds_left) const
   {
     Part_triangulation_3<Tr> triangulation(std::move(part));
     Tr& tr = triangulation.triangulation();
     Part_domain_3<Tr> domain(tr, triangulation.constrained_edges());
     Report report;
-    report.filling = filled(tr, domain, round, number_of_vertices, visitor, seconds_left);
-    if(round.improves)
+    report.filling = filled(tr, domain, round, max_number_of_new_vertices, visitor, seconds_left);
+    if(round.improves && report.filling.status != Meshing_status::too_large)
       improve(tr, domain, round, visitor, seconds_left, report);
-    part = triangulation.part(number_of_vertices);
+    part = triangulation.part(first_new_number);
     return report;
   }
 
@@ -134,11 +133,11 @@ private:
   // The walls of zones are mostly faces of cells that are as large as they should be, some a bit smaller.
   template <typename Visitor>
   Field_points_result_3<Tr> filled(Tr& tr, Domain& domain, const Subdomain_round& round,
-                                   const std::size_t number_of_vertices, Visitor& visitor,
+                                   const std::size_t max_number_of_new_vertices, Visitor& visitor,
                                    const double seconds_left) const
   {
-    const std::size_t number_left = m_max_number_of_vertices - (std::min)(m_max_number_of_vertices, number_of_vertices);
-    const std::size_t max_number = (std::max)(number_left, tr.number_of_vertices() + number_left); // no overflow
+    const std::size_t max_number = (std::max)(max_number_of_new_vertices,
+                                              tr.number_of_vertices() + max_number_of_new_vertices); // no overflow
     typedef Field_point_insertion_3<Tr, Domain, SizingField, Visitor> Insertion;
     Insertion insertion(tr, domain, m_size, visitor, Forecast_effort::none);
     insertion.leave_sizes_of_field();
@@ -168,7 +167,6 @@ private:
   const SizingField& m_size;
   const Quality m_quality;
   const double m_min_dihedral_angle;
-  const std::size_t m_max_number_of_vertices;
 };
 
 } // namespace internal
