@@ -22,6 +22,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Mesh_constant_domain_field_3.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <functional>
@@ -73,6 +74,9 @@ void test_minimum()
     assert(std::isnan(ask<GT>(make_minimum_sizing_field<GT>(flat, invalid, 3), p, 1)));
   }
   assert(ask<GT>(make_minimum_sizing_field<GT>(infinity, flat), p, 1) == 2);
+  assert(make_minimum_sizing_field<GT>(5, std::cref(flat)).least_size_around(p, 3, 1) == ask<GT>(flat, p, 1) - .1 * 3);
+  assert(make_minimum_sizing_field<GT>(5, flat).least_size_around(p, 1000, 1) == 0);
+  assert(field.least_size_around(p, 0, 1) == 0); // the last one does not tell
 }
 
 template <typename GT>
@@ -89,6 +93,9 @@ void test_bounds()
   const Slope<GT> slope = { .25 };
   assert(make_bounded_sizing_field<GT>(slope, 2, 4).grading() == .25);
   assert(make_bounded_sizing_field<GT>(std::cref(slope), 2, 4).grading() == .25);
+  assert(make_bounded_sizing_field<GT>(slope, 2, 4).least_size_around(Point_3(9, 0, 0), .1, 1)
+         == (std::min)((std::max)(ask<GT>(slope, Point_3(9, 0, 0), 1) - .25 * .1, 2.), 4.));
+  assert(field.least_size_around(Point_3(3, 0, 0), .1, 1) == 0);
   // no size anywhere, but one that is allowed
   typedef Boundary_recovery_3::Source_sizing_field_3<GT> Sources;
   assert(ask<GT>(make_bounded_sizing_field<GT>(Sources({ }), 2, 4), Point_3(0, 0, 0), 1) == 4);
@@ -107,6 +114,7 @@ void test_regions()
   field.set_field(3, .5);
   assert(ask<GT>(field, p, 1) == 8 && ask<GT>(field, p, 2) == 2 && ask<GT>(field, p, 3) == .5 && field.grading() == .1);
   assert(field(p, 3, 2) == 2 && field(p, 2, 2) == .5);
+  assert(field.least_size_around(p, 2, 1) == 8 && field.least_size_around(p, 2, 2) == 2 - .1 * 2);
   CGAL::Mesh_constant_domain_field_3<GT, Index> of_cgal(4);
   of_cgal.set_size(3, 3, 2);
   field.set_field(2, of_cgal);

@@ -83,19 +83,20 @@ double distance(const Source& s, const Point_3& p)
   }
 }
 
-// as it is documented
-double size_around(const Source& s, const Point_3& p)
+// as it is documented; the smallest one within a distance of the point
+double size_around(const Source& s, const Point_3& p, const double radius)
 {
-  const double d = distance(s, p), beyond = (std::max)(0., d - s.radius());
+  const double d = distance(s, p) - radius, beyond = (std::max)(0., d - s.radius());
   return s.growth().is_linear() ? s.size() + s.growth().value() * beyond
                                 : s.size() * std::exp(std::log(2.) * beyond / (s.growth().value() - s.radius()));
 }
 
-double brute_force(const std::vector<Source>& sources, const double background, const Point_3& p)
+double brute_force(const std::vector<Source>& sources, const double background, const Point_3& p,
+                   const double radius = 0)
 {
   double smallest = background;
   for(const Source& s : sources)
-    smallest = (std::min)(smallest, size_around(s, p));
+    smallest = (std::min)(smallest, size_around(s, p, radius));
   return smallest;
 }
 
@@ -131,6 +132,10 @@ void test_random_sources(const int n, const double size, const double background
     const double value = field(p), expected = brute_force(sources, background, p);
     assert(std::abs(value - expected) <= 1e-9 * expected || value == expected);
     assert(value == field(p) && value == field(p, 3, 1) && value <= background);
+    const double radius = size * std::pow(random_number(rng), 3);
+    const double least = field.least_size_around(p, radius, 1), right = brute_force(sources, background, p, radius);
+    assert(std::abs(least - right) <= 1e-9 * right || least == right);
+    assert(least <= value && field.least_size_around(p, 0, 1) == value);
   }
   if(background < infinity)
     for(int k = 0; k < 1000; ++k)

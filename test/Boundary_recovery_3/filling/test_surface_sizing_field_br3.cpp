@@ -53,11 +53,13 @@ double distance(const Coordinates_3& p, const Coordinates_3& q)
   return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
 }
 
-double brute_force(const std::vector<Site>& sites, const double grading, const Coordinates_3& p)
+// The smallest size within a distance of a place.
+double brute_force(const std::vector<Site>& sites, const double grading, const Coordinates_3& p,
+                   const double radius = 0)
 {
   double smallest = std::numeric_limits<double>::infinity();
   for(const Site& q : sites)
-    smallest = (std::min)(smallest, q.size + grading * distance(p, q.point));
+    smallest = (std::min)(smallest, q.size + grading * (std::max)(0., distance(p, q.point) - radius));
   return smallest;
 }
 
@@ -83,6 +85,9 @@ void test_cones(const std::size_t n, const double size, const double shift, cons
     const double value = cones(p);
     assert(std::abs(value - brute_force(sites, grading, p)) <= 1e-13 * value + 1e-15 * std::abs(shift));
     assert(value == cones(p));
+    const double radius = size * std::pow(random_number(rng), 3), least = cones.around(p, radius);
+    assert(std::abs(least - brute_force(sites, grading, p, radius)) <= 1e-13 * value + 1e-15 * std::abs(shift));
+    assert(least <= value && cones.around(p, 0) == value);
   }
   for(const Site& q : sites)
     assert(cones(q.point) <= q.size * (1 + 1e-13));
