@@ -266,7 +266,7 @@ void test_number_of_vertices()
   Scene<K> free(boxes());
   assert(free.make(Spot(), parameters::number_of_subdomains(4), coarse));
   const std::size_t number = free.tr.number_of_vertices();
-  for(const std::size_t limit : { number, number - 1, number / 2, number / 4 })
+  for(const std::size_t limit : { number, number - 1, number / 4 })
     for(const std::size_t number_of_threads : { 1, 3 })
     {
       const Threads threads(number_of_threads);
