@@ -34,9 +34,9 @@ public:
   {
     m_visitor.before_cells_removal(cells);
     m_region = (*cells.begin())->subdomain_index();
+    m_is_exchanging = true;
     for(const Cell_handle c : cells)
       m_domain.remove(c);
-    m_is_exchanging = true;
   }
 
   template <typename CellRange>
@@ -67,9 +67,9 @@ private:
   template <typename CellRange>
   void add_to_domain(const CellRange& cells)
   {
+    m_is_exchanging = false;
     for(const Cell_handle c : cells)
       m_domain.add(c);
-    m_is_exchanging = false;
   }
 
   // Facets between the new cells have no mark.

@@ -44,7 +44,8 @@ namespace internal {
  * `has_constrained_edges`, `is_constrained_edge()` for two vertices of a cell. Seams are walls that somebody will take
  * away.
  *
- * While a cavity is there, its cells are marked as in conflict; `clear()` ends that.
+ * While a cavity is there, its cells are marked as in conflict; `clear()` ends that, or the destructor, if a property
+ * map or a visitor threw.
  */
 template <typename Tr, typename Domain>
 class Field_point_cavity_3
@@ -65,6 +66,11 @@ public:
   };
 
   Field_point_cavity_3(const Tr& tr, const Domain& domain) : m_tr(tr), m_domain(domain) { }
+
+  Field_point_cavity_3(const Field_point_cavity_3&) = delete;
+  Field_point_cavity_3& operator=(const Field_point_cavity_3&) = delete;
+
+  ~Field_point_cavity_3() { clear(true); }
 
   // Finds the cavity of p, which begins with the first cell. Returns whether it can be starred, and no vertex that is
   // met is nearer than `min_distance`, nor has a seam an edge longer than `max_seam`.
@@ -95,6 +101,7 @@ public:
         c->tds_data().clear();
     for(const Cell_handle c : m_cells_around)
       c->tds_data().clear();
+    m_cells.clear();
     m_cells_around.clear();
   }
 

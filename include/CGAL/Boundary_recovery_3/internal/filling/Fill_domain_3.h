@@ -24,7 +24,6 @@
 #include <CGAL/Boundary_recovery_3/internal/filling/facet_towards.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/tetrahedron_edges.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/mesh_indices.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 
 #include <algorithm>
@@ -384,10 +383,7 @@ private:
 
   void insert(const Point_3& p, const Size& size)
   {
-    const auto region = m_cavity.cells().front()->subdomain_index();
     const Vertex_handle v = m_insert(m_cavity, p);
-    if constexpr(Has_vertex_indices<typename Tr::Vertex>::value)
-      internal::set_vertex_indices(*v, 3, region);
     m_sizes.set_pending(v, size);
     m_vertices.push_back(v);
     m_pending.push_back(v);

@@ -13,6 +13,7 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/filling/Field_point_cavity_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/mesh_indices.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
 
 #include <array>
@@ -43,66 +44,72 @@ public:
   Insert_field_point_3(Tr& tr, Domain& domain, Visitor& visitor) : m_tr(tr), m_domain(domain), m_visitor(visitor) { }
 
   // Inserts p; the cavity is that of p. Returns the new vertex. If memory is lacking, or the visitor throws beforehand,
-  // nothing is changed.
+  // or the domain, nothing is changed.
   Vertex_handle operator()(Cavity& cavity, const Point& p)
   {
     const Vertex_handle v = prepare(cavity);
+    const Subdomain_index region = cavity.cells().front()->subdomain_index();
     v->set_point(typename Tr::Point(p));
     v->set_cell(m_new_cells.front());
-    glue_facets(cavity);
+    if constexpr(Has_vertex_indices<typename Tr::Vertex>::value)
+      internal::set_vertex_indices(*v, 3, region);
+    glue_facets(cavity.faces(), region);
     glue_cells(cavity.faces());
     for(const Cell_handle c : cavity.cells())
-    {
-      m_domain.remove(c);
       m_tr.tds().delete_cell(c);
-    }
     cavity.clear(false);
     m_visitor.after_cells_creation(m_new_cells);
     return v;
   }
 
 private:
-  typedef typename Cavity::Face Face;
+  typedef typename Cavity::Face              Face;
+  typedef typename Tr::Cell::Subdomain_index Subdomain_index;
 
   static constexpr std::uint32_t empty = std::uint32_t(-1);
 
   // Creates the vertex and the cells.
-  Vertex_handle prepare(Cavity& cavity)
+  Vertex_handle prepare(const Cavity& cavity)
   {
-    try {
-      m_visitor.before_cells_removal(cavity.cells());
-      clear_slots(cavity.faces().size());
-      const Vertex_handle v = m_tr.tds().create_vertex();
-      create_cells(cavity.faces(), v);
-      return v;
-    } catch(...) {
-      cavity.clear(true);
-      throw;
-    }
+    m_visitor.before_cells_removal(cavity.cells());
+    clear_slots(cavity.faces().size());
+    const Vertex_handle v = m_tr.tds().create_vertex();
+    create_cells(v, cavity);
+    return v;
   }
 
-  // All of them, or none; then the vertex goes, too.
-  void create_cells(const std::vector<Face>& faces, const Vertex_handle v)
+  // All of them, which are in the domain instead of those of the cavity, or none; then the vertex goes, too.
+  void create_cells(const Vertex_handle v, const Cavity& cavity)
   {
     m_new_cells.clear();
-    m_new_cells.reserve(faces.size());
     try {
-      for(const Face& f : faces)
+      m_new_cells.reserve(cavity.faces().size());
+      for(const Face& f : cavity.faces())
         m_new_cells.push_back(m_tr.tds().create_cell(f.vertices[0], f.vertices[1], f.vertices[2], v));
+      exchange_in_domain(cavity.cells(), m_new_cells);
     } catch(...) {
       for(const Cell_handle c : m_new_cells)
         m_tr.tds().delete_cell(c);
       m_tr.tds().delete_vertex(v);
+      for(const Cell_handle c : cavity.cells())
+        m_domain.add(c);
       throw;
     }
   }
 
-  void glue_facets(const Cavity& cavity)
+  void exchange_in_domain(const typename Cavity::Cells& old_cells, const std::vector<Cell_handle>& new_cells)
   {
-    const auto region = cavity.cells().front()->subdomain_index();
-    for(std::size_t k = 0; k < m_new_cells.size(); ++k)
+    for(const Cell_handle c : old_cells)
+      m_domain.remove(c);
+    for(const Cell_handle c : new_cells)
+      m_domain.add(c);
+  }
+
+  void glue_facets(const std::vector<Face>& faces, const Subdomain_index region)
+  {
+    for(std::size_t k = 0; k < faces.size(); ++k)
     {
-      const Face& f = cavity.faces()[k];
+      const Face& f = faces[k];
       const Cell_handle c = m_new_cells[k];
       const Cell_handle n = f.cell->neighbor(f.index);
       c->set_subdomain_index(region);
@@ -110,7 +117,6 @@ private:
       m_tr.tds().set_adjacency(c, 3, n, n->index(f.cell));
       for(const Vertex_handle v : f.vertices)
         v->set_cell(c);
-      m_domain.add(c);
     }
   }
 

@@ -54,11 +54,10 @@ public:
     push(v->cell());
     const Face first_face = internal::facet_vertices(v->cell(), v->cell()->index(v));
     m_neighbors.assign(first_face.begin(), first_face.end());
+    const Take_marks_away at_the_end{ m_cells };
     bool is_free = true;
     for(std::size_t k = 0; is_free && k < m_cells.size(); ++k)
       is_free = m_cells.size() <= m_max_number_of_cells && go_on_from(m_cells[k], v);
-    for(const Cell_handle c : m_cells)
-      c->tds_data().clear();
     return is_free;
   }
 
@@ -71,6 +70,18 @@ public:
   const std::vector<Vertex_handle>& neighbors() const { return m_neighbors; }
 
 private:
+  // Also if a property map throws.
+  struct Take_marks_away
+  {
+    const std::vector<Cell_handle>& cells;
+
+    ~Take_marks_away()
+    {
+      for(const Cell_handle c : cells)
+        c->tds_data().clear();
+    }
+  };
+
   // Adds the face of a cell and its neighbors at the vertex. Returns false if something is constrained there.
   bool go_on_from(const Cell_handle c, const Vertex_handle v)
   {
