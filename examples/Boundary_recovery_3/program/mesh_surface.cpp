@@ -156,6 +156,9 @@ int finish(const Meshing_options& options, Program<Point>& program, const Result
   }
   if(! program.write_outputs(domain))
     return program.fail();
+  const std::string unfinished = reason_for_unfinished_mesh(result);
+  if(options.quiet && ! unfinished.empty())
+    program.fail(unfinished);
   if(! options.quiet)
   {
     print_mesh(std::cout, result, domain, measured.quality, measured.edges, measured.bad_tetrahedra,

@@ -52,7 +52,7 @@ constexpr const char* meshing_usage =
   "  --timing               print seconds: @@rec, of the recovery without the insertion of the surface's points,\n"
   "                         @@fill, of the field points, @@improve, of the quality, and @@tmesh, of all that makes\n"
   "                         the mesh\n"
-  "  --quiet                print errors only, and what --timing asks for\n"
+  "  --quiet                print errors and limits that ended the work only, and what --timing asks for\n"
   "  --help                 print this text\n"
   "The vertices of INPUT come first in the mesh, in their order; left out are those that no triangle has, and all but\n"
   "the first of equal ones. Its triangles are in all formats; their patches are their numbers in INPUT, from 1.\n"

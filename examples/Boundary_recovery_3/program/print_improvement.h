@@ -38,13 +38,21 @@ void print_improvement(std::ostream& os, const Improvement& improvement,
   static constexpr std::size_t number_of_shown = 5;
 
   const auto& counts = improvement.counts;
-  os << "improved from " << improvement.before.min_dihedral_angle << " and " << improvement.before.max_dihedral_angle
-     << " degrees: " << count(counts.number_of_removed_edges, "edge") << " and "
+  os << "improved";
+  if(improvement.before.number_of_cells > 0)
+    os << " from " << improvement.before.min_dihedral_angle << " and " << improvement.before.max_dihedral_angle
+       << " degrees";
+  os << ": " << count(counts.number_of_removed_edges, "edge") << " and "
      << count(counts.number_of_removed_facets, "facet") << " removed, vertices moved "
      << count(counts.number_of_moved_vertices, "time") << ", " << counts.number_of_inserted_points << " inserted and "
      << counts.number_of_removed_vertices << " removed, " << counts.number_of_reconnected_polyhedra
      << " polyhedra reconnected\n";
   const auto& certificate = improvement.certificate;
+  if(! certificate.is_complete)
+  {
+    os << "there was no time left to tell why tetrahedra are below " << certificate.min_dihedral_angle << " degrees\n";
+    return;
+  }
   os << "tetrahedra below " << certificate.min_dihedral_angle << " degrees: "
      << certificate.number_of_cells(Bad_cell_reason::forced) << " forced by the surface, "
      << certificate.number_of_cells(Bad_cell_reason::needle) << " at needles of it, "

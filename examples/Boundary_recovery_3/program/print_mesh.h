@@ -65,7 +65,7 @@ inline void print_edges(std::ostream& os, const Edge_lengths& edges)
 template <typename Result>
 bool is_improved(const Result& result)
 {
-  return result.improvement.after.number_of_cells > 0;
+  return result.improvement.before.number_of_cells > 0 || result.improvement.counts.number_of_rounds > 0;
 }
 
 // what would be too much: vertices, if there may be so many, or else the memory
@@ -102,6 +102,16 @@ std::string reason_for_no_mesh(const Result& result, const std::size_t max_numbe
       return result.number_of_regions > 0 ? std::string() : "the work was stopped before the surface was recovered";
   }
   return std::string();
+}
+
+// what is not done if the time limit ended the work, and there is a mesh; empty if all is
+template <typename Result>
+std::string reason_for_unfinished_mesh(const Result& result)
+{
+  if(result.status != CGAL::Boundary_recovery_3::Meshing_status::stopped)
+    return std::string();
+  return std::string("the time limit ended the work before the mesh was ") +
+         (result.filling ? "improved as far as possible" : "filled");
 }
 
 // prints the table at the end of `mesh_surface`

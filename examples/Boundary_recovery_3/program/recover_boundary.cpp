@@ -85,6 +85,8 @@ int run(const Recovery_options& options, Program<Point>& program)
   if(! program.write_outputs(domain))
     return program.fail();
 
+  if(options.quiet && result.status == Status::stopped)
+    program.fail("the time limit ended the work before the surface was recovered");
   if(! options.quiet)
   {
     print_summary(std::cout, result, domain, quality, seconds);

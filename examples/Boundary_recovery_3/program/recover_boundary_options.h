@@ -27,7 +27,8 @@ constexpr const char* recovery_usage =
   "  --report FILE.json         write a report with all that is wrong or missing\n"
   "  --table                    print lost constraints and intersections per recursion level\n"
   "  --timing                   print @@rec and @@tmesh, the seconds of the recovery and with the insertion\n"
-  "  --quiet                    print errors only, and what --table and --timing ask for\n"
+  "  --quiet                    print errors and a limit that ended the work only, and what --table and --timing ask\n"
+  "                             for\n"
   "  --help                     print this text\n"
   "exit status: 0 every constraint recovered, 1 usage or file error, 2 invalid input, 3 incomplete or stopped\n";
 

@@ -627,6 +627,9 @@ def test_no_mesh():
     report = check_no_mesh(name, '--size', '0.1', '--max-vertices', '1000', reason='tetrahedra', status='too_large')
     assert report['forecast_of_vertices'] > 1000 and report['number_of_field_points'] == 0
     run(name, '--size', '1', '--max-vertices', '1000', status=MESHED)
+    for limit in (['--size', '0.1', '--max-vertices', '1000'], ['--time-limit', '0']):
+        process = run(name, '--quiet', *limit, status=INCOMPLETE)
+        assert process.out == '' and re.fullmatch(r'mesh_surface: there is no mesh: .*\n', process.err), process
     report = check_no_mesh(name, '--time-limit', '0', reason='stopped', status='stopped')
     report = check_no_mesh(write('open.off', off_text(points, faces[:-2])), reason='no region', status='no_region')
     assert report['recovery_status'] == 'recovered' and report['number_of_regions'] == 0
@@ -643,8 +646,12 @@ def test_time_limit():
     result = read_mesh('limit.mesh')  # what there is by then
     assert len(result.tetrahedra) == report['number_of_tetrahedra'] > 0 and len(result.triangles) == 1200
     assert math.isclose(signed_volume(result.points, result.tetrahedra), 6, rel_tol=1e-9)
+    process = run(name, '--size', '0.015', '--time-limit', limit, '--quiet', status=INCOMPLETE)
+    words = r'mesh_surface: the time limit ended the work before the mesh was (filled|improved as far as possible)\n'
+    assert process.out == '' and re.fullmatch(words, process.err), process
     report = report_of(name, '--size', '1', '--time-limit', '60', status=MESHED)
     assert report['status'] == 'meshed'
+    assert report['improvement']['is_measured'] and report['improvement']['is_certificate_complete']
 
 
 def test_subdomains():

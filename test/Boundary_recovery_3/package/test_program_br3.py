@@ -220,6 +220,9 @@ def test_time_limit():
     surface = write('limit.off', off_text(points, faces))
     report = report_of(surface, '--time-limit', '0', status=INCOMPLETE)
     assert report['status'] == 'stopped'
+    process = run(surface, '--time-limit', '0', '--quiet', status=INCOMPLETE)
+    assert process.out == ''
+    assert process.err == 'recover_boundary: the time limit ended the work before the surface was recovered\n'
     assert report_of(surface, '--time-limit', '60', status=RECOVERED)['status'] == 'recovered'
 
 
