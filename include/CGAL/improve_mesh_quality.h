@@ -87,6 +87,8 @@ namespace CGAL {
  *     \cgalParamDescription{the time in seconds after which the improvement stops soon, with a valid triangulation}
  *     \cgalParamType{`double`}
  *     \cgalParamDefault{no limit}
+ *     \cgalParamExtra{For the last figures and the certificate there are 0.15 seconds more; what takes longer is left
+ *                     out, and the result says so.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
  *     \cgalParamDescription{is told about the phase `quality_improvement`, about progress, and about the cells that go
@@ -99,7 +101,7 @@ namespace CGAL {
  *
  * \return the status, the quality before and after, the cells that are below the target nevertheless, and counts. It
  *         converts to `true` iff the status is `meshed`. `invalid_input`: `min_dihedral_angle` is not possible; nothing
- *         was done. `stopped`: what was done until then is there.
+ *         was done. `stopped`: what was done until then is there; the last figures and the certificate may not be.
  *
  * \pre `tr` is valid.
  */

@@ -94,6 +94,10 @@ struct Quality_certificate_3
 
   std::vector<Bad_cell> cells; ///< the cells below the target, those with the smallest angles first
 
+  /// whether all of them are there. If `CGAL::improve_mesh_quality()` was stopped, there may have been no time left to
+  /// look for them. Then `cells` is empty.
+  bool is_complete = false;
+
   /// returns how many cells are bad for this reason, and have an angle below `degrees`.
   std::size_t number_of_cells(const Bad_cell_reason reason,
                               const double degrees = std::numeric_limits<double>::infinity()) const
@@ -123,6 +127,8 @@ inline const char* to_string(const Bad_cell_reason reason)
 template <typename Triangulation>
 std::ostream& operator<<(std::ostream& os, const Quality_certificate_3<Triangulation>& certificate)
 {
+  if(! certificate.is_complete)
+    return os << "no certificate: there was no time left to look at all cells";
   os << certificate.cells.size() << " cells below " << certificate.min_dihedral_angle << " degrees";
   const char* separator = ": ";
   typedef Bad_cell_reason Reason;

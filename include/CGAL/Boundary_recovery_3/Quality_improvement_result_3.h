@@ -54,7 +54,11 @@ struct Quality_improvement_result_3
   Mesh_quality_3 before; ///< the quality before the first change
   Mesh_quality_3 after;  ///< the quality after the last one
 
-  /// the cells that are below the target, with the reasons
+  /// whether `after` is there. If the work was stopped, there may have been no time left to measure. Then `after` has
+  /// no cells, nor has `before` if that was before the first change.
+  bool is_measured = false;
+
+  /// the cells that are below the target, with the reasons; if the work was stopped, see `is_complete` there
   Certificate certificate;
 
   Quality_improvement_counts counts; ///< what was changed
@@ -71,9 +75,15 @@ template <typename Triangulation>
 std::ostream& operator<<(std::ostream& os, const Quality_improvement_result_3<Triangulation>& result)
 {
   os << to_string(result.status);
-  if(result.status != Meshing_status::invalid_input)
-    os << "\nbefore: " << result.before << "\nafter: " << result.after << '\n' << result.certificate;
-  return os;
+  if(result.status == Meshing_status::invalid_input)
+    return os;
+  if(result.is_measured || result.before.number_of_cells > 0)
+    os << "\nbefore: " << result.before;
+  if(result.is_measured)
+    os << "\nafter: " << result.after;
+  else
+    os << "\nafter: not measured, there was no time left";
+  return os << '\n' << result.certificate;
 }
 
 } // namespace Boundary_recovery_3

@@ -31,7 +31,7 @@ std::vector<std::size_t> sorted(const std::vector<Place>& places)
 {
   std::vector<std::size_t> order(places.size());
   std::iota(order.begin(), order.end(), 0);
-  internal::sort_in_space(order, [&](const std::size_t k) { return places[k]; });
+  internal::sort_in_space(order, [&](const std::size_t k) { return places[k]; }, [] { return true; });
   return order;
 }
 
@@ -87,10 +87,26 @@ void test_degenerate_places()
   }
 }
 
+// A no leaves them as they were.
+void test_stop()
+{
+  std::vector<Place> places;
+  for(int k = 0; k < 3000; ++k)
+    places.push_back({{ 1. * (k % 7), 1. * (k % 50), 1. * (k % 11) }});
+  std::vector<std::size_t> order(places.size());
+  std::iota(order.begin(), order.end(), 0);
+  const std::vector<std::size_t> before = order;
+  int number_of_questions = 0;
+  internal::sort_in_space(order, [&](const std::size_t k) { return places[k]; },
+                          [&] { return ++number_of_questions < 3; });
+  assert(order == before && number_of_questions == 3);
+}
+
 int main()
 {
   test_random_places();
   test_degenerate_places();
+  test_stop();
   std::cout << "done" << std::endl;
   return 0;
 }

@@ -642,7 +642,7 @@ struct Improvement_trial
     for(const auto c : scene.cells())
       if(scene.contains(c))
         mesh.add_lengths(c);
-    mesh.spread_lengths();
+    mesh.spread_lengths([] { return true; });
   }
 
   Scene scene;

@@ -665,7 +665,7 @@ internal::Allowed_lengths_3<Tr> allowed_lengths(const Improvement& t)
   for(const Cell_handle c : t.scene.cells())
     if(t.scene.contains(c))
       lengths.add(t.domain, c);
-  lengths.spread();
+  lengths.spread([] { return true; });
   return lengths;
 }
 

@@ -28,6 +28,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -37,6 +38,7 @@
 #include <numeric>
 #include <random>
 #include <set>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -237,6 +239,41 @@ void test_short_steps()
   assert(! context.go_further_after_short_step() && context.is_stopped());
 }
 
+// Of long steps, each 16th one leads to a question, and the clock is looked at after each.
+void test_long_steps()
+{
+  Stopping_visitor visitor;
+  visitor.last_question = 3;
+  internal::Recovery_context<Stopping_visitor> context(visitor);
+  for(std::size_t i = 1; i < 4 * 16; ++i)
+  {
+    assert(context.go_further_after_long_step() && ! context.is_stopped());
+    assert(visitor.number_of_questions == i / 16);
+  }
+  assert(! context.go_further_after_long_step() && context.is_stopped());
+
+  Stopping_visitor patient;
+  internal::Recovery_context<Stopping_visitor> late(patient);
+  late.set_maximum_running_time(0);
+  assert(! late.go_further_after_long_step() && late.is_stopped() && patient.number_of_questions == 0);
+}
+
+// What only tells of the work has a moment left after a no.
+void test_finishing()
+{
+  Stopping_visitor visitor;
+  visitor.last_question = 1;
+  internal::Recovery_context<Stopping_visitor> context(visitor);
+  for(std::size_t i = 1; i <= 2 * 1024 + 1; ++i)
+    assert(context.can_finish_after_short_step());
+  assert(context.is_stopped() && visitor.number_of_questions == 2);
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  std::size_t number_of_steps = 1;
+  while(context.can_finish_after_short_step())
+    ++number_of_steps;
+  assert(number_of_steps < 1024);
+}
+
 // Nothing but a time that is not over yet lets the run go on.
 void test_running_time()
 {
@@ -353,6 +390,8 @@ int main()
   test_bit_matrix();
   test_cancelling();
   test_short_steps();
+  test_long_steps();
+  test_finishing();
   test_running_time();
   std::cout << "done" << std::endl;
 }

@@ -26,16 +26,40 @@ namespace CGAL {
 namespace Boundary_recovery_3 {
 namespace internal {
 
+// The property map of the places of what is sorted. Only an exception ends a sort early.
+template <typename Entry, typename Question>
+struct Place_of_entry
+{
+  typedef Entry                          key_type;
+  typedef typename Entry::first_type     value_type;
+  typedef const value_type&              reference;
+  typedef boost::lvalue_property_map_tag category;
+
+  struct End_of_sort { };
+
+  friend reference get(const Place_of_entry& map, const Entry& entry)
+  {
+    if(++*map.number_of_reads % 1024 == 0 && ! (*map.goes_on)())
+      throw End_of_sort();
+    return entry.first;
+  }
+
+  const Question* goes_on;
+  std::size_t* number_of_reads;
+};
+
 /*
  * Sorts items along a Hilbert curve. Whoever works through them then finds in the cache what the last ones had around
- * them: in large meshes, that is most of the time.
+ * them: in large meshes, that is most of the time. If `goes_on`, which is asked now and then, says no,
+ * the items stay as they are.
  */
-template <typename Item, typename CoordinatesOf>
-void sort_in_space(std::vector<Item>& items, const CoordinatesOf& coordinates_of)
+template <typename Item, typename CoordinatesOf, typename Question>
+void sort_in_space(std::vector<Item>& items, const CoordinatesOf& coordinates_of, const Question& goes_on)
 {
   typedef Simple_cartesian<double>         Kernel;
   typedef std::pair<Kernel::Point_3, Item> Entry;
-  typedef Spatial_sort_traits_adapter_3<Kernel, First_of_pair_property_map<Entry>> Traits;
+  typedef Place_of_entry<Entry, Question>  Places;
+  typedef Spatial_sort_traits_adapter_3<Kernel, Places> Traits;
   std::vector<Entry> entries;
   entries.reserve(items.size());
   for(const Item& item : items)
@@ -43,7 +67,12 @@ void sort_in_space(std::vector<Item>& items, const CoordinatesOf& coordinates_of
     const std::array<double, 3> p = coordinates_of(item);
     entries.emplace_back(Kernel::Point_3(p[0], p[1], p[2]), item);
   }
-  CGAL::hilbert_sort(entries.begin(), entries.end(), Traits());
+  std::size_t number_of_reads = 0;
+  try {
+    CGAL::hilbert_sort(entries.begin(), entries.end(), Traits(Places{ &goes_on, &number_of_reads }));
+  } catch(const typename Places::End_of_sort&) {
+    return;
+  }
   for(std::size_t k = 0; k < items.size(); ++k)
     items[k] = entries[k].second;
 }

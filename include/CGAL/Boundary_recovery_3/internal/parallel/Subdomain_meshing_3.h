@@ -29,6 +29,7 @@
 #include <CGAL/Boundary_recovery_3/internal/quality/Measure_quality_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Quality_improvement_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/sum_of_qualities.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 
 #include <CGAL/tags.h>
 
@@ -183,10 +184,16 @@ private:
   void measure()
   {
     const Domain whole = whole_domain();
+    Recovery_context<Recorder> context(m_recorder);
+    context.set_maximum_running_time(m_recorder.seconds_left());
     Explain_bad_cells_3<Tr, Domain> explain(m_tr, whole, m_min_dihedral_angle);
-    m_result.improvement.after = Measure_quality_3<Tr, Domain>(m_tr, whole)(
-      [&](const Cell_handle c, const Cell_angles_3& angles) { explain.add(c, angles); });
-    m_result.improvement.certificate = explain.certificate();
+    const auto after = Measure_quality_3<Tr, Domain>(m_tr, whole)(
+      [&](const Cell_handle c, const Cell_angles_3& angles) { explain.add(c, angles); },
+      [&context] { return context.can_finish_after_short_step(); });
+    internal::set_last_figures(m_result.improvement, after);
+    m_result.improvement.certificate = explain.certificate(bool(after));
+    if(! after && m_result.improvement)
+      m_result.improvement.status = Meshing_status::stopped;
   }
 
   // Those that fill, or those that improve.
@@ -272,7 +279,7 @@ private:
       tasks[k].pieces.clear();
       results[k] = join.joined();
       numbers_of_vertices[k] = results[k].vertices.size();
-      reports[k] = work_on(results[k], round, shares[k]);
+      reports[k] = work_on_copy(results[k], round, shares[k]);
       m_task_visitor.end_task(weights[k]);
     }, Concurrency_tag());
     for(std::size_t k = 0; k < tasks.size(); ++k)
@@ -293,15 +300,23 @@ private:
   }
 
   // A part that would get more new vertices than that stays as it was.
-  Report work_on(Part& part, const Subdomain_round& round, const std::size_t max_number_of_new_vertices)
+  Report work_on_copy(Part& part, const Subdomain_round& round, const std::size_t max_number_of_new_vertices)
   {
     const bool is_limited = m_max_number_of_vertices < (std::numeric_limits<std::size_t>::max)();
     Part before = is_limited ? part : Part();
-    const Report report = m_work(part, round, m_number_of_vertices, max_number_of_new_vertices, m_task_visitor,
-                                 m_recorder.seconds_left());
+    const Report report = work_on(part, round, max_number_of_new_vertices);
     if(report.filling.status == Meshing_status::too_large)
       part = std::move(before);
     return report;
+  }
+
+  // If the work has been stopped, the part stays as it is.
+  Report work_on(Part& part, const Subdomain_round& round, const std::size_t max_number_of_new_vertices)
+  {
+    if(! (m_recorder.seconds_left() > 0) || ! m_task_visitor.go_further())
+      return m_work.stopped(round);
+    return m_work(part, round, m_number_of_vertices, max_number_of_new_vertices, m_task_visitor,
+                  m_recorder.seconds_left());
   }
 
   // Those whose share was too small come one after the other, so that the mesh does not depend on how many threads
@@ -312,8 +327,7 @@ private:
       if(reports[k].filling.status == Meshing_status::too_large)
       {
         const std::size_t number_of_vertices = parts[k].vertices.size();
-        reports[k] = m_work(parts[k], round, m_number_of_vertices, number_left(), m_task_visitor,
-                            m_recorder.seconds_left());
+        reports[k] = work_on(parts[k], round, number_left());
         m_number_of_vertices_in_mesh += parts[k].vertices.size() - number_of_vertices;
       }
   }
@@ -355,13 +369,14 @@ private:
     {
       note(report.filling);
       m_result.filling.is_field_resolved = m_result.filling.is_field_resolved && report.filling.is_field_resolved;
-      qualities.push_back(report.before);
+      if(report.before)
+        qualities.push_back(*report.before);
       internal::add_counts(m_result.improvement.counts, report.counts);
       is_stopped = is_stopped || report.is_stopped;
     }
     if(! round.improves)
       return bool(m_result.filling);
-    if(round.works_on_parts())
+    if(round.works_on_parts() && qualities.size() == reports.size())
       m_result.improvement.before = internal::sum_of_qualities(qualities);
     if(is_stopped || ! m_result.filling)
       m_result.improvement.status = m_result.filling ? Meshing_status::stopped : m_result.filling.status;

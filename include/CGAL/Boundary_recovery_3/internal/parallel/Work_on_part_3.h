@@ -30,6 +30,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <utility>
 
 namespace CGAL {
@@ -41,7 +42,7 @@ template <typename Tr>
 struct Part_report_3
 {
   Field_points_result_3<Tr>  filling;
-  Mesh_quality_3             before; // the improvement; only in its first round
+  std::optional<Mesh_quality_3> before; // the improvement; only in its first round, if there was time
   Quality_improvement_counts counts;
   bool                       is_stopped = false;
 };
@@ -75,6 +76,16 @@ public:
     if(round.improves && report.filling.status != Meshing_status::too_large)
       improve(tr, domain, round, visitor, seconds_left, report);
     part = triangulation.part(first_new_number);
+    return report;
+  }
+
+  // What is told of a part if the work has been stopped, so that it stays as it is.
+  static Report stopped(const Subdomain_round& round)
+  {
+    Report report;
+    report.is_stopped = true;
+    if(! round.improves)
+      report.filling.status = Meshing_status::stopped;
     return report;
   }
 
@@ -151,11 +162,12 @@ private:
   void improve(Tr& tr, Domain& domain, const Subdomain_round& round, Visitor& visitor, const double seconds_left,
                Report& report) const
   {
-    if(round.works_on_parts())
-      report.before = Measure_quality_3<Tr, Domain>(tr, domain)([](const typename Tr::Cell_handle,
-                                                                   const Cell_angles_3&) { });
     Recovery_context<Visitor> context(visitor);
     context.set_maximum_running_time(seconds_left);
+    if(round.works_on_parts())
+      report.before = Measure_quality_3<Tr, Domain>(tr, domain)(
+        [](const typename Tr::Cell_handle, const Cell_angles_3&) { },
+        [&context] { return context.can_finish_after_short_step(); });
     Improve_domain_3<Tr, Domain, Quality, Visitor> improve_domain(tr, domain, m_quality, context);
     if(! round.works_on_parts())
       improve_domain.be_strict();

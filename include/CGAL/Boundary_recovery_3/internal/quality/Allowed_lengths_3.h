@@ -75,11 +75,12 @@ public:
           add_facet(c, i);
   }
 
-  // To be called when all cells were added.
-  void spread()
+  // To be called when all cells were added. `goes_on` is asked after each vertex; if it says no, nobody may need this.
+  template <typename Question>
+  void spread(const Question& goes_on)
   {
-    spread_least();
-    spread_largest();
+    spread_least(goes_on);
+    spread_largest(goes_on);
     m_constrained_vertices.clear();
   }
 
@@ -160,24 +161,26 @@ private:
         }
   }
 
-  void spread_least()
+  template <typename Question>
+  void spread_least(const Question& goes_on)
   {
     spread([this](const Vertex_handle v) { return - m_of_constraints[v].least; },
            [this](const Vertex_handle v) { return - least(v); },
-           [this](const Vertex_handle v, const double x) { m_of_constraints[v].least = -x; }, 0.5);
+           [this](const Vertex_handle v, const double x) { m_of_constraints[v].least = -x; }, 0.5, goes_on);
   }
 
-  void spread_largest()
+  template <typename Question>
+  void spread_largest(const Question& goes_on)
   {
     spread([this](const Vertex_handle v) { return m_of_constraints[v].largest; },
            [this](const Vertex_handle v) { return (std::max)(2 * size(v), m_of_constraints[v].largest); },
-           [this](const Vertex_handle v, const double x) { m_of_constraints[v].largest = x; }, 1);
+           [this](const Vertex_handle v, const double x) { m_of_constraints[v].largest = x; }, 1, goes_on);
   }
 
   // From the vertices on constraints to those around (Dijkstra), as long as it makes a difference: what fades with
   // distance is larger than what is known there.
-  template <typename Value, typename Known, typename Set>
-  void spread(const Value& value, const Known& known, const Set& set, const double fading)
+  template <typename Value, typename Known, typename Set, typename Question>
+  void spread(const Value& value, const Known& known, const Set& set, const double fading, const Question& goes_on)
   {
     typedef std::tuple<double, std::size_t, Vertex_handle> Entry; // the number makes the order independent of addresses
     const auto is_later = [](const Entry& x, const Entry& y)
@@ -190,7 +193,7 @@ private:
       if(value(v) >= known(v))
         queue.emplace(value(v), number++, v);
     std::vector<Vertex_handle> neighbors;
-    while(! queue.empty())
+    while(! queue.empty() && goes_on())
     {
       const auto [at_u, k, u] = queue.top();
       queue.pop();

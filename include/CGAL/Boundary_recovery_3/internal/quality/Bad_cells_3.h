@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -44,7 +45,10 @@ public:
     std::size_t visit; // that it comes from, or the last one that was for it
   };
 
-  explicit Bad_cells_3(const Mesh& mesh) : m_mesh(mesh), m_last_change(0) { }
+  // What goes through the whole list asks for each cell whether to go on; if not, the list is of no use any more.
+  explicit Bad_cells_3(const Mesh& mesh, std::function<bool()> goes_on = [] { return true; })
+    : m_mesh(mesh), m_goes_on(std::move(goes_on)), m_last_change(0)
+  { }
 
   // From now on, something else is tried.
   void begin_visit() { ++m_visit; }
@@ -111,7 +115,8 @@ public:
   const std::vector<Bad_cell>& worst_first()
   {
     remove_what_is_not_bad();
-    sort_worst_first(m_cells.begin(), m_cells.end());
+    if(m_goes_on())
+      sort_worst_first(m_cells.begin(), m_cells.end());
     return m_cells;
   }
 
@@ -127,9 +132,10 @@ public:
   std::vector<Bad_cell> next_round_in_blocks(const std::size_t cells_per_block)
   {
     remove_what_is_not_bad();
-    internal::sort_in_space(m_cells, [](const Bad_cell& c) { return internal::centroid(internal::corners(c.cell)); });
+    internal::sort_in_space(m_cells, [](const Bad_cell& c) { return internal::centroid(internal::corners(c.cell)); },
+                            m_goes_on);
     auto end = m_cells.begin();
-    while(end != m_cells.end())
+    while(end != m_cells.end() && m_goes_on())
     {
       const auto begin = end;
       end += (std::min)(static_cast<std::ptrdiff_t>(cells_per_block), m_cells.end() - begin);
@@ -165,6 +171,8 @@ private:
     std::vector<Bad_cell> cells;
     for(const Bad_cell& c : m_cells)
     {
+      if(! m_goes_on())
+        break;
       if(! is_in_domain(c.cell) || std::exchange(is_there[c.cell], true))
         continue;
       const double quality = m_mesh.quality(c.cell);
@@ -183,6 +191,7 @@ private:
   }
 
   const Mesh& m_mesh;
+  const std::function<bool()> m_goes_on;
   std::vector<Bad_cell> m_cells;
   Unique_hash_map<Vertex_handle, std::size_t> m_last_change; // the visit, by vertex; for looking up only
   std::size_t m_visit = 0;

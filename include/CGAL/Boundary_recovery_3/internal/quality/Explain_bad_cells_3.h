@@ -74,8 +74,12 @@ public:
     m_certificate.cells.push_back(bad);
   }
 
-  Certificate certificate()
+  // It is empty, and says so, if not all cells were looked at.
+  Certificate certificate(const bool is_complete = true)
   {
+    m_certificate.is_complete = is_complete;
+    if(! is_complete)
+      m_certificate.cells.clear();
     std::stable_sort(m_certificate.cells.begin(), m_certificate.cells.end(), [](const Bad_cell& a, const Bad_cell& b)
     {
       return a.min_dihedral_angle < b.min_dihedral_angle;

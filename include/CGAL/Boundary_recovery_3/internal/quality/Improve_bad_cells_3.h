@@ -57,7 +57,8 @@ public:
   typedef typename Bad_cells_3<Mesh>::Bad_cell          Bad_cell;
 
   Improve_bad_cells_3(Tr& tr, Domain& domain, const Quality& quality, Recovery_context<Visitor>& context)
-    : m_quality(quality), m_context(context), m_mesh(tr, domain, quality, context.visitor()), m_bad_cells(m_mesh),
+    : m_quality(quality), m_context(context), m_mesh(tr, domain, quality, context.visitor()),
+      m_bad_cells(m_mesh, [&context] { return context.go_further_after_short_step(); }),
       m_vain_contractions(m_bad_cells), m_vain_smoothings(m_bad_cells), m_vain_deepenings(m_bad_cells),
       m_vain_lifts(m_bad_cells), m_flip(m_mesh), m_contract(m_mesh), m_smooth(m_mesh, quality),
       m_deepen(m_mesh, quality), m_lift(m_mesh), m_insert(m_mesh, quality), m_insert_into_shell(m_mesh, quality),
@@ -154,12 +155,20 @@ private:
         m_expected_visits = expected_number_of_visits * cells.size();
       m_tries_all = tries_all;
       ++m_counts.number_of_rounds;
-      for(const Bad_cell& c : cells)
-        if(m_number_of_visits >= last_visit)
-          m_bad_cells.put_back(c);
-        else if(m_bad_cells.contains(c.cell) && m_context.go_further_after_short_step())
-          visit(c);
+      visit(cells, last_visit);
     }
+  }
+
+  // If the context says stop, the list is of no use any more.
+  void visit(const std::vector<Bad_cell>& cells, const std::size_t last_visit)
+  {
+    for(const Bad_cell& c : cells)
+      if(! m_context.go_further_after_long_step())
+        return;
+      else if(m_number_of_visits >= last_visit)
+        m_bad_cells.put_back(c);
+      else if(m_bad_cells.contains(c.cell))
+        visit(c);
   }
 
   void visit(const Bad_cell& c)

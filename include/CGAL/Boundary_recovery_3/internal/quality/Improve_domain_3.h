@@ -72,9 +72,9 @@ public:
   // Improves the mesh until all cells are good, or nothing helps, or the context says stop.
   void operator()()
   {
-    m_mesh.spread_lengths();
+    m_mesh.spread_lengths([this] { return m_context.go_further_after_short_step(); });
     m_improve.try_most();
-    if(m_target > really_bad_angle)
+    if(m_target > really_bad_angle && m_context.go_further())
     {
       if(is_any_nearly_as_bad()) // else there is nothing to do, and the list is complete
       {
@@ -83,7 +83,7 @@ public:
       }
       improve_worst_cells();
     }
-    if(m_target > 0)
+    if(m_target > 0 && m_context.go_further())
       center_vertices();
     m_improve.finish();
   }
@@ -114,16 +114,20 @@ private:
   static constexpr std::size_t max_number_of_attempts = 6000; // of each search
   static constexpr std::size_t max_number_of_attempts_above = 1500; // for those that are only nearly as bad
 
-  // Of the domain.
+  // Of the domain, unless the context says stop.
   template <typename Function>
-  void for_each_cell(const Function& f) const
+  void for_each_cell(const Function& f)
   {
     for(const Cell_handle c : m_mesh.triangulation().finite_cell_handles())
+    {
+      if(! m_context.go_further_after_short_step())
+        return;
       if(m_mesh.domain().contains(c))
         f(c);
+    }
   }
 
-  std::size_t number_of_cells() const
+  std::size_t number_of_cells()
   {
     std::size_t number = 0;
     for_each_cell([&](const Cell_handle) { ++number; });
@@ -205,10 +209,12 @@ private:
     std::size_t number = 0;
     for(const Bad_cell& c : m_bad_cells.next_round())
     {
+      if(! m_context.go_further_after_long_step())
+        return;
       if(! m_bad_cells.contains(c.cell))
         continue;
       m_bad_cells.begin_visit();
-      const bool is_turn = number++ < max_number_of_perturbed_cells && m_context.go_further_after_short_step();
+      const bool is_turn = number++ < max_number_of_perturbed_cells;
       if(! is_turn || ! m_improve.insert_near(c.cell, tolerated_loss))
         m_bad_cells.put_back(c);
     }
@@ -230,10 +236,10 @@ private:
     m_mesh.set_enough((std::max)(m_quality.of_angle(m_target), m_worst));
     const auto all = m_mesh.triangulation().finite_vertex_handles();
     std::vector<Vertex_handle> vertices(all.begin(), all.end());
-    internal::sort_in_space(vertices, &Mesh::coordinates);
+    internal::sort_in_space(vertices, &Mesh::coordinates, [this] { return m_context.go_further_after_short_step(); });
     for(const Vertex_handle v : vertices)
     {
-      if(! m_context.go_further_after_short_step())
+      if(! m_context.go_further_after_long_step())
         break;
       m_improve.counts().number_of_moved_vertices += m_center(v);
     }

@@ -172,9 +172,10 @@ public:
   const Allowed_lengths_3<Tr>& allowed_lengths() const { return m_lengths; }
 
   // Makes known how long edges may be beside the constrained facets: to be called for each cell of the domain, and then
-  // the other one. Without that, there is nothing but the sizes.
+  // the other one, which `goes_on` may end. Without that, there is nothing but the sizes.
   void add_lengths(const Cell_handle c) { m_lengths.add(m_domain, c); }
-  void spread_lengths() { m_lengths.spread(); }
+  template <typename Question>
+  void spread_lengths(const Question& goes_on) { m_lengths.spread(goes_on); }
 
   static double size(const Vertex_handle v) { return Allowed_lengths_3<Tr>::size(v); }
 

@@ -26,6 +26,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
 namespace CGAL {
 namespace Boundary_recovery_3 {
@@ -47,22 +48,37 @@ public:
   template <typename Examine>
   Mesh_quality_3 operator()(const Examine& examine)
   {
+    return *(*this)(examine, [] { return true; });
+  }
+
+  // The same as long as `goes_on`, which is asked for each cell, says so; else there are no figures.
+  template <typename Examine, typename Question>
+  std::optional<Mesh_quality_3> operator()(const Examine& examine, const Question& goes_on)
+  {
     if(m_tr.dimension() == 3)
       for(const Cell_handle c : m_tr.finite_cell_handles())
+      {
+        if(! goes_on())
+          return std::nullopt;
         if(m_domain.contains(c))
-        {
-          const Cell_corners_3 corners = internal::corners(c);
-          const Cell_angles_3 angles(corners);
-          add_cell(angles);
-          if constexpr(Has_meshing_info<typename Tr::Vertex>::value)
-            add_edges(c, corners, angles);
-          examine(c, angles);
-        }
+          measure(c, examine);
+      }
     finish();
     return m_quality;
   }
 
 private:
+  template <typename Examine>
+  void measure(const Cell_handle c, const Examine& examine)
+  {
+    const Cell_corners_3 corners = internal::corners(c);
+    const Cell_angles_3 angles(corners);
+    add_cell(angles);
+    if constexpr(Has_meshing_info<typename Tr::Vertex>::value)
+      add_edges(c, corners, angles);
+    examine(c, angles);
+  }
+
   void add_cell(const Cell_angles_3& angles)
   {
     const double smallest = angles.smallest(), largest = angles.largest(), ratio = angles.radius_ratio();

@@ -18,6 +18,7 @@
 #include <CGAL/Boundary_recovery_3/internal/quality/Explain_bad_cells_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Improve_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Measure_quality_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/sum_of_qualities.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 
 #include <utility>
@@ -36,7 +37,8 @@ inline bool is_possible_target(const double degrees) { return degrees >= 0 && de
 
 /*
  * The work behind improve_mesh_quality(): the improvement between two measurements, the second of which also explains
- * what is still bad.
+ * what is still bad. If the work is stopped, there may be no time for them; if that is before the first change, the
+ * first ones are the last ones.
  */
 template <typename Tr, typename Domain, typename Quality, typename Visitor>
 class Quality_improvement_3
@@ -70,13 +72,22 @@ private:
     Measure_quality_3<Tr, Domain> measure_before(m_tr, m_domain), measure_after(m_tr, m_domain);
     Improve_domain_3<Tr, Domain, Quality, Visitor> improve_domain(m_tr, m_domain, m_quality, m_context);
     improve_domain.set_target(min_dihedral_angle);
-    m_result.before = measure_before([&](const Cell_handle c, const Cell_angles_3&) { improve_domain.add(c); });
-    improve_domain();
+    const auto can_finish = [this] { return m_context.can_finish_after_short_step(); };
+    const auto before = measure_before([&](const Cell_handle c, const Cell_angles_3&) { improve_domain.add(c); },
+                                       can_finish);
+    const bool is_begun = m_context.go_further();
+    if(is_begun)
+      improve_domain();
     m_result.counts = improve_domain.counts();
+    const bool is_done = ! m_context.is_stopped();
     Explain_bad_cells_3<Tr, Domain> explain(m_tr, m_domain, min_dihedral_angle);
-    m_result.after = measure_after([&](const Cell_handle c, const Cell_angles_3& angles) { explain.add(c, angles); });
-    m_result.certificate = explain.certificate();
-    m_result.status = m_context.is_stopped() ? Meshing_status::stopped : Meshing_status::meshed;
+    const auto after = measure_after([&](const Cell_handle c, const Cell_angles_3& angles) { explain.add(c, angles); },
+                                     can_finish);
+    if(before)
+      m_result.before = *before;
+    internal::set_last_figures(m_result, after || is_begun ? after : before);
+    m_result.certificate = explain.certificate(bool(after));
+    m_result.status = is_done && after ? Meshing_status::meshed : Meshing_status::stopped;
   }
 
   Meshing_phase_report report() const

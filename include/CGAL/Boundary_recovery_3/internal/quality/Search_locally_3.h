@@ -58,11 +58,13 @@ public:
       std::vector<Bad_cell> cells;
       for(const Bad_cell& c : m_bad_cells.next_round())
       {
+        if(! m_context.go_further_after_long_step())
+          return;
         if(! m_bad_cells.contains(c.cell))
           continue;
         if(internal::is_forced(m_walls_at_edge, c.cell, angle))
           forced_cells.push_back(c);
-        else if(number_of_attempts < max_number_of_attempts && m_context.go_further_after_short_step())
+        else if(number_of_attempts < max_number_of_attempts)
         {
           number_of_attempts += attempt(c.cell);
           const std::vector<Bad_cell> around = m_bad_cells.take();

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -58,6 +59,15 @@ inline Mesh_quality_3 sum_of_qualities(const std::vector<Mesh_quality_3>& qualit
   if(sum.number_of_sized_edges > 0)
     sum.share_of_edges_in_size = edges_in_size / static_cast<double>(sum.number_of_sized_edges);
   return sum;
+}
+
+// If there was no time for them, the result says so.
+template <typename Tr>
+void set_last_figures(Quality_improvement_result_3<Tr>& result, const std::optional<Mesh_quality_3>& figures)
+{
+  result.is_measured = bool(figures);
+  if(figures)
+    result.after = *figures;
 }
 
 // What was changed elsewhere at the same time: there are as many rounds as where there are most.

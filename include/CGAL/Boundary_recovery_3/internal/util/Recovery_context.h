@@ -28,6 +28,8 @@ namespace internal {
  * Progress, cancelling and the deadline: one mechanism for all phases.
  * Once asked to stop, it stays so.
  *
+ * How often the visitor is asked depends on the work, not on time: equal runs ask equally often.
+ *
  * It also counts work, in units that are the same on any machine, so that somebody can be asked after much of it
  * whether there is any hope; if not, the recovery ends as if it had been stopped.
  */
@@ -48,12 +50,30 @@ public:
 
   bool go_further()
   {
-    m_is_stopped = m_is_stopped || ! (seconds() < m_maximum_running_time) || ! m_visitor.go_further();
+    if(is_in_time() && ! m_visitor.go_further())
+      stop(seconds());
     return can_go_further();
   }
 
   // The same for steps that are so short that it is enough to ask after each 1024 of them.
   bool go_further_after_short_step() { return ++m_number_of_short_steps % 1024 == 0 ? go_further() : can_go_further(); }
+
+  // The same for steps of which some take milliseconds: the clock is looked at after each of them, and the visitor is
+  // asked after a few.
+  bool go_further_after_long_step()
+  {
+    if(++m_number_of_long_steps % long_steps_per_question == 0)
+      return go_further();
+    return is_in_time() && can_go_further();
+  }
+
+  // Whether what only tells of the work, such as figures, may still be finished: always if nothing ended the work, else
+  // for a moment. To be asked after short steps.
+  bool can_finish_after_short_step()
+  {
+    return go_further_after_short_step() || m_number_of_short_steps % 1024 != 0
+        || seconds() < m_seconds_at_stop + seconds_after_stop;
+  }
 
   bool is_stopped() const { return m_is_stopped; }
 
@@ -82,17 +102,37 @@ public:
   bool is_refuted() const { return m_is_refuted; }
 
 private:
+  // See "Tuning constants" in the manual.
+  static constexpr double seconds_after_stop = 0.15;
+  static constexpr std::size_t long_steps_per_question = 16;
+
+  // Returns whether nothing has stopped the work; the clock may do so now.
+  bool is_in_time()
+  {
+    if(! m_is_stopped && ! (seconds() < m_maximum_running_time))
+      stop(m_maximum_running_time);
+    return ! m_is_stopped;
+  }
+
+  void stop(const double at)
+  {
+    m_is_stopped = true;
+    m_seconds_at_stop = at;
+  }
+
   bool can_go_further() const { return ! m_is_stopped && ! m_is_refuted; }
 
   Visitor& m_visitor;
   Clock::time_point m_start;
   double m_maximum_running_time = std::numeric_limits<double>::infinity();
   bool m_is_stopped = false;
+  double m_seconds_at_stop = std::numeric_limits<double>::infinity();
   bool m_is_refuted = false;
   std::size_t m_work = 0;
   std::size_t m_work_before_examination = 0;
   std::function<void()> m_examine; // none: nobody wants to
   std::size_t m_number_of_short_steps = 0;
+  std::size_t m_number_of_long_steps = 0;
 };
 
 } // namespace internal
