@@ -30,6 +30,7 @@ struct Bad_tetrahedron
   CGAL::Boundary_recovery_3::Bad_cell_reason reason;
   std::vector<Facet> facets;
   double surface_angle;
+  double distance; // of a gap
 };
 
 // Tells the bad cells of a triangulation, and what makes them so, in the numbers of the domain that was made of it.
@@ -71,6 +72,7 @@ public:
       for(int i = 0; i < cell.number_of_facets(); ++i)
         bad.facets.push_back(facet(cell.facets[i].first, cell.facets[i].second));
       bad.surface_angle = cell.surface_angle;
+      bad.distance = cell.distance;
       result.push_back(bad);
     }
     return result;

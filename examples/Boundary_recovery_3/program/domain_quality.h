@@ -3,9 +3,10 @@
 
 #include "domain.h"
 
+#include <CGAL/Boundary_recovery_3/internal/quality/Cell_angles_3.h>
+
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 
 // The dihedral angles of tetrahedra, in degrees.
@@ -44,99 +45,54 @@ private:
   }
 };
 
-// Measures the dihedral angles. A mesh has millions of tetrahedra: four normals each, instead of one look at each edge.
+// Measures the dihedral angles.
 template <typename Point>
 class Quality_meter
 {
-  typedef std::array<double, 3> Vector;
-
-  static constexpr double degrees_per_radian = 57.295779513082321;
+  typedef CGAL::Boundary_recovery_3::internal::Cell_angles_3 Angles;
 
   const Domain<Point>& m_domain;
   Mesh_quality m_quality;
-  std::array<double, Mesh_quality::number_of_bins - 1> m_borders; // the cosines between the bins
 
 public:
-  explicit Quality_meter(const Domain<Point>& domain)
-    : m_domain(domain)
-  {
-    for(std::size_t i = 0; i < m_borders.size(); ++i)
-      m_borders[i] = std::cos(double(i + 1) * Mesh_quality::degrees_per_bin / degrees_per_radian);
-  }
+  explicit Quality_meter(const Domain<Point>& domain) : m_domain(domain) { }
 
   Mesh_quality operator()()
   {
     if(m_domain.tetrahedra.empty())
       return m_quality;
     m_quality.smallest_angle = 180;
-    for(const auto& tetrahedron : m_domain.tetrahedra)
-      add(tetrahedron);
+    for(const auto& t : m_domain.tetrahedra)
+    {
+      const std::array<std::array<double, 3>, 4> corners = {{ corner(t[0]), corner(t[1]), corner(t[2]), corner(t[3]) }};
+      add(Angles(corners));
+    }
     return m_quality;
   }
 
 private:
-  static Vector difference(const Point& p, const Point& q) { return {{ p.x() - q.x(), p.y() - q.y(), p.z() - q.z() }}; }
-
-  static Vector cross(const Vector& a, const Vector& b)
+  std::array<double, 3> corner(const Point_number v) const
   {
-    return {{ a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] }};
+    const Point& p = m_domain.points[v];
+    return {{ p.x(), p.y(), p.z() }};
   }
 
-  static double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-  // the angle between two facets with these outward normals; the arc cosine alone would blur angles near 0 and 180
-  static double angle(const Vector& a, const Vector& b)
+  void add(const Angles& angles)
   {
-    const Vector n = cross(a, b);
-    return std::atan2(std::sqrt(dot(n, n)), -dot(a, b)) * degrees_per_radian;
-  }
-
-  void add(const std::array<Point_number, 4>& tetrahedron)
-  {
-    std::array<Vector, 3> e;
-    for(std::size_t i = 0; i < 3; ++i)
-      e[i] = difference(m_domain.points[tetrahedron[i + 1]], m_domain.points[tetrahedron[0]]);
-    std::array<Vector, 4> normals = {{ {}, cross(e[2], e[1]), cross(e[0], e[2]), cross(e[1], e[0]) }};
-    for(std::size_t i = 0; i < 3; ++i) // the four add up to 0
-      normals[0][i] = -(normals[1][i] + normals[2][i] + normals[3][i]);
-
-    std::array<double, 4> lengths;
-    for(std::size_t i = 0; i < 4; ++i)
-      lengths[i] = std::sqrt(dot(normals[i], normals[i]));
-
-    std::array<std::size_t, 2> low = {{ 0, 1 }}, high = low; // between which facets the extreme angles are
-    double low_cosine = -2, high_cosine = 2;
-    for(std::size_t i = 0; i < 4; ++i)
-      for(std::size_t j = i + 1; j < 4; ++j)
-      {
-        const double cosine = -dot(normals[i], normals[j]) / (lengths[i] * lengths[j]);
-        ++m_quality.histogram[bin(cosine)];
-        if(cosine > low_cosine)
-          low = {{ i, j }};
-        if(cosine < high_cosine)
-          high = {{ i, j }};
-        low_cosine = (std::max)(low_cosine, cosine);
-        high_cosine = (std::min)(high_cosine, cosine);
-      }
-    count(angle(normals[low[0]], normals[low[1]]), angle(normals[high[0]], normals[high[1]]));
-  }
-
-  // Cosines fall as angles grow. NaN, that of a facet without area, is in the first bin.
-  std::size_t bin(const double cosine) const
-  {
-    const auto larger = [](const double border, const double x) { return border >= x; };
-    return static_cast<std::size_t>(std::lower_bound(m_borders.begin(), m_borders.end(), cosine, larger)
-                                    - m_borders.begin());
-  }
-
-  void count(const double low, const double high)
-  {
-    m_quality.smallest_angle = (std::min)(m_quality.smallest_angle, low);
-    m_quality.largest_angle = (std::max)(m_quality.largest_angle, high);
+    for(int k = 0; k < 6; ++k)
+      ++m_quality.histogram[bin(angles[k])];
+    m_quality.smallest_angle = (std::min)(m_quality.smallest_angle, angles.smallest());
+    m_quality.largest_angle = (std::max)(m_quality.largest_angle, angles.largest());
     for(std::size_t i = 0; i < m_quality.below.size(); ++i)
-      m_quality.below[i] += low < Mesh_quality::small_angles[i];
+      m_quality.below[i] += angles.smallest() < Mesh_quality::small_angles[i];
     for(std::size_t i = 0; i < m_quality.above.size(); ++i)
-      m_quality.above[i] += high > Mesh_quality::large_angles[i];
+      m_quality.above[i] += angles.largest() > Mesh_quality::large_angles[i];
+  }
+
+  static std::size_t bin(const double angle)
+  {
+    const std::size_t bin = static_cast<std::size_t>(angle / Mesh_quality::degrees_per_bin);
+    return (std::min)(bin, Mesh_quality::number_of_bins - 1);
   }
 };
 

@@ -12,7 +12,7 @@ from xml.sax.saxutils import escape
 DEGREES_PER_BIN = 5
 LEFT, TOP, WIDTH, HEIGHT, RIGHT, BOTTOM = 60, 60, 640, 280, 20, 100  # of the diagram, and the space around it
 COLORS = {'before': '#b8b8b8', 'after': '#2266aa'}
-REASONS = (('forced', 'forced by the surface'), ('needle', 'at needles of the surface'), ('not_improved', 'not improved'))
+REASONS = (('forced', 'forced by the surface'), ('gap', 'in gaps of it'), ('needle', 'at needles of it'), ('not_improved', 'not improved'))
 
 
 def shares(figures):

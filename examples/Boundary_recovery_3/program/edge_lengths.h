@@ -4,7 +4,6 @@
 #include "domain.h"
 
 #include <CGAL/Kernel/global_functions.h>
-#include <CGAL/squared_distance_3.h>
 
 #include <algorithm>
 #include <array>
@@ -94,7 +93,7 @@ private:
   static void add(const Point& p, const Point& q, const int region, const Size& size, Edge_lengths& lengths)
   {
     const double h = size(CGAL::midpoint(p, q), 3, region);
-    const double length = std::sqrt(CGAL::squared_distance(p, q)) / h;
+    const double length = std::hypot(p.x() - q.x(), p.y() - q.y(), p.z() - q.z()) / h;
     ++lengths.number_of_edges;
     lengths.number_below += length < Edge_lengths::shortest;
     lengths.number_above += length > Edge_lengths::longest;

@@ -22,8 +22,13 @@ void print_bad_tetrahedron(std::ostream& os, const Bad_tetrahedron& bad, const D
      << ' ' << p.z() / 2 + q.z() / 2 << ')';
   if(bad.reason == Bad_cell_reason::forced)
     os << ", forced: triangles of the surface meet at " << bad.surface_angle << " degrees";
+  else if(bad.reason == Bad_cell_reason::gap)
+    os << ", gap: two triangles of the surface are " << bad.distance << " apart, which allows no more than "
+       << bad.surface_angle << " degrees";
   else if(bad.reason == Bad_cell_reason::needle)
     os << ", needle: a triangle of the surface has an angle of " << bad.surface_angle << " degrees";
+  else if(bad.facets.size() == 2)
+    os << ", not improved: flat on two triangles of the surface that meet at " << bad.surface_angle << " degrees";
   else if(! bad.facets.empty())
     os << ", not improved: a triangle beside it has an angle of " << bad.surface_angle << " degrees";
   os << '\n';
@@ -55,6 +60,7 @@ void print_improvement(std::ostream& os, const Improvement& improvement,
   }
   os << "tetrahedra below " << certificate.min_dihedral_angle << " degrees: "
      << certificate.number_of_cells(Bad_cell_reason::forced) << " forced by the surface, "
+     << certificate.number_of_cells(Bad_cell_reason::gap) << " in gaps of it, "
      << certificate.number_of_cells(Bad_cell_reason::needle) << " at needles of it, "
      << certificate.number_of_cells(Bad_cell_reason::not_improved) << " not improved\n";
   for(std::size_t i = 0; i < bad_tetrahedra.size() && i < number_of_shown; ++i)

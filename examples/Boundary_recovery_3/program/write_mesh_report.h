@@ -115,6 +115,8 @@ inline void write_bad_tetrahedron(Json_writer& json, const Bad_tetrahedron& bad)
   if(bad.facets.empty())
     return;
   json.entry("surface_angle", bad.surface_angle);
+  if(bad.reason == CGAL::Boundary_recovery_3::Bad_cell_reason::gap)
+    json.entry("distance", bad.distance);
   json.key("facets");
   json.objects(bad.facets, [&](const Bad_tetrahedron::Facet& facet)
   {
@@ -146,7 +148,8 @@ void write_improvement(Json_writer& json, const Improvement& improvement, const 
   write_figures(json, "before", improvement.before);
   write_figures(json, "after", improvement.after);
   json.entry("target_angle", improvement.certificate.min_dihedral_angle);
-  for(const auto reason : { Bad_cell_reason::forced, Bad_cell_reason::needle, Bad_cell_reason::not_improved })
+  for(const auto reason : { Bad_cell_reason::forced, Bad_cell_reason::gap, Bad_cell_reason::needle,
+                            Bad_cell_reason::not_improved })
     json.entry(std::string("number_of_") + to_string(reason), improvement.certificate.number_of_cells(reason));
   json.key("bad_tetrahedra");
   json.objects(bad, [&](const Bad_tetrahedron& b) { write_bad_tetrahedron(json, b); });

@@ -29,9 +29,11 @@ enum class Bad_cell_reason
 {
   forced,      ///< it has such an angle between two constrained facets that meet at less than the target: there is no
                ///< mesh with these facets that has no such cell there
-  needle,      ///< it has a constrained facet with a plane angle below the target: only a cell as thin as that facet
-               ///< could do better
-  not_improved ///< neither: there may be better cells, though they are hard to find beside a needle
+  gap,         ///< it has a constrained facet, or at least an edge of one, that is so near below another one, without a
+               ///< common edge, that no cell with all angles above the target fits in between, see `Bad_cell_3::facets`
+  needle,      ///< it has a constrained facet with a plane angle below the target, and less than twice its own smallest
+               ///< angle: only a cell as thin as that facet could do better
+  not_improved ///< none of these: there may be better cells, though they are hard to find beside a needle
 };
 
 /*!
@@ -58,15 +60,28 @@ struct Bad_cell_3
 
   Bad_cell_reason reason; ///< why it is bad
 
-  /// `forced`: the two constrained facets; they share an edge of the cell, maybe another one than `edge`, and there may
-  /// be other cells between them. `needle`: the first one is the constrained facet. `not_improved`: if constrained
-  /// facets with a plane angle below the target have an edge of the cell, or else a vertex, the first one is that with
-  /// the smallest angle; it may be the cause, but need not be. What is not named is `Triangulation::Facet()`.
+  /// - `forced`: the two constrained facets. They share an edge of the cell, maybe another one than `edge`, and there
+  ///   may be other cells between them.
+  /// - `gap`: the second one is above the center of the inscribed circle of the first one, at the height `distance`,
+  ///   with nothing constrained in between. If the first one is a facet of the cell, that proves that each cell that
+  ///   has it has an angle of at most `surface_angle` at one of its edges. Else the cell has an edge of it, and all its
+  ///   vertices are near the plane of that facet: nearer than it would take to have angles as large as the target.
+  /// - `needle`: the first one is the constrained facet.
+  /// - `not_improved`: both, if they are facets of the cell that are nearly in a plane, so that it is flat as long as
+  ///   it alone is between them. Else, if constrained facets with a plane angle below the target have an edge of the
+  ///   cell, or else a vertex, the first one is that with the smallest angle; it may be the cause, but need not be.
+  ///
+  /// What is not named is `Triangulation::Facet()`.
   std::array<Facet, 2> facets;
 
-  /// The angle between both facets that are named, or the smallest plane angle of the only one. It is below the target,
-  /// in degrees. NaN: none is named.
+  /// The angle between both facets that are named, or the one that a gap allows, or the smallest plane angle of the
+  /// only facet. It is below the target, in degrees, or if both facets are nearly in a plane, above 180 less the
+  /// target. NaN: none is named.
   double surface_angle = std::numeric_limits<double>::quiet_NaN();
+
+  /// `gap`: how far above the first facet the second one is, at the center of the inscribed circle of the first one;
+  /// less than the length of any edge of that one. Else NaN.
+  double distance = std::numeric_limits<double>::quiet_NaN();
 
   /// returns how many facets are named.
   int number_of_facets() const
@@ -116,6 +131,7 @@ inline const char* to_string(const Bad_cell_reason reason)
   switch(reason)
   {
     case Bad_cell_reason::forced:       return "forced";
+    case Bad_cell_reason::gap:          return "gap";
     case Bad_cell_reason::needle:       return "needle";
     case Bad_cell_reason::not_improved: return "not_improved";
   }
@@ -132,7 +148,7 @@ std::ostream& operator<<(std::ostream& os, const Quality_certificate_3<Triangula
   os << certificate.cells.size() << " cells below " << certificate.min_dihedral_angle << " degrees";
   const char* separator = ": ";
   typedef Bad_cell_reason Reason;
-  for(const Reason reason : { Reason::forced, Reason::needle, Reason::not_improved })
+  for(const Reason reason : { Reason::forced, Reason::gap, Reason::needle, Reason::not_improved })
     if(const std::size_t number = certificate.number_of_cells(reason))
       os << std::exchange(separator, ", ") << number << ' ' << to_string(reason);
   return os;

@@ -7,10 +7,15 @@ Demanded is of each entry:
   - the tetrahedron has the angle, at the edge, and it is below the target;
   - `forced`: both facets are the triangles of the surface that are named, they have an edge of the tetrahedron in common,
     the angle between them is the one that is told, and below the target, and the tetrahedron is between them;
+  - `gap`: both facets are triangles of the surface that have no edge in common, and the second one is above the center of
+    the inscribed circle of the first one, at the distance that is told, which allows no more than the angle that is told,
+    and that is below the target. Either the first one is a facet of the tetrahedron, and this has no larger smallest angle,
+    or has an edge in common with it, and is as low as that angle would be for the target;
   - `needle`: the facet of the tetrahedron is the triangle of the surface that is named, its smallest angle is the one
-    that is told, and below the target;
-  - `not_improved`: if a triangle is named, one or two of its vertices are the tetrahedron's, its smallest angle is
-    the one that is told, and below the target.
+    that is told, below the target, and less than twice the tetrahedron's;
+  - `not_improved`: if a triangle is named, it has a vertex of the tetrahedron, its smallest angle is the one that is
+    told, and below the target; if two are, both are facets of the tetrahedron, with the angle that is told between them,
+    which is larger than 180 degrees less the target.
 And all tetrahedra of the mesh with an angle below the target have an entry, if the mesh is small. Normals are computed in
 integers. Only Python's standard library is used.
 """
@@ -84,6 +89,33 @@ def integers(points):
     return [tuple(n * (scale // d) for n, d in p) for p in ratios]
 
 
+class Inscribed_circle:
+    """Of a triangle, in floating point numbers, as a place to look from."""
+    def __init__(self, corners):
+        lengths = [math.dist(corners[i - 1], corners[i - 2]) for i in range(3)]
+        perimeter = sum(lengths)
+        self.center = [sum(x * p[k] / perimeter for x, p in zip(lengths, corners)) for k in range(3)]
+        u, v = ([x / perimeter for x in minus(corners[i], corners[0])] for i in (1, 2))
+        normal = cross(u, v)
+        length = math.sqrt(dot(normal, normal))
+        self.normal = [x / length for x in normal]
+        self.radius = length * perimeter
+
+    def height(self, p):
+        """Above the plane of the triangle."""
+        return dot(self.normal, minus(p, self.center))
+
+    def height_of_triangle(self, corners):
+        """Where the line through the center, across the plane, meets another triangle."""
+        corners = [minus(p, self.center) for p in corners]
+        scale = max(abs(x) for p in corners for x in p)
+        corners = [[x / scale for x in p] for p in corners]
+        parts = [dot(self.normal, cross(corners[i - 2], corners[i - 1])) for i in range(3)]
+        whole = sum(parts)
+        require(whole != 0 and min(x / whole for x in parts) > -TOLERANCE, 'no triangle is above', self.center)
+        return scale * sum(x / whole * dot(self.normal, p) for x, p in zip(parts, corners))
+
+
 class Certificate_checker:
     def __init__(self, report, surface, mesh):
         """`surface` and `mesh` are points and lists of vertices, from 0."""
@@ -95,7 +127,7 @@ class Certificate_checker:
 
     def __call__(self):
         bad = self.improvement['bad_tetrahedra']
-        for reason in ('forced', 'needle', 'not_improved'):
+        for reason in ('forced', 'gap', 'needle', 'not_improved'):
             number = sum(entry['reason'] == reason for entry in bad)
             require(self.improvement['number_of_' + reason] == number, 'the number of', reason, 'is', number)
         angles = [entry['min_dihedral_angle'] for entry in bad]
@@ -125,13 +157,16 @@ class Certificate_checker:
         require(told < self.target and abs(smallest - told) < TOLERANCE, entry, 'has the angle', smallest)
         require(abs(angles[frozenset(entry['edge'])] - told) < TOLERANCE, entry, 'has another angle at the edge')
         facets = entry.get('facets', [])
-        require(len(facets) in {'forced': [2], 'needle': [1], 'not_improved': [0, 1]}[entry['reason']],
+        require(len(facets) in {'forced': [2], 'gap': [2], 'needle': [1], 'not_improved': [0, 1, 2]}[entry['reason']],
                 entry, 'has other facets')
         for facet in facets:
             self.check_facet(facet)
-        if facets:
-            require(entry['surface_angle'] < self.target, entry, 'is not below the target')
-            (self.check_forced if len(facets) == 2 else self.check_needle)(entry, t, angles)
+        if not facets:
+            return
+        is_flat = entry['reason'] == 'not_improved' and len(facets) == 2
+        require(entry['surface_angle'] < self.target or is_flat, entry, 'is not below the target')
+        {'forced': self.check_forced, 'gap': self.check_gap, 'needle': self.check_needle,
+         'not_improved': self.check_flat if is_flat else self.check_needle}[entry['reason']](entry, t, angles)
 
     def check_facet(self, facet):
         """It is in the surface."""
@@ -151,10 +186,35 @@ class Certificate_checker:
             both = [angle_between(p, q, apex, self.places[v]) for apex in apexes]
             require(abs(sum(both) - found) < TOLERANCE, entry, 'is not between its facets')
 
+    def check_gap(self, entry, t, angles):
+        first, second = (facet['points'] for facet in entry['facets'])
+        common = len(set(first) & set(t))
+        require(len(set(first) & set(second)) < 2 and common >= 2, entry, 'has other facets')
+        circle = Inscribed_circle([self.mesh_points[v] for v in first])
+        heights = [circle.height(self.mesh_points[v]) for v in t]
+        limit = circle.radius * math.tan(math.radians(min(self.target, 60)))
+        found = circle.height_of_triangle([self.mesh_points[v] for v in second])
+        if common == 3:
+            require(found * sum(heights) > 0, entry, 'has a facet on the other side')
+            require(entry['min_dihedral_angle'] < entry['surface_angle'] + TOLERANCE, entry, 'has a larger angle')
+        else:
+            require(max(map(abs, heights)) < limit * (1 + TOLERANCE), entry, 'is not low')
+        require(abs(found) < limit and math.isclose(abs(found), entry['distance'], rel_tol=TOLERANCE),
+                entry, 'has a gap of', found)
+        allowed = math.degrees(math.atan2(abs(found), circle.radius))
+        require(abs(allowed - entry['surface_angle']) < TOLERANCE, entry, 'has a gap that allows', allowed)
+
+    def check_flat(self, entry, t, angles):
+        first, second = (set(facet['points']) for facet in entry['facets'])
+        require(first < set(t) and second < set(t) and first != second, entry, 'has other facets')
+        found = angles[frozenset(first & second)]
+        require(abs(found - entry['surface_angle']) < TOLERANCE and found > 180 - self.target, entry, 'is not flat')
+
     def check_needle(self, entry, t, angles):
         facet = entry['facets'][0]['points']
         common = len(set(facet) & set(t))
-        require(common == 3 if entry['reason'] == 'needle' else 0 < common < 3, entry, 'has another facet')
+        require(common == 3 if entry['reason'] == 'needle' else common > 0, entry, 'has another facet')
+        require(entry['reason'] != 'needle' or entry['surface_angle'] < 2 * entry['min_dihedral_angle'], entry, 'is thinner')
         found = smallest_plane_angle([self.places[v] for v in facet])
         require(abs(found - entry['surface_angle']) < TOLERANCE, entry, 'has a facet with the angle', found)
 

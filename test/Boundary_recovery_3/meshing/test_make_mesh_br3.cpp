@@ -7,6 +7,7 @@
 #include "box_soup_br3.h"
 #include "mesh_validity_br3.h"
 
+#include <CGAL/Boundary_recovery_3/internal/filling/Ordinary_scale_3.h>
 #include <CGAL/Boundary_recovery_3/internal/meshing/Boundary_constrained_meshing_3.h>
 #include <CGAL/Boundary_recovery_3/internal/meshing/Hold_recovered_vertices_3.h>
 #include <CGAL/Boundary_recovery_3/mesh_quality.h>
@@ -432,6 +433,158 @@ void test_conforming()
   assert(br3_test::is_valid_mesh(scene.tr));
 }
 
+// A ball of 32 triangles, no two of which are alike, times a power of two.
+struct Uneven_ball
+{
+  explicit Uneven_ball(const int exponent)
+  {
+    const std::array<std::array<int, 3>, 6> corners = {{ {{ 1, 0, 0 }}, {{ 0, 1, 0 }}, {{ -1, 0, 0 }}, {{ 0, -1, 0 }},
+                                                         {{ 0, 0, 1 }}, {{ 0, 0, -1 }} }};
+    for(const auto& p : corners)
+      add({{ 2. * p[0], 2. * p[1], 2. * p[2] }}, exponent);
+    for(std::size_t k = 0; k < 4; ++k)
+    {
+      add_divided({{ k, (k + 1) % 4, 4 }}, corners, exponent);
+      add_divided({{ (k + 1) % 4, k, 5 }}, corners, exponent);
+    }
+  }
+
+  void add(const std::array<double, 3>& p, const int exponent)
+  {
+    const double k = static_cast<double>(points.size());
+    const double factor = std::ldexp((1 + 0.1 * std::sin(3 * k)) / std::hypot(p[0], p[1], p[2]), exponent);
+    points.emplace_back(p[0] * factor, p[1] * factor, p[2] * factor);
+  }
+
+  void add_divided(const std::array<std::size_t, 3>& t, const std::array<std::array<int, 3>, 6>& corners,
+                   const int exponent)
+  {
+    std::array<std::size_t, 3> middles; // opposite to each corner
+    for(std::size_t i = 0; i < 3; ++i)
+    {
+      const std::size_t u = t[(i + 1) % 3], v = t[(i + 2) % 3];
+      const auto known = middle_of.emplace(std::minmax(u, v), points.size());
+      if(known.second)
+        add({{ double(corners[u][0] + corners[v][0]), double(corners[u][1] + corners[v][1]),
+               double(corners[u][2] + corners[v][2]) }}, exponent);
+      middles[i] = known.first->second;
+    }
+    for(std::size_t i = 0; i < 3; ++i)
+      triangles.push_back({{ t[i], middles[(i + 2) % 3], middles[(i + 1) % 3] }});
+    triangles.push_back(middles);
+  }
+
+  std::vector<K::Point_3> points;
+  std::vector<std::array<std::size_t, 3> > triangles;
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> middle_of; // of the corners
+};
+
+// The mesh of that ball, seen at the same scale for all of them.
+struct Mesh_at_scale
+{
+  typedef CGAL::Boundary_constrained_mesh_triangulation_3<K>::type Tr;
+
+  // `size` 0: from the surface.
+  Mesh_at_scale(const int exponent, const double size, const int number_of_subdomains)
+  {
+    const Uneven_ball ball(exponent);
+    Tr tr;
+    const auto subdomains = parameters::number_of_subdomains(number_of_subdomains);
+    const auto result = size > 0
+      ? CGAL::make_boundary_constrained_mesh_3(tr, ball.points, ball.triangles, std::ldexp(size, exponent), subdomains)
+      : CGAL::make_boundary_constrained_mesh_3(tr, ball.points, ball.triangles, subdomains);
+    assert(result && br3_test::is_valid_mesh(tr));
+    forecast = result.filling.forecast_of_cells;
+    quality = result.improvement.after;
+    for(const auto v : tr.finite_vertex_handles())
+      numbers.push_back({{ std::ldexp(v->point().x(), -exponent), std::ldexp(v->point().y(), -exponent),
+                           std::ldexp(v->point().z(), -exponent), std::ldexp(v->meshing_info(), -exponent) }});
+    std::sort(numbers.begin(), numbers.end());
+    const auto certificate = BR3::quality_certificate(tr, 40);
+    for(const auto& bad : certificate.cells)
+      angles.push_back(bad.min_dihedral_angle);
+  }
+
+  double forecast;
+  BR3::Mesh_quality_3 quality;
+  std::vector<std::array<double, 4> > numbers; // coordinates, and the size
+  std::vector<double> angles;
+};
+
+void check_same_mesh(const Mesh_at_scale& extreme, const Mesh_at_scale& usual, const double tolerance)
+{
+  const auto is_same = [&](const double x, const double y) { return std::abs(x - y) <= tolerance * std::abs(y); };
+  assert(is_same(extreme.forecast, usual.forecast));
+  assert(extreme.numbers.size() == usual.numbers.size());
+  assert(extreme.angles.size() == usual.angles.size());
+  for(std::size_t i = 0; i < usual.angles.size(); ++i)
+    assert(is_same(extreme.angles[i], usual.angles[i]));
+  for(std::size_t i = 0; i < usual.numbers.size(); ++i)
+    for(std::size_t k = 0; k < 4; ++k)
+      assert(is_same(extreme.numbers[i][k], usual.numbers[i][k]));
+  assert(is_same(extreme.quality.min_dihedral_angle, usual.quality.min_dihedral_angle));
+  assert(is_same(extreme.quality.max_dihedral_angle, usual.quality.max_dihedral_angle));
+  assert(extreme.quality.number_of_cells == usual.quality.number_of_cells);
+  assert(extreme.quality.histogram == usual.quality.histogram);
+  assert(is_same(extreme.quality.share_of_edges_in_size, usual.quality.share_of_edges_in_size));
+}
+
+// Another scale, and the same points and sizes as before when it ends, with an exception, too.
+void test_ordinary_scale()
+{
+  typedef Mesh_at_scale::Tr Tr;
+  for(const int exponent : { -900, -65, 0, 64, 65, 1000 })
+  {
+    Tr tr;
+    const double unit = std::ldexp(1., exponent);
+    const std::vector<K::Point_3> points = { { unit, 0, 0 }, { 0, -unit, 0 }, { 0, 0, unit / 3 }, { 0, 0, 0 } };
+    for(const auto& p : points)
+      tr.insert(p)->set_meshing_info(unit / 5);
+    try
+    {
+      const BR3::internal::Ordinary_scale_3<Tr> scale(tr);
+      const double factor = std::abs(exponent) > 64 ? 1 / unit : 1;
+      assert(scale.factor() == factor);
+      for(const auto v : tr.finite_vertex_handles())
+        assert(v->meshing_info() == unit / 5 * factor && std::abs(v->point().x()) <= unit * factor);
+      throw std::runtime_error("stop");
+    }
+    catch(const std::runtime_error&)
+    { }
+    for(const auto v : tr.finite_vertex_handles())
+      assert(v->meshing_info() == unit / 5 && std::count(points.begin(), points.end(), v->point()) == 1);
+    assert(tr.is_valid());
+  }
+  Tr tr; // the smallest coordinate would be rounded
+  const double tiny = 3 * std::ldexp(1., -800);
+  const K::Point_3 large(1e150, 0, 0), small(0, tiny, 0);
+  tr.insert(large);
+  tr.insert(small);
+  const BR3::internal::Ordinary_scale_3<Tr> scale(tr);
+  assert(scale.factor() == 1);
+}
+
+// Products of a few lengths are no floating point numbers any more, but the mesh is the same, up to rounding errors:
+// far from 1, CGAL numbers cells in another order. So parts are others, too, if it is divided.
+void test_extreme_scales()
+{
+  for(const double size : { 0., 0.4 })
+  {
+    const Mesh_at_scale usual(0, size, 1);
+    assert(usual.numbers.size() > 18 && usual.quality.min_dihedral_angle > 10 && ! usual.angles.empty());
+    for(const int exponent : { -498, -166, 166, 365, 498 })
+      check_same_mesh(Mesh_at_scale(exponent, size, 1), usual, 1e-9);
+  }
+  const Mesh_at_scale usual(0, 0.4, 2);
+  check_same_mesh(Mesh_at_scale(166, 0.4, 2), usual, 0);
+  for(const int exponent : { -498, 365 })
+  {
+    const Mesh_at_scale extreme(exponent, 0.4, 2);
+    assert(std::abs(extreme.forecast / usual.forecast - 1) < 1e-9);
+    assert(extreme.quality.min_dihedral_angle > 10 && extreme.numbers.size() < 1.2 * double(usual.numbers.size()));
+  }
+}
+
 int main()
 {
   test_regions<K>();
@@ -446,5 +599,7 @@ int main()
   test_parts_of_edges();
   test_held_vertices();
   test_conforming();
+  test_ordinary_scale();
+  test_extreme_scales();
   std::cout << "meshes are right" << std::endl;
 }

@@ -494,6 +494,64 @@ def test_certificate():
         assert False, change
 
 
+def plates(distance):
+    """a square plate of 18 triangles on each side"""
+    points = [(x + 0.1 * (y % 2), y + 0.07 * (x % 2), z) for z in (0, distance) for y in range(4) for x in range(4)]
+    faces = []
+    for y in range(3):
+        for x in range(3):
+            p, q, r, s = (4 * y + x + k for k in (0, 1, 4, 5))
+            faces += [(p, r, q), (q, r, s), (16 + p, 16 + q, 16 + r), (16 + q, 16 + s, 16 + r)]
+    rim = [0, 1, 2, 3, 7, 11, 15, 14, 13, 12, 8, 4]
+    for p, q in zip(rim, rim[1:] + rim[:1]):
+        faces += [(p, q, 16 + p), (q, 16 + q, 16 + p)]
+    return points, faces
+
+
+def test_gaps():
+    surface = plates(0.02)
+    report = report_of(write('plates.off', off_text(*surface)), '-o', 'plates.mesh', status=MESHED)
+    bad = check_certificate('plates.mesh', report, surface)
+    gaps = [entry for entry in bad if entry['reason'] == 'gap']
+    assert len(gaps) == report['improvement']['number_of_gap'] > 36 and {len(entry['facets']) for entry in gaps} == {2}
+    process = run('plates.off', status=MESHED)
+    words = r', gap: two triangles of the surface are 0.02 apart, which allows no more than [\d.]+ degrees$'
+    assert re.search(words, process.out, re.M), process.out
+
+    position = bad.index(gaps[0])
+    for change in ({'distance': 0.03}, {'surface_angle': 3}, {'reason': 'needle'}, {'facets': gaps[0]['facets'][::-1]},
+                   {'facets': [gaps[0]['facets'][0], {'triangle': 40, 'points': surface[1][40]}]}):
+        wrong = copy.deepcopy(report)
+        wrong['improvement']['bad_tetrahedra'][position].update(change)
+        try:
+            check_certificate('plates.mesh', wrong, surface)
+        except Wrong:
+            continue
+        assert False, change
+
+
+def test_extreme_scales():
+    """all figures are those of the same surface of an ordinary size"""
+    points, faces = grid_box(2)
+    keys = ('number_of_points', 'number_of_tetrahedra', 'tetrahedra_with_angle_below', 'tetrahedra_with_angle_above',
+            'histogram_of_dihedral_angles', 'number_of_edges_inside', 'number_of_edges_in_size')
+    for arguments in ((), ('--size', 0.4)):
+        reports = {}
+        for exponent in (0, -498, -166, 166, 365, 498):
+            scale = 2.0 ** exponent
+            file = write('scaled.off', off_text([[x * scale for x in p] for p in points], faces))
+            options = [repr(x * scale) if isinstance(x, float) else x for x in arguments]
+            reports[exponent] = report_of(file, *options, status=MESHED)
+            for key in keys:
+                assert reports[exponent][key] == reports[0][key], (exponent, arguments, key)
+            for key in ('min_dihedral_angle', 'max_dihedral_angle', 'mean_length_by_size', 'forecast_of_tetrahedra'):
+                assert math.isclose(reports[exponent][key], reports[0][key], rel_tol=1e-9), (exponent, arguments, key)
+        assert reports[0]['min_dihedral_angle'] > 20
+    # what cannot be done is refused with the reason
+    process = run(write('cube.off', off_text(points, faces)), '--size', '1e-120', status=INCOMPLETE)
+    assert 'it would have about 10^308 or more vertices' in process.err, process.err
+
+
 def test_no_improvement():
     name = write('plain.off', off_text(*wedge(8)))
     report = report_of(name, '--no-improvement', '--size', '1', '-o', 'plain.mesh', status=MESHED)
@@ -568,7 +626,7 @@ def test_printing():
     for words in (r'^search ', r'^field_point_insertion +\d+ +\d+ ', r'^quality_improvement +\d+ +\d+ ', r'^ *60 to +70 +[\d.]+ %', r'^edges inside: \d+, [\d.]+ %',
                   r'below 5: \d+, 10: \d+, 15: \d+, 20: \d+; above 150: \d+, 160: \d+, 170: \d+',
                   r'^improved from [\d.e-]+ and [\d.]+ degrees: \d+ edges? and \d+ facets? removed, ',
-                  r'^tetrahedra below 25 degrees: 0 forced by the surface, \d+ at needles of it, \d+ not improved',
+                  r'^tetrahedra below 25 degrees: 0 forced by the surface, 0 in gaps of it, \d+ at needles of it, \d+ not improved',
                   r'^meshed: \d+ points, \d+ field points? and 0 Steiner points among them, and \d+ tetrahedra in 1 region'):
         assert re.search(words, process.out, re.M), (words, process.out)
     assert 'no mesh is written' not in run(surface, '-o', 'printing.mesh', status=MESHED).out

@@ -247,7 +247,8 @@ void test_layers()
 }
 
 // The corners of a rectangle, one of them higher by nearly nothing: a cell between the two walls, and others above.
-void test_flat_cell_between_walls(const unsigned seed)
+// Sizes that allow no edge of the new vertex do not count then.
+void test_flat_cell_between_walls(const unsigned seed, const double size)
 {
   Improvement_options options;
   options.has_walls = false;
@@ -263,6 +264,8 @@ void test_flat_cell_between_walls(const unsigned seed)
   for(int i = 0; i < 5; ++i)
     tr.insert(Scene::Point(length * random.get_double(0.4, 0.6), random.get_double(0.4, 0.6),
                            random.get_double(1.5, 2.5)));
+  for(const Vertex_handle v : tr.finite_vertex_handles())
+    v->set_meshing_info(size);
   t.scene.select_all();
   Cell_handle flat;
   const bool is_cell = tr.is_cell(corners[0], corners[1], corners[2], corners[3], flat);
@@ -284,7 +287,8 @@ void test_flat_cell_between_walls(const unsigned seed)
 int main()
 {
   for(unsigned seed = 0; seed < 10; ++seed)
-    test_flat_cell_between_walls(seed);
+    for(const double size : { 0., 100. })
+      test_flat_cell_between_walls(seed, size);
   test_layers();
   test_random_meshes(false);
   test_random_meshes(true);

@@ -225,8 +225,16 @@ struct Scene
     for(int i = 0; i < 4; ++i)
       if(is_wall(c, i))
         needle = (std::min)(needle, plane_angle(Facet(c, i)));
+    const Gap gap = narrowest_gap(c, target);
+    const bool is_as_thin = 0.5 * needle < bad.min_dihedral_angle;
     assert(bad.reason == (forced < target ? Bad_cell_reason::forced :
-                          needle < target ? Bad_cell_reason::needle : Bad_cell_reason::not_improved));
+                          gap.height < gap.limit ? Bad_cell_reason::gap :
+                          needle < target && is_as_thin ? Bad_cell_reason::needle : Bad_cell_reason::not_improved));
+    if(bad.reason == Bad_cell_reason::gap)
+      return check_gap(bad, gap);
+    assert(std::isnan(bad.distance));
+    if(bad.reason == Bad_cell_reason::not_improved && is_flat_on_walls(c, angles, target))
+      return check_flat(bad, target);
     const int number_of_facets = bad.reason == Bad_cell_reason::forced ? 2 :
                                  bad.reason == Bad_cell_reason::needle ? 1 : check_needle_nearby(bad, target);
     assert(bad.number_of_facets() == number_of_facets);
@@ -242,6 +250,160 @@ struct Scene
       assert(bad.facets[0].first == c);
   }
 
+  // How far above the center of the inscribed circle of a facet the next wall is, and how far it has to be.
+  struct Gap
+  {
+    Facet wall, ceiling;
+    double height = std::numeric_limits<double>::infinity();
+    double limit = 0;
+    double radius = 0;
+  };
+
+  // Where the line from p in a direction meets the triangle: how far away, infinity if it does not.
+  static double distance_along(const Vector& p, const Vector& direction, const std::array<Vector, 3>& t)
+  {
+    std::array<double, 3> parts;
+    for(int i = 0; i < 3; ++i)
+      parts[i] = br3_test::scalar(direction, br3_test::cross(br3_test::minus(t[(i + 1) % 3], p),
+                                                             br3_test::minus(t[(i + 2) % 3], p)));
+    const double sum = parts[0] + parts[1] + parts[2];
+    if(sum == 0 || (std::min)({ parts[0] / sum, parts[1] / sum, parts[2] / sum }) < 0)
+      return std::numeric_limits<double>::infinity();
+    double distance = 0;
+    for(int i = 0; i < 3; ++i)
+      distance += parts[i] / sum * br3_test::scalar(direction, br3_test::minus(t[i], p));
+    return distance;
+  }
+
+  static std::array<Vector, 3> triangle(const Facet& f)
+  {
+    const auto v = BR3::internal::facet_vertices(f.first, f.second);
+    return {{ place(v[0]), place(v[1]), place(v[2]) }};
+  }
+
+  // All walls are looked at, once for each.
+  Gap gap_above(const Facet& wall, const double target) const
+  {
+    const std::array<Vector, 3> t = triangle(wall);
+    const Vector normal = br3_test::cross(br3_test::minus(t[1], t[0]), br3_test::minus(t[2], t[0]));
+    const double a = br3_test::distance(t[1], t[2]), b = br3_test::distance(t[2], t[0]);
+    const double c = br3_test::distance(t[0], t[1]);
+    Vector center, direction;
+    for(int k = 0; k < 3; ++k)
+    {
+      center[k] = (a * t[0][k] + b * t[1][k] + c * t[2][k]) / (a + b + c);
+      direction[k] = normal[k] / br3_test::length(normal);
+    }
+    if(gaps.count(wall) == 0)
+    {
+      Gap gap;
+      gap.wall = wall;
+      for(const auto& other : all_walls())
+      {
+        const double height = distance_along(center, direction, other.second);
+        if(height > 0 && height < gap.height && vertices(other.first) != vertices(wall))
+        {
+          gap.height = height;
+          gap.ceiling = other.first;
+        }
+      }
+      gaps.emplace(wall, gap);
+    }
+    Gap gap = gaps.at(wall);
+    gap.radius = br3_test::length(normal) / (a + b + c);
+    gap.limit = gap.radius * std::tan((std::min)(target, 60.) * std::acos(-1.) / 180);
+    if(gap.ceiling == Facet() || number_of_common_vertices(wall, gap.ceiling) >= 2)
+      gap.height = std::numeric_limits<double>::infinity();
+    return gap;
+  }
+
+  const std::vector<std::pair<Facet, std::array<Vector, 3> > >& all_walls() const
+  {
+    if(walls.empty())
+      for(const Cell_handle c : tr.finite_cell_handles())
+        for(int i = 0; i < 4; ++i)
+          if(contains(c) && is_wall(c, i))
+            walls.emplace_back(Facet(c, i), triangle(Facet(c, i)));
+    return walls;
+  }
+
+  static int number_of_common_vertices(const Facet& f, const Facet& g)
+  {
+    const auto v = vertices(f), w = vertices(g);
+    return static_cast<int>(std::count_if(v.begin(), v.end(), [&](const Vertex_handle u)
+    {
+      return std::find(w.begin(), w.end(), u) != w.end();
+    }));
+  }
+
+  // Above a wall of the cell, or else above the walls that are next to the cell around its edges, if it is low there.
+  Gap narrowest_gap(const Cell_handle c, const double target) const
+  {
+    Gap narrowest;
+    const auto look_at = [&](const Gap& gap)
+    {
+      if(gap.height < gap.limit && gap.height < narrowest.height)
+        narrowest = gap;
+    };
+    for(int i = 0; i < 4; ++i)
+      if(is_wall(c, i))
+        look_at(gap_above(Facet(c, i), target));
+    if(narrowest.height < narrowest.limit)
+      return narrowest;
+    for(int i = 0; i < 4; ++i)
+      for(int j = i + 1; j < 4; ++j)
+      {
+        std::array<Facet, 2> walls;
+        angle_between_walls(c, i, j, walls);
+        for(const Facet& wall : walls)
+          if(wall != Facet() && wall.first != c && is_low(c, gap_above(wall, target)))
+            look_at(gap_above(wall, target));
+      }
+    return narrowest;
+  }
+
+  bool is_low(const Cell_handle c, const Gap& gap) const
+  {
+    const std::array<Vector, 3> t = triangle(gap.wall);
+    const Vector normal = br3_test::cross(br3_test::minus(t[1], t[0]), br3_test::minus(t[2], t[0]));
+    const Corners p = corners(c);
+    return std::all_of(p.begin(), p.end(), [&](const Vector& q)
+    {
+      return std::abs(br3_test::scalar(normal, br3_test::minus(q, t[0]))) < gap.limit * br3_test::length(normal);
+    });
+  }
+
+  void check_gap(const Bad_cell& bad, const Gap& gap) const
+  {
+    assert(bad.number_of_facets() == 2 && is_near(bad.distance, gap.height));
+    assert(is_near(gap_above(bad.facets[0], 1).height, gap.height)); // maybe another one, in a tie
+    assert(bad.surface_angle < 60.001 && bad.distance < gap.limit);
+    if(bad.facets[0].first == bad.cell)
+      assert(bad.min_dihedral_angle < bad.surface_angle + 1e-6); // that is what is proved
+    assert(number_of_common_vertices(bad.facets[0], bad.facets[1]) < 2);
+    if(bad.facets[0] == gap.wall)
+      assert(vertices(bad.facets[1]) == vertices(gap.ceiling)
+             && is_near(bad.surface_angle, std::atan2(gap.height, gap.radius) * 180 / std::acos(-1.)));
+  }
+
+  // Whether two walls of the cell are nearly in a plane; the angles are at the edges 01, 02, 03, 12, 13, 23.
+  bool is_flat_on_walls(const Cell_handle c, const std::array<double, 6>& angles, const double target) const
+  {
+    bool is_flat = false;
+    for(int i = 0, k = 0; i < 4; ++i)
+      for(int j = i + 1; j < 4; ++j, ++k) // the facets at this edge are opposite to the other two vertices
+        is_flat = is_flat || (angles[5 - k] > 180 - target && is_wall(c, i) && is_wall(c, j));
+    return is_flat;
+  }
+
+  void check_flat(const Bad_cell& bad, const double target) const
+  {
+    assert(bad.number_of_facets() == 2 && bad.surface_angle > 180 - target);
+    for(const Facet& f : bad.facets)
+      assert(f.first == bad.cell && is_wall(bad.cell, f.second));
+    assert(vertices(bad.facets[0]) != vertices(bad.facets[1]));
+  }
+
   // That the sharpest one of all needles is named that have an edge of the cell, or else a vertex. Returns 1, or 0 if
   // there is none.
   int check_needle_nearby(const Bad_cell& bad, const double target) const
@@ -251,15 +413,13 @@ struct Scene
       for(int i = 0; i < 4; ++i)
         if(contains(c) && is_wall(c, i))
         {
-          const int n = number_of_common_vertices(bad.cell, Facet(c, i));
-          assert(n < 3 || ! (plane_angle(Facet(c, i)) < target));
-          if(n < 3)
-            sharpest[n] = (std::min)(sharpest[n], plane_angle(Facet(c, i)));
+          const int n = (std::min)(2, number_of_common_vertices(bad.cell, Facet(c, i)));
+          sharpest[n] = (std::min)(sharpest[n], plane_angle(Facet(c, i)));
         }
     const int n = sharpest[2] < target ? 2 : sharpest[1] < target ? 1 : 0;
     assert(n == 0 ? std::isnan(bad.surface_angle) : is_near(bad.surface_angle, sharpest[n]));
     if(n > 0)
-      assert(number_of_common_vertices(bad.cell, bad.facets[0]) == n
+      assert((std::min)(2, number_of_common_vertices(bad.cell, bad.facets[0])) == n
              && is_near(plane_angle(bad.facets[0]), bad.surface_angle) && contains(bad.facets[0].first));
     return n > 0 ? 1 : 0;
   }
@@ -333,6 +493,8 @@ struct Scene
 
   Tr tr;
   Selection selection; // empty: all cells
+  mutable std::map<Facet, Gap> gaps; // that were asked for
+  mutable std::vector<std::pair<Facet, std::array<Vector, 3> > > walls; // once they were
 };
 
 // Points of a lattice in random places, so that cells are of all kinds, in two regions and outside of them.
@@ -445,6 +607,48 @@ void test_needle()
   assert(number == 1);
 }
 
+// Two plates that are 0.02 apart: all cells are in the gap between them, whichever of their vertices is on which plate.
+void test_gap()
+{
+  std::vector<Vector> points;
+  for(const double z : { 0., 0.02 })
+    for(int i = 0; i < 9; ++i)
+      points.push_back({{ i % 3 + (i == 4 ? 0.1 : 0), i / 3 + (i == 4 ? 0.2 : 0), z }});
+  const Scene<K> scene = hull_scene(points);
+  const auto certificate = BR3::quality_certificate(scene.tr, 5);
+  assert(certificate.cells.size() >= 8);
+  assert(certificate.number_of_cells(Bad_cell_reason::gap) == certificate.cells.size());
+  bool has_cell_on_edges = false;
+  for(const auto& bad : certificate.cells)
+  {
+    assert(is_near(bad.distance, 0.02) && bad.surface_angle < 5);
+    has_cell_on_edges = has_cell_on_edges || bad.facets[0].first != bad.cell;
+  }
+  assert(has_cell_on_edges);
+  std::ostringstream os;
+  os << certificate;
+  assert(os.str().find(" gap") != std::string::npos);
+  // there is room enough for one degree
+  assert(BR3::quality_certificate(scene.tr, 1).number_of_cells(Bad_cell_reason::gap) == 0);
+}
+
+// A cell on two triangles that are nearly in a plane: they are named, though their plane angles are below the target.
+void test_flat_walls()
+{
+  const double h = 1e-9;
+  const Scene<K> scene = hull_scene({ {{ -1, 0, -h }}, {{ 1, 0, -h }}, {{ 0, 1, 0 }}, {{ 0, -1, 0 }},
+                                      {{ 0.1, 0.2, 2 }} });
+  const auto certificate = BR3::quality_certificate(scene.tr, 50);
+  assert(! certificate.cells.empty());
+  const auto& bad = certificate.cells[0];
+  assert(bad.min_dihedral_angle < 1e-6 && bad.reason == Bad_cell_reason::not_improved);
+  assert(bad.number_of_facets() == 2 && bad.surface_angle > 179.999);
+  const auto v = Scene<K>::vertices(bad.facets[0]), w = Scene<K>::vertices(bad.facets[1]);
+  for(const auto& facet : { v, w })
+    for(const auto u : facet)
+      assert(u->point().z() <= 0);
+}
+
 // A flat cell of four points inside.
 void test_sliver()
 {
@@ -540,6 +744,8 @@ int main()
 #endif
   test_wedge();
   test_needle();
+  test_gap();
+  test_flat_walls();
   test_sliver();
   test_results();
   std::cout << "certificates are right" << std::endl;

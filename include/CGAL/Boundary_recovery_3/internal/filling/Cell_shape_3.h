@@ -54,18 +54,21 @@ struct Cell_shape_3
   }
 };
 
-// The corners in a unit in which the longest edge is about 1, as seen from the first corner.
+inline Cell_corners_3 multiplied(Cell_corners_3 p, const double factor)
+{
+  for(Coordinates_3& corner : p)
+    for(double& x : corner)
+      x *= factor;
+  return p;
+}
+
+// The corners in a unit in which the longest edge is about 1. Nothing is rounded.
 inline Cell_corners_3 scaled_corners(const Cell_corners_3& p)
 {
   double largest = 0;
   for(int i = 1; i < 4; ++i)
     largest = (std::max)(largest, internal::largest_coordinate(difference(p[i], p[0])));
-  const double unit = 1 / internal::binary_scale(largest);
-  Cell_corners_3 scaled;
-  for(int i = 0; i < 4; ++i)
-    for(int j = 0; j < 3; ++j)
-      scaled[i][j] = (p[i][j] - p[0][j]) * unit;
-  return scaled;
+  return internal::multiplied(p, 1 / internal::binary_scale(largest));
 }
 
 } // namespace internal

@@ -15,6 +15,7 @@
 #include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_result_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Fill_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Forecast_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Ordinary_scale_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Region_sizes_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Wall_sizes_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
@@ -61,6 +62,8 @@ public:
 
   Result operator()(const std::size_t max_number_of_vertices, const double maximum_running_time)
   {
+    const Ordinary_scale_3<Tr> scale(m_tr);
+    m_sizes.set_scale(scale.factor());
     m_context.set_maximum_running_time(maximum_running_time);
     if(m_tr.dimension() == 3 && is_possible(max_number_of_vertices))
       run(Meshing_phase::field_point_insertion, [&] { fill(max_number_of_vertices); });
@@ -70,6 +73,8 @@ public:
   // The forecast, and whether that many cells are possible, without the filling.
   Result forecast_only(const std::size_t max_number_of_vertices, const double maximum_running_time)
   {
+    const Ordinary_scale_3<Tr> scale(m_tr);
+    m_sizes.set_scale(scale.factor());
     m_context.set_maximum_running_time(maximum_running_time);
     if(m_tr.dimension() == 3)
       is_possible(max_number_of_vertices);

@@ -159,6 +159,9 @@ public:
     return likely;
   }
 
+  // The mesh is larger by this power of two than the field knows it.
+  void set_scale(const double scale) { m_query.set_scale(scale); }
+
   // By how much sizes grow per length, at most; maybe infinite.
   double gradation() const { return m_query.gradation(); }
 

@@ -182,7 +182,7 @@ public:
     if(! m_is_valid)
       return std::numeric_limits<double>::quiet_NaN();
     ++m_number_of_queries;
-    return check(p, ask(p, dimension, index));
+    return m_scale == 1 ? check(p, ask(p, dimension, index)) : scaled_size(p, dimension, index);
   }
 
   // A number that no size within a distance of p is below; 0 if nobody knows, or if the field throws, as it will where
@@ -192,13 +192,16 @@ public:
     ++m_number_of_queries;
     try
     {
-      return internal::least_size_around<FT>(m_field, p, radius, index);
+      return m_scale * internal::least_size_around<FT>(m_field, place_in_field(p), radius / m_scale, index);
     }
     catch(...)
     {
       return 0;
     }
   }
+
+  // From now on, places and sizes are larger by this power of two than the field knows them.
+  void set_scale(const double scale) { m_scale = scale; }
 
   // Whether the field had a size wherever it was asked.
   bool is_valid() const { return m_is_valid; }
@@ -212,6 +215,21 @@ public:
   std::size_t number_of_queries() const { return m_number_of_queries; }
 
 private:
+  Point_3 place_in_field(const Point_3& p) const
+  {
+    const FT f(1 / m_scale);
+    return m_scale == 1 ? p : Point_3(p.x() * f, p.y() * f, p.z() * f);
+  }
+
+  // The largest number stays what it is, since it has a meaning of its own; no other size leaves the range of numbers.
+  double scaled_size(const Point_3& p, const int dimension, const int index)
+  {
+    typedef std::numeric_limits<double> Limits;
+    const Point_3 q = place_in_field(p);
+    const double size = check(q, ask(q, dimension, index));
+    return size < (Limits::max)() ? (std::max)((Limits::min)(), (std::min)((Limits::max)(), size * m_scale)) : size;
+  }
+
   // NaN if the field throws.
   double ask(const Point_3& p, const int dimension, const int index)
   {
@@ -239,6 +257,7 @@ private:
   }
 
   const Field& m_field;
+  double m_scale = 1;
   bool m_is_valid = true;
   Invalid_size_3<Point_3> m_invalid = Invalid_size_3<Point_3>();
   std::size_t m_number_of_queries = 0;

@@ -331,7 +331,8 @@ private:
         continue;
       const auto improvement = hole.triangulation->improve(m_options.target_angle);
       m_result.status = improvement.status;
-      hole.numbers_of_bad_cells = {{ improvement.certificate.number_of_cells(Bad_cell_reason::forced),
+      hole.numbers_of_bad_cells = {{ improvement.certificate.number_of_cells(Bad_cell_reason::forced)
+                                       + improvement.certificate.number_of_cells(Bad_cell_reason::gap),
                                      improvement.certificate.number_of_cells(Bad_cell_reason::needle),
                                      improvement.certificate.number_of_cells(Bad_cell_reason::not_improved) }};
       for(const std::size_t v : hole.triangulation->vertices_of_bad_cells(improvement, m_options.min_dihedral_angle))

@@ -16,6 +16,7 @@
 #include <CGAL/Boundary_recovery_3/internal/filling/Region_sizes_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Cell_replacement.h>
+#include <CGAL/Boundary_recovery_3/internal/numbers/binary_scale.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Mesh_part_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Split_part_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/partition_graph.h>
@@ -135,10 +136,11 @@ private:
     for(const Cell_handle c : m_cells)
     {
       const auto corners = internal::corners(c);
-      const Cell_shape_3 shape(corners);
       const Coordinates_3 p = internal::centroid(corners);
-      const double h = query(typename Tr::Geom_traits::Point_3(p[0], p[1], p[2]), 3,
-                             Region_sizes_3<Tr, SizingField>::region(c));
+      const double size = query(typename Tr::Geom_traits::Point_3(p[0], p[1], p[2]), 3,
+                                Region_sizes_3<Tr, SizingField>::region(c));
+      const double unit = internal::binary_scale(size), h = size / unit;
+      const Cell_shape_3 shape(internal::multiplied(corners, 1 / unit));
       graph.begin_node(1 + (h > 0 ? std::sqrt(2.) * shape.volume_times_6 / (h * h * h) : 0));
       for(int i = 0; i < 4; ++i)
         if(numbers.is_defined(c->neighbor(i)))

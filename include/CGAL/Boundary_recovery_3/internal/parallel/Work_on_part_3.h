@@ -15,6 +15,7 @@
 #include <CGAL/Boundary_recovery_3/Mesh_quality_3.h>
 #include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Field_point_insertion_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Ordinary_scale_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/distances_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/tetrahedron_edges.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Mesh_part_3.h>
@@ -168,6 +169,7 @@ private:
       report.before = Measure_quality_3<Tr, Domain>(tr, domain)(
         [](const typename Tr::Cell_handle, const Cell_angles_3&) { },
         [&context] { return context.can_finish_after_short_step(); });
+    const Ordinary_scale_3<Tr> scale(tr);
     Improve_domain_3<Tr, Domain, Quality, Visitor> improve_domain(tr, domain, m_quality, context);
     if(! round.works_on_parts())
       improve_domain.be_strict();

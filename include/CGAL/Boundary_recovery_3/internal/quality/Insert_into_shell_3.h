@@ -79,6 +79,7 @@ private:
   static constexpr double least_angle = 120;
   static constexpr std::size_t max_number_of_cells = 100;
   static constexpr double tolerated_loss = 2;
+  static constexpr double numerically_flat = 1e-9;
 
   // That of the edge k of a cell, with the new vertex at p. Returns false if a wall is at the edge, or the shell is too
   // large.
@@ -108,7 +109,14 @@ private:
       faces.push_back(f.vertices);
     const auto deepest = internal::deepest_point(m_mesh.triangulation(), faces, p);
     return deepest && Mesh::is_far_better(m_cavity.move_point_from(*deepest), m_cavity.worst_quality())
-        && m_cavity.gain() > - tolerated_loss && m_cavity.is_in_size() && m_cavity.is_star();
+        && is_bearable() && m_cavity.is_star();
+  }
+
+  // Where a cell has no volume but for rounding errors, neither lengths of edges count nor the other cells.
+  bool is_bearable()
+  {
+    const bool is_in_size = m_cavity.is_in_size(); // which also finds the size of the vertex
+    return m_cavity.worst_quality() < numerically_flat || (is_in_size && m_cavity.gain() > - tolerated_loss);
   }
 
   Mesh& m_mesh;

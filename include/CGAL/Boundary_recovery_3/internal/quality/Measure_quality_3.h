@@ -13,12 +13,13 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/Mesh_quality_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Cell_shape_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Vertex_sizes_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/distances_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Edge_walk_3.h>
+#include <CGAL/Boundary_recovery_3/internal/numbers/binary_scale.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Cell_angles_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/Cell_shape_3.h>
 
 #include <CGAL/number_utils.h>
 
@@ -101,15 +102,17 @@ private:
 
   void add_edges(const Cell_handle c, const Cell_corners_3& corners, const Cell_angles_3& angles)
   {
-    const std::array<double, 4> sizes = {{ size(c->vertex(0)), size(c->vertex(1)),
-                                           size(c->vertex(2)), size(c->vertex(3)) }};
+    const double factor = 1 / internal::binary_scale(size(c->vertex(0))); // squares would leave their range
+    const Cell_corners_3 places = internal::multiplied(corners, factor);
+    const std::array<double, 4> sizes = {{ factor * size(c->vertex(0)), factor * size(c->vertex(1)),
+                                           factor * size(c->vertex(2)), factor * size(c->vertex(3)) }};
     for(int k = 0; k < 6; ++k)
     {
       const int u = edges_of_cell[k][0], v = edges_of_cell[k][1];
       if(! (sizes[u] > 0 && sizes[v] > 0))
         continue;
       const double part = part_of_inner_edge(c, k, angles);
-      const double sum = sizes[u] + sizes[v], square = internal::squared_distance(corners[u], corners[v]);
+      const double sum = sizes[u] + sizes[v], square = internal::squared_distance(places[u], places[v]);
       const double square_of_mean = sum * sum / 4;
       m_number_of_edges += part;
       m_number_of_edges_in_size += square >= 0.5 * square_of_mean && square <= 2 * square_of_mean ? part : 0;

@@ -14,6 +14,7 @@
 
 #include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_result_3.h>
 #include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Ordinary_scale_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Cell_angles_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Explain_bad_cells_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Improve_domain_3.h>
@@ -21,6 +22,7 @@
 #include <CGAL/Boundary_recovery_3/internal/quality/sum_of_qualities.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 
+#include <optional>
 #include <utility>
 
 namespace CGAL {
@@ -67,27 +69,41 @@ public:
   }
 
 private:
+  typedef std::optional<Mesh_quality_3> Figures; // none if there was no time
+
   void improve(const double min_dihedral_angle)
   {
-    Measure_quality_3<Tr, Domain> measure_before(m_tr, m_domain), measure_after(m_tr, m_domain);
-    Improve_domain_3<Tr, Domain, Quality, Visitor> improve_domain(m_tr, m_domain, m_quality, m_context);
-    improve_domain.set_target(min_dihedral_angle);
-    const auto can_finish = [this] { return m_context.can_finish_after_short_step(); };
-    const auto before = measure_before([&](const Cell_handle c, const Cell_angles_3&) { improve_domain.add(c); },
-                                       can_finish);
-    const bool is_begun = m_context.go_further();
-    if(is_begun)
-      improve_domain();
-    m_result.counts = improve_domain.counts();
+    bool is_begun = false;
+    const Figures before = change_mesh(min_dihedral_angle, is_begun);
     const bool is_done = ! m_context.is_stopped();
     Explain_bad_cells_3<Tr, Domain> explain(m_tr, m_domain, min_dihedral_angle);
-    const auto after = measure_after([&](const Cell_handle c, const Cell_angles_3& angles) { explain.add(c, angles); },
-                                     can_finish);
+    const Figures after = measure([&](const Cell_handle c, const Cell_angles_3& angles) { explain.add(c, angles); });
     if(before)
       m_result.before = *before;
     internal::set_last_figures(m_result, after || is_begun ? after : before);
     m_result.certificate = explain.certificate(bool(after));
     m_result.status = is_done && after ? Meshing_status::meshed : Meshing_status::stopped;
+  }
+
+  // Returns the figures before the first change.
+  Figures change_mesh(const double min_dihedral_angle, bool& is_begun)
+  {
+    const Ordinary_scale_3<Tr> scale(m_tr);
+    Improve_domain_3<Tr, Domain, Quality, Visitor> improve_domain(m_tr, m_domain, m_quality, m_context);
+    improve_domain.set_target(min_dihedral_angle);
+    const Figures before = measure([&](const Cell_handle c, const Cell_angles_3&) { improve_domain.add(c); });
+    is_begun = m_context.go_further();
+    if(is_begun)
+      improve_domain();
+    m_result.counts = improve_domain.counts();
+    return before;
+  }
+
+  template <typename Examine>
+  Figures measure(const Examine& examine)
+  {
+    return Measure_quality_3<Tr, Domain>(m_tr, m_domain)(
+      examine, [this] { return m_context.can_finish_after_short_step(); });
   }
 
   Meshing_phase_report report() const
