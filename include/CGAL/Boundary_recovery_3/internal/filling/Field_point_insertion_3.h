@@ -84,6 +84,8 @@ public:
   // The forecast of a mesh which has so many field points already, and is to get more of them.
   Result forecast_of_unfinished(const std::size_t number_of_field_points)
   {
+    const Ordinary_scale_3<Tr> scale(m_tr);
+    m_sizes.set_scale(scale.factor());
     m_result.number_of_field_points = number_of_field_points;
     forecast();
     m_result.forecast_of_vertices = (std::max)(m_result.forecast_of_vertices,
