@@ -16,6 +16,7 @@
 #include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/tetrahedron_edges.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -51,6 +52,7 @@ public:
   bool operator()(const Cell_handle c, const Corners& corners, const double size, const Is_done& is_done)
   {
     std::size_t tries_left = max_number_of_tries;
+    m_number_after_cell = m_number_of_questions_left - (std::min)(m_number_of_questions_left, questions_per_cell);
     m_pieces.assign(1, corners);
     while(! m_pieces.empty() && m_is_complete && tries_left > 0)
     {
@@ -81,13 +83,15 @@ private:
   static constexpr std::size_t max_number_of_tries = 8;
   static constexpr std::size_t least_number_of_questions = 100000;
   static constexpr std::size_t questions_per_vertex = 2000;
+  static constexpr std::size_t questions_per_cell = 10000;
 
   // Whether sizes are large enough in a ball. The search is given up if the field tells no bound even of the size at
   // the center, or if no question is left.
   bool is_certain(const Coordinates_3& center, const double radius, const int region, const double size)
   {
     const double least = m_sizes.least_size_around(center, radius, region);
-    m_is_complete = m_number_of_questions_left-- > 0 && (least > 0 || m_sizes.least_size_around(center, 0, region) > 0);
+    m_is_complete = m_number_of_questions_left-- > m_number_after_cell
+                    && (least > 0 || m_sizes.least_size_around(center, 0, region) > 0);
     return least >= certain * size;
   }
 
@@ -105,6 +109,7 @@ private:
   Sizes& m_sizes;
   std::vector<Corners> m_pieces; // that have to be looked at
   std::size_t m_number_of_questions_left = least_number_of_questions;
+  std::size_t m_number_after_cell = 0; // of questions that have to be left then
   bool m_is_complete = true;
 };
 
