@@ -476,7 +476,7 @@ void test_unresolved_fields()
   const K::Point_3 outside(9, 9, 9);
   assert(! is_seen(1., outside, true));
   const Graded_spot steep{ { outside, 1e6 } };
-  assert(! is_seen(steep, outside, false) && steep.number_of_questions < 100000);
+  assert(! is_seen(steep, outside, false) && steep.number_of_questions < 1000000);
   assert(! is_seen(BR3::make_minimum_sizing_field<K>(Spot{ outside, 1 }, 1.), outside, false));
   assert(! is_seen([](const K::Point_3&) { return 1.; }, outside, false));
 }

@@ -84,7 +84,7 @@ double distance(const Source& s, const Point_3& p)
 }
 
 // as it is documented; the smallest one within a distance of the point
-double size_around(const Source& s, const Point_3& p, const double radius)
+double size_around(const Source& s, const Point_3& p, const double radius = 0)
 {
   const double d = distance(s, p) - radius, beyond = (std::max)(0., d - s.radius());
   return s.growth().is_linear() ? s.size() + s.growth().value() * beyond

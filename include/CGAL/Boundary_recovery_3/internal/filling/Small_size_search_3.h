@@ -83,7 +83,7 @@ private:
   static constexpr std::size_t max_number_of_tries = 8;
   static constexpr std::size_t least_number_of_questions = 100000;
   static constexpr std::size_t questions_per_vertex = 2000;
-  static constexpr std::size_t questions_per_cell = 10000;
+  static constexpr std::size_t questions_per_cell = 100000;
 
   // Whether sizes are large enough in a ball. The search is given up if the field tells no bound even of the size at
   // the center, or if no question is left.
