@@ -22,8 +22,12 @@
 
 #include <boost/container/small_vector.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <iterator>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -36,6 +40,8 @@ namespace internal {
  * The walk is always in one of three states: at the start vertex, in the interior of a mesh edge, or in the interior of
  * a mesh facet. It lists the edges and facets that it crosses, in their order along the segment. A facet in whose plane
  * the segment runs is not listed; its edges that are crossed are. It ends at the target, or at a vertex in the way.
+ * It starts at the other vertex, and what it finds is turned around, if the start has so many cells that it takes long
+ * to find the first one: else each edge of a fan costs as much as the fan has edges.
  */
 template <typename Tr>
 class Segment_walk_3
@@ -56,17 +62,22 @@ public:
 
   Segment_walk_3(const Tr& tr, const Predicates& predicates) : m_tr(tr), m_predicates(predicates) { }
 
-  Outcome operator()(const Vertex_handle u, const Vertex_handle v)
+  Outcome operator()(const Vertex_handle u, const Vertex_handle v) { return (*this)(u, v, std::size_t(-1)); }
+
+  // The same, but it goes no further when there are so many crossings; they are at one of both ends then.
+  Outcome operator()(const Vertex_handle u, const Vertex_handle v, const std::size_t max_number_of_crossings)
   {
     m_u = u;
     m_v = v;
     m_crossings.clear();
-    m_blocking_vertex = Vertex_handle();
-    Outcome outcome = CROSSED;
-    bool is_finished = leave_start(outcome);
-    while(! is_finished)
-      is_finished = m_crossings.back().dimension == 2 ? leave_facet(outcome) : leave_edge(outcome);
-    return outcome;
+    std::optional<Cell_handle> first = walk_around_start();
+    if(first)
+      return walk(*first, max_number_of_crossings);
+    std::swap(m_u, m_v);
+    first = walk_around_start();
+    const Outcome outcome = first ? walk(*first, max_number_of_crossings) : BLOCKED;
+    turn_around();
+    return outcome == BLOCKED ? walk(search_star_of_start(), max_number_of_crossings) : outcome;
   }
 
   Outcome operator()(const std::array<Vertex_handle, 2>& uv) { return (*this)(uv[0], uv[1]); }
@@ -77,11 +88,35 @@ public:
   Vertex_handle blocking_vertex() const { return m_blocking_vertex; }
 
 private:
+  Outcome walk(const Cell_handle first, const std::size_t max_number_of_crossings)
+  {
+    m_crossings.clear();
+    m_blocking_vertex = Vertex_handle();
+    Outcome outcome = CROSSED;
+    bool is_finished = leave_start(first, outcome);
+    while(! is_finished && m_crossings.size() < max_number_of_crossings)
+      is_finished = m_crossings.back().dimension == 2 ? leave_facet(outcome) : leave_edge(outcome);
+    return outcome;
+  }
+
+  // What was found on the way from v to u, as if it were found on the way from u to v.
+  void turn_around()
+  {
+    std::swap(m_u, m_v);
+    std::reverse(m_crossings.begin(), m_crossings.end());
+    for(Crossing& crossing : m_crossings)
+      if(crossing.dimension == 2)
+      {
+        const Cell_handle c = crossing.cell;
+        crossing.cell = c->neighbor(internal::index_of_opposite_vertex(c, crossing.vertices));
+        std::swap(crossing.vertices[1], crossing.vertices[2]);
+      }
+  }
+
   // All of these return true when the walk has come to its end.
 
-  bool leave_start(Outcome& outcome)
+  bool leave_start(const Cell_handle c, Outcome& outcome)
   {
-    const Cell_handle c = find_first_cell();
     if(c == Cell_handle())
     {
       outcome = IS_EDGE;
@@ -97,10 +132,11 @@ private:
     return cross(ends, c, outcome);
   }
 
-  // A cell at u whose closed cone contains the direction to v, or none if uv is a mesh edge.
-  Cell_handle find_first_cell()
+  // A cell at u whose closed cone contains the direction to v, or the default handle if uv is a mesh edge. A walk
+  // around u settles nearly all cases in a few steps; it may run in circles where the mesh is not Delaunay, and take
+  // long where many cells are at u. Then there is no answer.
+  std::optional<Cell_handle> walk_around_start()
   {
-    // A walk around u settles nearly all cases in a few steps; it may run in circles where the mesh is not Delaunay.
     static constexpr int max_number_of_steps = 32;
     Cell_handle c = m_u->cell();
     if(m_tr.is_infinite(c))
@@ -115,6 +151,12 @@ private:
       c = c->neighbor(k);
       CGAL_assertion(! m_tr.is_infinite(c));
     }
+    return std::nullopt;
+  }
+
+  // The same for certain, in time that grows with the number of cells at u.
+  Cell_handle search_star_of_start()
+  {
     m_star.clear();
     m_tr.incident_cells(m_u, std::back_inserter(m_star));
     for(const Cell_handle s : m_star)
