@@ -552,7 +552,7 @@ void test_fans_of_cocircular_points()
   const auto soup = fans_of_cocircular_points(302);
   Tr tr;
   const auto result = CGAL::recover_boundary(tr, soup.points, soup.triangles);
-  check_account(tr, soup, result);
+  check_facets(tr, soup, result);
   assert(result.status == Recovery_status::recovered);
   assert(result.number_of_constraint_points < 80);
   assert(result.number_of_shell_transformations < 20000);
