@@ -23,6 +23,8 @@
 #include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
 #include <CGAL/Shell_transformation_3.h>
 
+#include <CGAL/Unique_hash_map.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -75,7 +77,7 @@ public:
     {
       before = m_lost.size();
       sort_lost([](const auto& /* crossings */) { });
-      if(is_tangled())
+      if(are_tangled_fans())
         break; // the first calling begins with the edges that cross least
       pass(phase, st, m_target_validity, 0);
     }
@@ -134,8 +136,10 @@ private:
   static constexpr std::size_t work_per_shell = 10;
   static constexpr std::size_t work_per_crossing = N == 2 ? 1 : 10;
 
-  // Mesh entities that lost edges cross each, on an average, from which on it matters in which order they come back.
-  static constexpr std::size_t min_number_of_crossings_of_tangle = 4;
+  // On an average, the mesh entities that lost edges of fans cross each, and the lost edges at one end of each, from
+  // which on it matters in which order they come back.
+  static constexpr std::size_t min_number_of_crossings_of_fan = 4;
+  static constexpr std::size_t min_number_of_edges_of_fan = 4;
 
   static constexpr std::size_t never = std::size_t(-1);
   static constexpr std::size_t no_limit = std::size_t(-1);
@@ -170,13 +174,22 @@ private:
     m_max_number_of_shells = max_number_of_shells;
   }
 
-  // Whether the lost edges, in the order that was found last, cross many mesh entities each.
-  bool is_tangled() const
+  // Whether the lost edges, in the order that was found last, are those of tangled fans: on an average, they cross many
+  // mesh entities, and meet many lost edges at one of their ends.
+  bool are_tangled_fans() const
   {
-    std::size_t number_of_crossings = 0;
+    Unique_hash_map<Vertex_handle, std::size_t> numbers_at_ends(0); // for looking up only
     for(const auto& crossings_and_index : m_order)
-      number_of_crossings += crossings_and_index.first;
-    return number_of_crossings > min_number_of_crossings_of_tangle * m_order.size();
+      for(const Vertex_handle v : all()[crossings_and_index.second])
+        ++numbers_at_ends[v];
+    std::size_t number_of_crossings = 0, number_of_neighbors = 0;
+    for(const auto& [crossings, i] : m_order)
+    {
+      number_of_crossings += crossings;
+      number_of_neighbors += (std::max)(numbers_at_ends[all()[i][0]], numbers_at_ends[all()[i][1]]);
+    }
+    return number_of_crossings > min_number_of_crossings_of_fan * m_order.size()
+        && number_of_neighbors > min_number_of_edges_of_fan * m_order.size();
   }
 
   // In a polygon of many vertices, the edges of a fan cross many mesh edges each. Whoever removes these as they come
@@ -191,7 +204,7 @@ private:
   {
     start(max_number_of_shells_per_constraint * (m_lost.size() + 20));
     sort_lost([](const auto& /* crossings */) { });
-    if(! is_tangled())
+    if(! are_tangled_fans())
       return;
     std::mt19937 random;
     for(const std::size_t max_number_of_crossings : { 1, 2 })
