@@ -484,7 +484,7 @@ struct Mesh_at_scale
 {
   typedef CGAL::Boundary_constrained_mesh_triangulation_3<K>::type Tr;
 
-  // `size` 0: from the surface.
+  // `size` 0: the smallest one of the surface.
   Mesh_at_scale(const int exponent, const double size, const int number_of_subdomains)
   {
     const Uneven_ball ball(exponent);
@@ -492,7 +492,7 @@ struct Mesh_at_scale
     const auto subdomains = parameters::number_of_subdomains(number_of_subdomains);
     const auto result = size > 0
       ? CGAL::make_boundary_constrained_mesh_3(tr, ball.points, ball.triangles, std::ldexp(size, exponent), subdomains)
-      : CGAL::make_boundary_constrained_mesh_3(tr, ball.points, ball.triangles, subdomains);
+      : CGAL::make_boundary_constrained_mesh_3(tr, ball.points, ball.triangles, parameters::grading(0), subdomains);
     assert(result && br3_test::is_valid_mesh(tr));
     forecast = result.filling.forecast_of_cells;
     quality = result.improvement.after;
