@@ -178,18 +178,21 @@ private:
   // mesh entities, and meet many lost edges at one of their ends.
   bool are_tangled_fans() const
   {
+    std::size_t number_of_crossings = 0, number_of_neighbors = 0;
+    for(const auto& crossings_and_index : m_order)
+      number_of_crossings += crossings_and_index.first;
+    if(number_of_crossings <= min_number_of_crossings_of_fan * m_order.size())
+      return false;
     Unique_hash_map<Vertex_handle, std::size_t> numbers_at_ends(0); // for looking up only
     for(const auto& crossings_and_index : m_order)
       for(const Vertex_handle v : all()[crossings_and_index.second])
         ++numbers_at_ends[v];
-    std::size_t number_of_crossings = 0, number_of_neighbors = 0;
-    for(const auto& [crossings, i] : m_order)
+    for(const auto& crossings_and_index : m_order)
     {
-      number_of_crossings += crossings;
-      number_of_neighbors += (std::max)(numbers_at_ends[all()[i][0]], numbers_at_ends[all()[i][1]]);
+      const Constraint& edge = all()[crossings_and_index.second];
+      number_of_neighbors += (std::max)(numbers_at_ends[edge[0]], numbers_at_ends[edge[1]]);
     }
-    return number_of_crossings > min_number_of_crossings_of_fan * m_order.size()
-        && number_of_neighbors > min_number_of_edges_of_fan * m_order.size();
+    return number_of_neighbors > min_number_of_edges_of_fan * m_order.size();
   }
 
   // In a polygon of many vertices, the edges of a fan cross many mesh edges each. Whoever removes these as they come
