@@ -72,14 +72,16 @@ public:
     return size;
   }
 
-  // a number that no size within a distance of a point is below, 0 if that is not known
+  // a number that no size within a distance of a point is below
   double least_size_around(const Point& p, const double radius, const int index) const
   {
-    double size = m_background ? 0 : m_uniform;
+    double size = m_uniform;
     if(m_surface)
       size = (std::min)(size, m_surface->least_size_around(p, radius, index));
     if(m_sources)
       size = (std::min)(size, m_sources->least_size_around(p, radius, index));
+    if(m_background)
+      size = (std::min)(size, m_background->least_size_around(p, radius, index));
     return size;
   }
 

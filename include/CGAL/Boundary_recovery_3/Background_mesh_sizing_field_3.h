@@ -36,7 +36,8 @@ namespace Boundary_recovery_3 {
  *
  * With a *grading*, sizes at vertices are made smaller, from small to large, until they grow along no edge of the mesh
  * by more than the grading times its length. Between vertices they can grow faster, if cells are thin. Hence there is
- * no member function `grading()`, which would promise that they do not.
+ * no member function `grading()`, which would promise that they do not; how small they can get near a place,
+ * `least_size_around()` tells nevertheless.
  *
  * Sizes are computed in floating point numbers, and depend on the point alone. Several threads may ask at the same
  * time.
@@ -78,6 +79,14 @@ public:
   /// returns the size at `p`, which is the same for all dimensions and indices.
   template <typename AnyIndex>
   FT operator()(const Point_3& p, const int /* dimension */, const AnyIndex& /* index */) const { return (*this)(p); }
+
+  /// returns a number that no size within a distance `radius` of `p` is below. The smaller the radius is, the nearer it
+  /// is to the size at `p`.
+  FT least_size_around(const Point_3& p, const double radius, const int /* index */) const
+  {
+    return m_is_valid ? m_interpolation.least_around(internal::coordinates_of(p), radius)
+                      : std::numeric_limits<double>::quiet_NaN();
+  }
 
 private:
   static internal::Mesh_interpolation_3 make_interpolation(const Mesh& mesh, const double grading)

@@ -220,6 +220,63 @@ void test_overlaps()
   }
 }
 
+// No size in a ball is below the number that is told, which is near the size at its center if the ball is small.
+void check_least_sizes(const Mesh& mesh, const double size, const bool is_any_precise)
+{
+  std::mt19937 rng(11);
+  const Field field(mesh);
+  int number_of_precise = 0;
+  for(int k = 0; k < 1000; ++k)
+  {
+    const Point_3 center = random_place(rng, 2 * size) - typename Kernel::Vector_3(size, size, size) / 2;
+    const double radius = size * std::pow(2., -30 * random_number(rng)), at_center = field(center);
+    const double least = field.least_size_around(center, radius, 1);
+    assert(least > 0 && least <= at_center);
+    number_of_precise += radius < 1e-5 * size && least > .9 * at_center;
+    for(int n = 0; n < 20; ++n)
+    {
+      const Point_3 p = random_place(rng, 2) - typename Kernel::Vector_3(1, 1, 1);
+      if(CGAL::squared_distance(p, Point_3(0, 0, 0)) <= 1)
+        assert(field(center + radius * (p - Point_3(0, 0, 0))) >= least * (1 - 1e-12));
+    }
+  }
+  assert(! is_any_precise || number_of_precise > 350);
+}
+
+void test_least_sizes()
+{
+  std::mt19937 rng(10);
+  for(const double size : { 1., 1e-20, 1e30 })
+    for(const bool is_linear : { true, false })
+      check_least_sizes(random_mesh(rng, 60, size, is_linear), size, true);
+  check_least_sizes(cube(), 1, true);
+  Mesh soup = random_mesh(rng, 60, 1, false); // some are missing, others are there twice, or overlap
+  soup.tetrahedra.erase(soup.tetrahedra.begin() + 10, soup.tetrahedra.begin() + 40);
+  soup.tetrahedra.insert(soup.tetrahedra.end(), soup.tetrahedra.begin() + 10, soup.tetrahedra.begin() + 50);
+  for(std::size_t v = 0; v + 3 < 60; v += 5)
+    soup.tetrahedra.push_back({{ v, v + 1, v + 2, v + 3 }});
+  check_least_sizes(soup, 1, false);
+  Mesh invalid = soup;
+  invalid.sizes.pop_back();
+  assert(std::isnan(Field(invalid).least_size_around(Point_3(0, 0, 0), 1, 1)));
+}
+
+// Twins hide the boundary: both of the facets of the pair are of two tetrahedra. Outside, the size is that of the other
+// end of the mesh.
+void test_hidden_boundary()
+{
+  Mesh mesh;
+  for(int i = 0; i < 8; ++i)
+  {
+    mesh.points.emplace_back((i % 4 == 1) + (i < 4 ? 0 : 100), i % 4 == 2, i % 4 == 3);
+    mesh.sizes.push_back(i < 4 ? 5 : 1);
+  }
+  mesh.tetrahedra = { {{ 0, 1, 2, 3 }}, {{ 0, 1, 2, 3 }}, {{ 4, 5, 6, 7 }} };
+  const Field field(mesh);
+  assert(field(Point_3(.2, .2, .2)) == 5 && field(Point_3(-.1, .2, .2)) == 1);
+  assert(field.least_size_around(Point_3(.2, .2, .2), .3, 1) == 1);
+}
+
 // Sizes that are carried along edges until nothing changes.
 void test_grading()
 {
@@ -407,6 +464,8 @@ int main()
   test_outside();
   test_soups();
   test_overlaps();
+  test_least_sizes();
+  test_hidden_boundary();
   test_grading();
   test_reading();
   test_messages();

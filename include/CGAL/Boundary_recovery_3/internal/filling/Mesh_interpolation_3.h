@@ -36,6 +36,9 @@ namespace internal {
  *
  * Values are always between those of the vertices. The function is one of the place alone, and can be called by several
  * threads.
+ *
+ * How small values get around a place is known, too: by the smallest one of the vertices of what is near, and by the
+ * slope, which makes that precise where the neighborhood is small.
  */
 class Mesh_interpolation_3
 {
@@ -54,6 +57,8 @@ public:
     find_facets();
     m_hierarchy = order(m_tetrahedra);
     m_facet_hierarchy = order(m_facets);
+    m_least = least_values(m_hierarchy, m_tetrahedra);
+    m_least_of_facets = least_values(m_facet_hierarchy, m_facets);
   }
 
   // Infinity if there is no tetrahedron.
@@ -64,6 +69,17 @@ public:
     if(value == infinity)
       value = value_nearly_inside(q);
     return value == infinity ? value_outside(q) : value;
+  }
+
+  // A number that no value within a distance of p is below.
+  double least_around(const Coordinates_3& p, const double radius) const
+  {
+    const Coordinates_3 q = m_frame.to_frame(p);
+    const double r = m_frame.to_frame(radius) + safety;
+    const double least = least_inside(q, r);
+    if(! m_has_hidden_boundary && ! is_near_boundary(q, r) && value_inside(q) < infinity)
+      return least;
+    return (std::min)(least, least_outside(q, r));
   }
 
 private:
@@ -97,10 +113,12 @@ private:
     m_tetrahedra.push_back(t);
   }
 
+  // The vertices of the facet opposite to each one.
+  static constexpr int facets[4][3] = { { 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 }, { 0, 2, 1 } };
+
   // The volume between p, which is the origin, and the facet of t opposite to the vertex i.
   static double part(const std::array<Coordinates_3, 4>& t, const int i)
   {
-    static constexpr int facets[4][3] = { { 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 }, { 0, 2, 1 } };
     return dot_product(cross_product(t[facets[i][0]], t[facets[i][1]]), t[facets[i][2]]);
   }
 
@@ -128,23 +146,32 @@ private:
     return true;
   }
 
+  // A facet, and which side of it the tetrahedron is on.
+  typedef std::pair<Facet, bool> Sided_facet;
+
+  static Sided_facet facet_of(const Tetrahedron& t, const int i)
+  {
+    Facet f = {{ t[(i + 1) % 4], t[(i + 2) % 4], t[(i + 3) % 4] }};
+    const bool side = ((i % 2 == 1) != (f[0] > f[1])) != ((f[0] > f[2]) != (f[1] > f[2]));
+    std::sort(f.begin(), f.end());
+    return { f, side };
+  }
+
   void find_facets()
   {
-    std::vector<Facet> all;
+    std::vector<Sided_facet> all;
     for(const Tetrahedron& t : m_tetrahedra)
       for(int i = 0; i < 4; ++i)
-      {
-        Facet f = {{ t[(i + 1) % 4], t[(i + 2) % 4], t[(i + 3) % 4] }};
-        std::sort(f.begin(), f.end());
-        all.push_back(f);
-      }
+        all.push_back(facet_of(t, i));
     std::sort(all.begin(), all.end());
     for(std::size_t k = 0, next; k < all.size(); k = next)
     {
-      for(next = k + 1; next < all.size() && all[next] == all[k]; )
+      for(next = k + 1; next < all.size() && all[next].first == all[k].first; )
         ++next;
       if(next == k + 1)
-        m_facets.push_back(all[k]);
+        m_facets.push_back(all[k].first);
+      else if(next > k + 2 || all[k].second == all[k + 1].second)
+        m_has_hidden_boundary = true;
     }
   }
 
@@ -164,6 +191,29 @@ private:
     simplices.swap(ordered);
     hierarchy.forget_order();
     return hierarchy;
+  }
+
+  // The smallest one of what is below each child of a hierarchy.
+  template <typename Simplex>
+  std::vector<double> least_values(const Hierarchy& hierarchy, const std::vector<Simplex>& simplices) const
+  {
+    std::vector<double> least(hierarchy.number_of_children(), infinity);
+    hierarchy.visit_children([&](const std::size_t child, const std::size_t first, const std::size_t last)
+    {
+      for(std::size_t k = first; k < last; ++k)
+        least[child] = (std::min)(least[child], least_value(simplices[k]));
+    });
+    return least;
+  }
+
+  // At the vertices.
+  template <typename Simplex>
+  double least_value(const Simplex& simplex) const
+  {
+    double least = infinity;
+    for(const std::size_t v : simplex)
+      least = (std::min)(least, m_values[v]);
+    return least;
   }
 
   // Visits the tetrahedra whose boxes are around p.
@@ -212,18 +262,145 @@ private:
     };
     m_facet_hierarchy.search(p, is_of_interest, [&](const std::size_t i)
     {
-      typedef std::array<Coordinates_3, 3> Vertices;
-      const Facet& f = m_facets[i];
-      const Near_triangle_3 triangle(Vertices{{ m_points[f[0]], m_points[f[1]], m_points[f[2]] }});
-      const double distance = triangle.squared_distance(p);
+      const Near_triangle_3 facet = triangle(m_facets[i]);
+      const double distance = facet.squared_distance(p);
       if(! (distance <= nearest))
         return;
-      const double here = weighted_sum(f, triangle.nearest(p));
+      const double here = weighted_sum(m_facets[i], facet.nearest(p));
       value = distance < nearest ? here : (std::min)(value, here);
       nearest = distance;
     });
     return value;
   }
+
+  // --- around a place -----------------------------------------------------------------------------------------------
+
+  // Of the values in tetrahedra.
+  double least_inside(const Coordinates_3& p, const double radius) const
+  {
+    double least = infinity;
+    const auto is_of_interest = [&](const std::size_t child, const double squared_distance)
+    {
+      return squared_distance <= radius * radius && m_least[child] < least;
+    };
+    m_hierarchy.search(p, is_of_interest, [&](const std::size_t i)
+    {
+      if(! is_apart(m_tetrahedra[i], p, radius))
+        least = (std::min)(least, least_in(m_tetrahedra[i], p, radius));
+    });
+    return least;
+  }
+
+  // Whether a tetrahedron is farther from p than that, as the plane of a facet tells.
+  bool is_apart(const Tetrahedron& t, const Coordinates_3& p, const double radius) const
+  {
+    const std::array<Coordinates_3, 4> q = seen_from(p, t);
+    for(int i = 0; i < 4; ++i)
+    {
+      const auto& [a, b, c] = facets[i];
+      const double area = length(cross_product(difference(q[b], q[a]), difference(q[c], q[a])));
+      const double error = safety * length(q[a]) * length(q[b]) * length(q[c]);
+      if(part(q, i) < - radius * area - error)
+        return true;
+    }
+    return false;
+  }
+
+  // Of the values outside. Within `radius` of p, the nearest point of a facet is not farther from p than the nearest
+  // one for p itself and twice the radius.
+  double least_outside(const Coordinates_3& p, const double radius) const
+  {
+    const double reach = (distance_to_facets(p, infinity) + 2 * radius) * (1 + safety);
+    double least = infinity;
+    const auto is_of_interest = [&](const std::size_t child, const double squared_distance)
+    {
+      return squared_distance <= reach * reach && m_least_of_facets[child] < least;
+    };
+    m_facet_hierarchy.search(p, is_of_interest, [&](const std::size_t i)
+    {
+      const Coordinates_3 q = triangle(m_facets[i]).nearest_point(p);
+      const double rest = reach * reach - squared_distance(p, q); // what is that near in a plane, or beside an edge
+      if(! (rest < 0))
+        least = (std::min)(least, least_in(m_facets[i], q, std::sqrt(rest)));
+    });
+    return least;
+  }
+
+  bool is_near_boundary(const Coordinates_3& p, const double radius) const
+  {
+    return distance_to_facets(p, radius) <= radius;
+  }
+
+  // If it is below the limit.
+  double distance_to_facets(const Coordinates_3& p, const double limit) const
+  {
+    double nearest = limit * limit;
+    const auto is_of_interest = [&](const std::size_t, const double squared_distance)
+    {
+      return squared_distance <= nearest;
+    };
+    m_facet_hierarchy.search(p, is_of_interest, [&](const std::size_t i)
+    {
+      nearest = (std::min)(nearest, triangle(m_facets[i]).squared_distance(p));
+    });
+    return std::sqrt(nearest);
+  }
+
+  Near_triangle_3 triangle(const Facet& f) const
+  {
+    return Near_triangle_3(std::array<Coordinates_3, 3>{{ m_points[f[0]], m_points[f[1]], m_points[f[2]] }});
+  }
+
+  // A number that no value in a simplex within a distance of p is below.
+  template <typename Simplex>
+  double least_in(const Simplex& simplex, const Coordinates_3& p, const double radius) const
+  {
+    const Slope slope = slope_in(simplex);
+    const Coordinates_3 way = difference(p, m_points[simplex[0]]);
+    const double far = length(way) + radius;
+    const double least = m_values[simplex[0]] + dot_product(slope.gradient, way) - slope.error * far
+                         - length(slope.gradient) * radius;
+    return (std::max)(least_value(simplex), least); // the first one if the second one is not a number
+  }
+
+  // That of the linear function in a simplex, and by how much rounding errors may make it wrong: the more, the flatter
+  // the simplex is.
+  struct Slope
+  {
+    Coordinates_3 gradient;
+    double error;
+  };
+
+  // Across a facet, there is none.
+  template <typename Simplex>
+  Slope slope_in(const Simplex& simplex) const
+  {
+    std::array<Coordinates_3, 3> edges;
+    std::array<double, 3> differences = {{ 0, 0, 0 }};
+    for(std::size_t k = 1; k < simplex.size(); ++k)
+    {
+      edges[k - 1] = difference(m_points[simplex[k]], m_points[simplex[0]]);
+      differences[k - 1] = m_values[simplex[k]] - m_values[simplex[0]];
+    }
+    if(simplex.size() == 3)
+      edges[2] = cross_product(edges[0], edges[1]);
+    Slope slope = { {{ 0, 0, 0 }}, 0 };
+    const double volume = dot_product(edges[0], cross_product(edges[1], edges[2]));
+    for(int k = 0; k < 3; ++k)
+    {
+      const Coordinates_3 normal = cross_product(edges[(k + 1) % 3], edges[(k + 2) % 3]);
+      for(int i = 0; i < 3; ++i)
+        slope.gradient[i] += differences[k] * normal[i] / volume;
+      slope.error += std::abs(differences[k]) * length(edges[(k + 1) % 3]) * length(edges[(k + 2) % 3]);
+    }
+    const double flatness = length(edges[0]) * length(edges[1]) * length(edges[2]) / volume;
+    slope.error *= safety * std::abs(flatness / volume);
+    return slope;
+  }
+
+  static double length(const Coordinates_3& v) { return std::sqrt(dot_product(v, v)); }
+
+  // --- values -------------------------------------------------------------------------------------------------------
 
   double interpolate(const Tetrahedron& t, const Parts& parts) const
   {
@@ -253,6 +430,7 @@ private:
 
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr double tolerance = 1e-6; // of shares of a volume
+  static constexpr double safety = 1e-13;   // for rounding errors, in the unit frame
 
   Unit_frame_3 m_frame;
   std::vector<double> m_values;         // of the points
@@ -261,6 +439,9 @@ private:
   std::vector<Facet> m_facets;          // those that one tetrahedron has
   Hierarchy m_hierarchy;
   Hierarchy m_facet_hierarchy;
+  std::vector<double> m_least;          // at the vertices of what is below the children of the hierarchy
+  std::vector<double> m_least_of_facets;
+  bool m_has_hidden_boundary = false;   // of facets that several tetrahedra have, not one on each side
 };
 
 } // namespace internal
