@@ -33,6 +33,7 @@
 #include <random>
 #include <set>
 #include <sstream>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -736,6 +737,65 @@ void test_results()
   assert(nothing && nothing.before.number_of_cells == 0 && nothing.certificate.cells.empty());
 }
 
+// A domain that counts how often it is asked for a wall.
+template <typename Domain>
+struct Counting_domain
+  : public Domain
+{
+  explicit Counting_domain(const Domain& domain) : Domain(domain) { }
+
+  template <typename Cell_handle>
+  bool is_wall(const Cell_handle c, const int i) const
+  {
+    ++number_of_questions;
+    return Domain::is_wall(c, i);
+  }
+
+  mutable std::size_t number_of_questions = 0;
+};
+
+// Around an edge of n bad cells, the questions of the figures and of the certificate do not grow with the square,
+// whichever way the ring runs in memory.
+void test_edge_of_many_cells(const bool is_turned)
+{
+  typedef Scene<K>::Tr Tr;
+  constexpr int n = 2000;
+  Tr tr;
+  for(int i = 0; i < 8; ++i)
+    tr.insert(K::Point_3(i & 1 ? 9 : -9, i & 2 ? 9 : -9, i & 4 ? 9 : -9));
+  const auto low = tr.insert(K::Point_3(0, 0, -.5)), high = tr.insert(K::Point_3(0, 0, .5));
+  for(int k = 0; k < n; ++k)
+  {
+    const double angle = 2 * CGAL_PI * (is_turned ? n - k : k) / n;
+    tr.insert(K::Point_3(std::cos(angle), std::sin(angle), 0));
+  }
+  for(const auto v : tr.finite_vertex_handles())
+  {
+    v->set_dimension(2);
+    v->set_meshing_info(1);
+  }
+  for(const auto c : tr.finite_cell_handles())
+    c->set_subdomain_index(1);
+  std::vector<Tr::Cell_handle> ring;
+  for(const auto c : tr.finite_cell_handles())
+    if(c->has_vertex(low) && c->has_vertex(high))
+      ring.push_back(c);
+  assert(ring.size() == n);
+
+  const auto selected = internal::selected_domain(tr, parameters::default_values());
+  typedef Counting_domain<std::decay_t<decltype(selected)> > Domain;
+  const Domain domain(selected);
+  internal::Explain_bad_cells_3<Tr, Domain> explain(tr, domain, 2);
+  const auto quality = internal::Measure_quality_3<Tr, Domain>(tr, domain)(
+    [](const Tr::Cell_handle, const internal::Cell_angles_3&) { }, [] { return true; });
+  assert(quality->number_of_cells == tr.number_of_finite_cells());
+  assert(domain.number_of_questions < 100 * tr.number_of_finite_cells());
+  domain.number_of_questions = 0;
+  for(const auto c : ring)
+    explain.add(c, internal::Cell_angles_3(internal::corners(c)));
+  assert(explain.certificate().cells.size() == n && domain.number_of_questions < 1500 * n);
+}
+
 int main()
 {
   test_random_meshes<K>(40);
@@ -748,5 +808,7 @@ int main()
   test_flat_walls();
   test_sliver();
   test_results();
+  for(const bool is_turned : { false, true })
+    test_edge_of_many_cells(is_turned);
   std::cout << "certificates are right" << std::endl;
 }

@@ -338,12 +338,14 @@ private:
     return needle;
   }
 
+  // Where an edge has very many cells, some of them are looked at: a needle at it has its vertices, too.
   Needle needle_at_edges(const Cell_handle c) const
   {
     Needle needle;
     for(int k = 0; k < 6; ++k)
     {
       Edge_walk_3<Tr> walk(c, edges_of_cell[5 - k][0], edges_of_cell[5 - k][1]);
+      int step = 0;
       do
       {
         if(m_domain.contains(walk.cell()))
@@ -351,7 +353,7 @@ private:
             look_at(walk.cell(), i, needle);
         ++walk;
       }
-      while(walk.cell() != c);
+      while(walk.cell() != c && ++step < max_number_of_cells);
     }
     return needle;
   }
