@@ -22,6 +22,7 @@
 
 #include <CGAL/Named_function_parameters.h>
 
+#include <cstddef>
 #include <limits>
 #include <type_traits>
 
@@ -83,6 +84,12 @@ namespace CGAL {
  *     \cgalParamDefault{no edge}
  *     \cgalParamExtra{It is asked for both orders of the vertices.}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{maximum_number_of_vertices}
+ *     \cgalParamDescription{how many vertices the triangulation may have: none is inserted beyond that, and what could
+ *                           be improved by others only stays bad}
+ *     \cgalParamType{`std::size_t`}
+ *     \cgalParamDefault{no limit}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_running_time}
  *     \cgalParamDescription{the time in seconds after which the improvement stops soon, with a valid triangulation}
  *     \cgalParamType{`double`}
@@ -119,11 +126,13 @@ improve_mesh_quality(Triangulation& tr, const CGAL_NP_CLASS& np = parameters::de
     get_parameter(np, BR3::cell_quality));
   const double min_dihedral_angle = choose_parameter(get_parameter(np, BR3::min_dihedral_angle),
                                                      BR3::default_min_dihedral_angle);
+  const std::size_t max_number_of_vertices = static_cast<std::size_t>(
+    choose_parameter(get_parameter(np, BR3::maximum_number_of_vertices), (std::numeric_limits<std::size_t>::max)()));
   const double maximum_running_time = choose_parameter(get_parameter(np, internal_np::maximum_running_time),
                                                        std::numeric_limits<double>::infinity());
   typedef BR3::Quality_improvement_3<Triangulation, decltype(domain), std::decay_t<decltype(quality)>,
                                      std::decay_t<decltype(visitor)> > Improvement;
-  return Improvement(tr, domain, quality, visitor)(min_dihedral_angle, maximum_running_time);
+  return Improvement(tr, domain, quality, max_number_of_vertices, visitor)(min_dihedral_angle, maximum_running_time);
 }
 
 #ifndef DOXYGEN_RUNNING

@@ -159,7 +159,8 @@ make_mesh_of_surface(Tr& tr, const FaceListGraph& surface, const SizingField& si
  *     \cgalParamDefault{`Boundary_recovery_3::Dihedral_angle_quality_3`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_number_of_vertices}
- *     \cgalParamDescription{how many vertices the mesh may have; if the forecast is higher, no field point is inserted}
+ *     \cgalParamDescription{how many vertices the triangulation may have; if the forecast is higher, no field point is
+ *                           inserted, and where the limit is reached, the improvement does without more vertices}
  *     \cgalParamType{`std::size_t`}
  *     \cgalParamDefault{no limit but that of the memory}
  *   \cgalParamNEnd

@@ -31,7 +31,7 @@ constexpr const char* meshing_usage =
   "                         0.3 from the surface, and no limit in the mesh\n"
   "  --no-field-points      insert no points for the sizes: only those that the surface needs, if any; nor improve\n"
   "                         the tetrahedra\n"
-  "  --max-vertices N       mesh nothing if the mesh would have more vertices than that\n"
+  "  --max-vertices N       mesh nothing if more vertices than that are needed; the improvement does without more\n"
   "  --time-limit SECONDS   stop after that time, and write what there is if the surface is recovered by then\n"
   "  --subdomains N         divide the inside into N parts, which are meshed at the same time; their seams are meshed\n"
   "                         again. The mesh depends on N, but not on the number of threads\n"

@@ -284,6 +284,23 @@ void test_number_of_vertices()
     }
 }
 
+// That holds for the improvement, too, which does without other vertices then.
+void test_number_of_vertices_of_improvement()
+{
+  Scene<K> filled(boxes()), free(boxes());
+  assert(filled.make(.7, parameters::number_of_subdomains(4), parameters::improve_quality(false)));
+  assert(free.make(.7, parameters::number_of_subdomains(4)));
+  const std::size_t number = filled.tr.number_of_vertices();
+  for(const std::size_t limit : { number, 10 * number })
+  {
+    Scene<K> scene(boxes());
+    scene.make(.7, parameters::number_of_subdomains(4), parameters::maximum_number_of_vertices(limit));
+    scene.check();
+    assert(scene.result && scene.tr.number_of_vertices() <= limit);
+    assert(limit == number || scene.portrait() == free.portrait());
+  }
+}
+
 // Far more sub-domains than there are cells.
 void test_many_subdomains()
 {
@@ -768,6 +785,7 @@ int main()
   test_quality();
   test_small_sizes();
   test_number_of_vertices();
+  test_number_of_vertices_of_improvement();
   test_many_subdomains();
   test_stops();
   std::cout << "done" << std::endl;

@@ -92,17 +92,27 @@ public:
     else
       assert(worst >= least_quality() - 1e-9 && m_volumes.size() == 1 && m_volumes.begin()->second == 0);
     ++number_of_exchanges;
+    note_number_of_vertices(std::is_same<CellRange, Cells_that_come_back>::value);
     throw_at_last_call();
   }
 
   std::size_t number_of_questions = 0, last_question = 0; // 0: it is never the last one
   std::size_t number_of_calls = 0, last_call = 0;
   std::size_t number_of_exchanges = 0;
+  std::size_t largest_risen_number = 0; // of vertices, after one was inserted
   std::size_t number_of_exchanges_taken_back = 0; // of several at once, with moves of vertices, in several regions
 
 private:
   // Of new cells: at last, they may be worse than those that go, but not worse than the whole mesh was.
   double least_quality() const { return (std::min)(m_worst, (std::max)(m_worst / 5, m_floor)); }
+
+  void note_number_of_vertices(const bool is_taken_back)
+  {
+    const std::size_t number = m_scene.tr.number_of_vertices();
+    if(number > m_last_number_of_vertices && ! is_taken_back)
+      largest_risen_number = (std::max)(largest_risen_number, number);
+    m_last_number_of_vertices = number;
+  }
 
   void throw_at_last_call()
   {
@@ -133,6 +143,7 @@ private:
   Outside m_outside;
   Volumes m_volumes;
   double m_worst = 0; // of the cells that go
+  std::size_t m_last_number_of_vertices = m_scene.tr.number_of_vertices();
   double m_floor = 2; // quality of the worst cell of the mesh at first
 };
 
@@ -431,6 +442,29 @@ void test_function()
   }
 }
 
+// No vertex is inserted beyond the limit; one that is not reached changes nothing.
+void test_number_of_vertices()
+{
+  typedef Improvement<K>::Scene::Selection_map Selection_map;
+  const auto improve = [](const std::size_t limit)
+  {
+    Improvement<K> t(1, options_of(1));
+    for(const auto c : t.scene.tr.finite_cell_handles())
+      t.scene.selection[c] = true;
+    Judging_visitor<Improvement<K>::Scene> visitor(t.scene);
+    const auto result = CGAL::improve_mesh_quality(
+      t.scene.tr, parameters::min_dihedral_angle(28.), parameters::maximum_number_of_vertices(limit),
+      parameters::visitor(std::ref(visitor)).cell_is_selected_map(Selection_map(t.scene.selection)));
+    assert(result && visitor.number_of_exchanges > 0 && visitor.largest_risen_number <= limit);
+    assert((result.counts.number_of_inserted_points > 0) == (limit > 0));
+    return std::make_pair(visitor.largest_risen_number, bytes_of(t.scene.tr));
+  };
+  const auto free = improve(1000000);
+  assert(improve(999999) == free);
+  for(const std::size_t limit : { std::size_t(0), free.first - 1, free.first - 3 })
+    improve(limit);
+}
+
 int main()
 {
   test_random_meshes<K>(0, 30);
@@ -442,4 +476,5 @@ int main()
   test_interruptions(2);
   test_interruptions(3);
   test_function();
+  test_number_of_vertices();
 }

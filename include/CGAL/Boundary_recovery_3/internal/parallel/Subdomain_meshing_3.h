@@ -37,7 +37,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -269,7 +268,7 @@ private:
       weights.push_back(number_of_cells(task.pieces));
     std::vector<Part> results(tasks.size());
     std::vector<Report> reports(tasks.size());
-    const std::vector<std::size_t> shares = shares_of_vertices(weights);
+    const std::vector<std::size_t> shares = internal::shares_of_vertices(number_left(), weights);
     std::vector<std::size_t> numbers_of_vertices(tasks.size());
     internal::for_each_task(weights, [&](const std::size_t k)
     {
@@ -289,23 +288,13 @@ private:
     return note(reports, round);
   }
 
-  // How many new vertices each task may have, so that all together are not more than may be.
-  std::vector<std::size_t> shares_of_vertices(const std::vector<std::size_t>& weights) const
-  {
-    const std::size_t sum = std::accumulate(weights.begin(), weights.end(), std::size_t(0));
-    std::vector<std::size_t> shares;
-    for(const std::size_t weight : weights) // no overflow: there are no 2^32 cells in memory
-      shares.push_back(number_left() / sum * weight + number_left() % sum * weight / sum);
-    return shares;
-  }
-
-  // A part that would get more new vertices than that stays as it was.
+  // A part that could do with more new vertices than that stays as it was.
   Report work_on_copy(Part& part, const Subdomain_round& round, const std::size_t max_number_of_new_vertices)
   {
     const bool is_limited = m_max_number_of_vertices < (std::numeric_limits<std::size_t>::max)();
     Part before = is_limited ? part : Part();
     const Report report = work_on(part, round, max_number_of_new_vertices);
-    if(report.filling.status == Meshing_status::too_large)
+    if(report.was_full)
       part = std::move(before);
     return report;
   }
@@ -324,7 +313,7 @@ private:
   void work_with_what_is_left(const Subdomain_round& round, std::vector<Part>& parts, std::vector<Report>& reports)
   {
     for(std::size_t k = 0; k < parts.size(); ++k)
-      if(reports[k].filling.status == Meshing_status::too_large)
+      if(reports[k].was_full)
       {
         const std::size_t number_of_vertices = parts[k].vertices.size();
         reports[k] = work_on(parts[k], round, number_left());

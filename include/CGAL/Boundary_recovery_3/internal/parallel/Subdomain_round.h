@@ -15,6 +15,7 @@
 #include <CGAL/Boundary_recovery_3/internal/parallel/Seams_3.h>
 
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -67,6 +68,16 @@ inline std::vector<Subdomain_round> improving_rounds()
   constexpr int layers_to_be_improved = 2;
   constexpr int layers_to_be_repaired = 4;
   return rounds_with_repairs(layers_to_be_improved, layers_to_be_repaired, true);
+}
+
+// How many new vertices each task of a round may have, so that all together are not more than `number`.
+inline std::vector<std::size_t> shares_of_vertices(const std::size_t number, const std::vector<std::size_t>& weights)
+{
+  const std::size_t sum = std::accumulate(weights.begin(), weights.end(), std::size_t(0));
+  std::vector<std::size_t> shares;
+  for(const std::size_t weight : weights) // no overflow: there are no 2^32 cells in memory
+    shares.push_back(number / sum * weight + number % sum * weight / sum);
+  return shares;
 }
 
 } // namespace internal

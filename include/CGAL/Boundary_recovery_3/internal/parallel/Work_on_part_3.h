@@ -46,6 +46,7 @@ struct Part_report_3
   std::optional<Mesh_quality_3> before; // the improvement; only in its first round, if there was time
   Quality_improvement_counts counts;
   bool                       is_stopped = false;
+  bool                       was_full = false; // vertices were not inserted, for there may be no more
 };
 
 /*
@@ -63,8 +64,8 @@ public:
     : m_size(size), m_quality(quality), m_min_dihedral_angle(min_dihedral_angle)
   { }
 
-  // New vertices get numbers from the first one that is free, and there may be so many of them at most; else nothing is
-  // improved.
+  // New vertices get numbers from the first one that is free. There are so many vertices more at most; if the filling
+  // needs others, nothing is improved.
   template <typename Visitor>
   Report operator()(Part& part, const Subdomain_round& round, const std::size_t first_new_number,
                     const std::size_t max_number_of_new_vertices, Visitor& visitor, const double seconds_left) const
@@ -72,10 +73,13 @@ public:
     Part_triangulation_3<Tr> triangulation(std::move(part));
     Tr& tr = triangulation.triangulation();
     Part_domain_3<Tr> domain(tr, triangulation.constrained_edges());
+    const std::size_t max_number = (std::max)(max_number_of_new_vertices,
+                                              tr.number_of_vertices() + max_number_of_new_vertices); // no overflow
     Report report;
-    report.filling = filled(tr, domain, round, max_number_of_new_vertices, visitor, seconds_left);
-    if(round.improves && report.filling.status != Meshing_status::too_large)
-      improve(tr, domain, round, visitor, seconds_left, report);
+    report.filling = filled(tr, domain, round, max_number, visitor, seconds_left);
+    report.was_full = report.filling.status == Meshing_status::too_large;
+    if(round.improves && ! report.was_full)
+      improve(tr, domain, round, max_number, visitor, seconds_left, report);
     part = triangulation.part(first_new_number);
     return report;
   }
@@ -145,11 +149,8 @@ private:
   // The walls of zones are mostly faces of cells that are as large as they should be, some a bit smaller.
   template <typename Visitor>
   Field_points_result_3<Tr> filled(Tr& tr, Domain& domain, const Subdomain_round& round,
-                                   const std::size_t max_number_of_new_vertices, Visitor& visitor,
-                                   const double seconds_left) const
+                                   const std::size_t max_number, Visitor& visitor, const double seconds_left) const
   {
-    const std::size_t max_number = (std::max)(max_number_of_new_vertices,
-                                              tr.number_of_vertices() + max_number_of_new_vertices); // no overflow
     typedef Field_point_insertion_3<Tr, Domain, SizingField, Visitor> Insertion;
     Insertion insertion(tr, domain, m_size, visitor, Forecast_effort::none);
     insertion.leave_sizes_of_field();
@@ -160,8 +161,8 @@ private:
 
   // What was left beside zones that met is filled now.
   template <typename Visitor>
-  void improve(Tr& tr, Domain& domain, const Subdomain_round& round, Visitor& visitor, const double seconds_left,
-               Report& report) const
+  void improve(Tr& tr, Domain& domain, const Subdomain_round& round, const std::size_t max_number, Visitor& visitor,
+               const double seconds_left, Report& report) const
   {
     Recovery_context<Visitor> context(visitor);
     context.set_maximum_running_time(seconds_left);
@@ -173,9 +174,11 @@ private:
     Improve_domain_3<Tr, Domain, Quality, Visitor> improve_domain(tr, domain, m_quality, context);
     if(! round.works_on_parts())
       improve_domain.be_strict();
+    improve_domain.set_max_number_of_vertices(max_number);
     improve_domain(m_min_dihedral_angle);
     report.counts = improve_domain.counts();
     report.is_stopped = context.is_stopped();
+    report.was_full = improve_domain.was_full() && ! report.is_stopped;
   }
 
   const SizingField& m_size;

@@ -69,6 +69,12 @@ public:
   // Nothing is tolerated. For a mesh that is improved several times: that would add up.
   void be_strict() { m_improve.be_strict(); }
 
+  // No vertices are inserted beyond that number.
+  void set_max_number_of_vertices(const std::size_t number) { m_mesh.set_max_number_of_vertices(number); }
+
+  // Whether one was not inserted for that.
+  bool was_full() const { return m_mesh.was_full(); }
+
   // Improves the mesh until all cells are good, or nothing helps, or the context says stop.
   void operator()()
   {

@@ -27,6 +27,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <iterator>
 #include <limits>
 #include <utility>
@@ -178,6 +179,19 @@ public:
   void spread_lengths(const Question& goes_on) { m_lengths.spread(goes_on); }
 
   static double size(const Vertex_handle v) { return Allowed_lengths_3<Tr>::size(v); }
+
+  // From now on, operations do not make the triangulation have more vertices than that.
+  void set_max_number_of_vertices(const std::size_t number) { m_max_number_of_vertices = number; }
+
+  // Whether it may have one more: operations that insert one ask that before they search.
+  bool has_room()
+  {
+    m_was_full = m_was_full || m_tr.number_of_vertices() >= m_max_number_of_vertices;
+    return m_tr.number_of_vertices() < m_max_number_of_vertices;
+  }
+
+  // Whether that was denied once.
+  bool was_full() const { return m_was_full; }
 
   // Moves the vertex of the star of these cells and faces, if all of the cells are oriented positively then.
   template <typename CellRange, typename FaceRange>
@@ -386,6 +400,8 @@ private:
   Allowed_lengths_3<Tr> m_lengths;
   std::vector<Dropped_vertex> m_dropped_vertices; // by the attempt, in order
   double m_gain = 0;
+  std::size_t m_max_number_of_vertices = (std::numeric_limits<std::size_t>::max)();
+  bool m_was_full = false;
 };
 
 } // namespace internal

@@ -43,7 +43,8 @@ public:
   // first point is in the cell, so if that is flat and at a wall, it is in the plane of the wall.
   bool find(const Cell_handle c)
   {
-    return find(c, true) || (m_mesh.quality(c) < nearly_flat * m_mesh.enough() && find(c, false));
+    return m_mesh.has_room()
+        && (find(c, true) || (m_mesh.quality(c) < nearly_flat * m_mesh.enough() && find(c, false)));
   }
 
   // Inserts the vertex. Returns false, and does nothing, if a new cell is not positively oriented.

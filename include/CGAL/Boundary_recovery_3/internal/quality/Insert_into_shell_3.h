@@ -52,6 +52,8 @@ public:
   // would be better by far; together, the cells may be worse than before.
   bool find(const Cell_handle c)
   {
+    if(! m_mesh.has_room())
+      return false;
     const Cell_corners_3 p = internal::corners(c);
     const Cell_angles_3 angles(p);
     for(int k = 0; k < 6; ++k)

@@ -51,6 +51,8 @@ public:
   // none worse than the worst one now, or, if the mesh has it so, than what is tolerated.
   bool find(const Cell_handle c, const double tolerated_loss = 0)
   {
+    if(! m_mesh.has_room())
+      return false;
     m_least_gain = - tolerated_loss;
     double best_gain = m_least_gain;
     const Coordinates_3* best = nullptr;
@@ -69,6 +71,8 @@ public:
   // The same for a few of the places, at random: the first one that will do is taken.
   bool find_any(const Cell_handle c, const double tolerated_loss, CGAL::Random& random)
   {
+    if(! m_mesh.has_room())
+      return false;
     m_least_gain = - tolerated_loss;
     const std::vector<Coordinates_3>& places = m_places_near(internal::corners(c));
     for(int k = 0; k < max_number_of_random_places && ! places.empty(); ++k)

@@ -22,6 +22,7 @@
 #include <CGAL/Boundary_recovery_3/internal/quality/sum_of_qualities.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 
+#include <cstddef>
 #include <optional>
 #include <utility>
 
@@ -49,8 +50,10 @@ public:
   typedef typename Tr::Cell_handle         Cell_handle;
   typedef Quality_improvement_result_3<Tr> Result;
 
-  Quality_improvement_3(Tr& tr, Domain& domain, const Quality& quality, Visitor& visitor)
-    : m_tr(tr), m_domain(domain), m_quality(quality), m_context(visitor)
+  Quality_improvement_3(Tr& tr, Domain& domain, const Quality& quality, const std::size_t max_number_of_vertices,
+                        Visitor& visitor)
+    : m_tr(tr), m_domain(domain), m_quality(quality), m_max_number_of_vertices(max_number_of_vertices),
+      m_context(visitor)
   { }
 
   Result operator()(const double min_dihedral_angle, const double maximum_running_time)
@@ -91,6 +94,7 @@ private:
     const Ordinary_scale_3<Tr> scale(m_tr);
     Improve_domain_3<Tr, Domain, Quality, Visitor> improve_domain(m_tr, m_domain, m_quality, m_context);
     improve_domain.set_target(min_dihedral_angle);
+    improve_domain.set_max_number_of_vertices(m_max_number_of_vertices);
     const Figures before = measure([&](const Cell_handle c, const Cell_angles_3&) { improve_domain.add(c); });
     is_begun = m_context.go_further();
     if(is_begun)
@@ -119,6 +123,7 @@ private:
   Tr& m_tr;
   Domain& m_domain;
   const Quality& m_quality;
+  const std::size_t m_max_number_of_vertices;
   Recovery_context<Visitor> m_context;
   Result m_result;
 };
