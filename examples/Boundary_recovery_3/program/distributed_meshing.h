@@ -36,8 +36,10 @@ struct Round_plan
     std::uint32_t owner = 0;          // the one of them that it will belong to
   };
 
-  std::uint64_t number_of_vertices = 0; // of the mesh; numbers from there on are free
+  std::uint64_t number_of_vertices = 0; // numbers from there on are free; some before are of vertices that are gone
+  std::uint64_t number_of_vertices_in_mesh = 0;
   std::uint64_t number_of_parts = 0;
+  std::uint64_t is_field_resolved = true; // by the rounds before
   std::vector<Task> tasks;
 
   Bytes bytes() const
@@ -45,7 +47,9 @@ struct Round_plan
     Bytes result;
     Byte_writer writer(result);
     writer.put(number_of_vertices);
+    writer.put(number_of_vertices_in_mesh);
     writer.put(number_of_parts);
+    writer.put(is_field_resolved);
     writer.put(std::uint64_t(tasks.size()));
     for(const Task& task : tasks)
     {
@@ -61,7 +65,9 @@ struct Round_plan
     Round_plan plan;
     Byte_reader reader(bytes);
     plan.number_of_vertices = reader.get<std::uint64_t>();
+    plan.number_of_vertices_in_mesh = reader.get<std::uint64_t>();
     plan.number_of_parts = reader.get<std::uint64_t>();
+    plan.is_field_resolved = reader.get<std::uint64_t>();
     for(std::uint64_t n = reader.get<std::uint64_t>(); n > 0; --n)
     {
       Task task;
@@ -81,6 +87,11 @@ struct Round_report
   double seconds_of_plan = 0, seconds_of_work = 0;
   std::vector<double> weights;
   std::vector<Task_report> tasks;
+
+  bool is_field_resolved() const
+  {
+    return std::all_of(tasks.begin(), tasks.end(), [](const Task_report& task) { return task.is_field_resolved; });
+  }
 };
 
 // Fills and improves a mesh that is divided into parts, in rounds. The parts are files that all ranks see. In each
@@ -134,13 +145,14 @@ public:
     return number > 0;
   }
 
-  // Rank 0 has the parts.
-  void begin(std::vector<Part>&& parts, const std::size_t number_of_vertices)
+  // Rank 0 has the parts, in which vertices have numbers up to the first one that is free.
+  void begin(std::vector<Part>&& parts, const std::size_t first_free_number, const std::size_t number_of_vertices)
   {
     if(m_exchange.is_first())
     {
       Round_plan plan;
-      plan.number_of_vertices = number_of_vertices;
+      plan.number_of_vertices = first_free_number;
+      plan.number_of_vertices_in_mesh = number_of_vertices;
       plan.number_of_parts = parts.size();
       for(std::uint32_t p = 0; p < parts.size(); ++p)
       {
@@ -168,6 +180,9 @@ public:
 
   const std::vector<Round_report>& reports() const { return m_reports; }
   std::size_t number_of_parts() const { return static_cast<std::size_t>(m_plan.number_of_parts); }
+
+  // By all rounds.
+  bool is_field_resolved() const { return m_plan.is_field_resolved && m_reports.back().is_field_resolved(); }
 
   bool is_own(const std::size_t part) const
   {
@@ -255,13 +270,19 @@ private:
   void do_tasks()
   {
     Round_report report{ m_rounds[m_round], 0, 0, { }, { } };
+    std::vector<std::size_t> numbers_of_cells;
     for(const auto& task : m_plan.tasks)
+    {
+      numbers_of_cells.push_back(static_cast<std::size_t>(task.number_of_cells));
       report.weights.push_back(static_cast<double>(task.number_of_cells));
+    }
+    const auto shares = CGAL::Boundary_recovery_3::internal::shares_of_vertices(number_left({ }), numbers_of_cells);
     CGAL::Real_timer timer;
     timer.start();
     report.tasks = Task_farm(m_world, [this](const std::size_t k) { return name_of(k); },
                              [this] { m_store.remove_temporary_folder(); })
-      (report.weights, [this](const std::size_t k) { return do_task(k); });
+      (report.weights, [&](const std::size_t k) { return do_task(k, shares[k], false); });
+    work_with_what_is_left(report);
     report.seconds_of_work = timer.time();
     m_shifts.assign(1, 0);
     for(const Task_report& task : report.tasks)
@@ -269,8 +290,35 @@ private:
     m_reports.push_back(report);
   }
 
-  // The result has two records: the report, and the cells.
-  Task_report do_task(const std::size_t k) const
+  // The tasks whose share of the vertices was too small come one after the other.
+  void work_with_what_is_left(Round_report& report) const
+  {
+    for(std::size_t k = 0; k < report.tasks.size(); ++k)
+      if(report.tasks[k].was_full)
+        report.tasks[k] = Task_farm(m_world, [&](const std::size_t) { return name_of(k); },
+                                    [this] { m_store.remove_temporary_folder(); })
+          ({ report.weights[k] },
+           [&](const std::size_t) { return do_task(k, number_left(report.tasks), true); }).front();
+  }
+
+  // Of vertices that may be inserted after some tasks of the round.
+  std::size_t number_left(const std::vector<Task_report>& tasks) const
+  {
+    const std::uint64_t number = number_after(tasks), max_number = m_max_number_of_vertices;
+    return static_cast<std::size_t>(max_number - (std::min)(max_number, number));
+  }
+
+  std::uint64_t number_after(const std::vector<Task_report>& tasks) const
+  {
+    std::uint64_t number = m_plan.number_of_vertices_in_mesh;
+    for(const Task_report& task : tasks)
+      number += static_cast<std::uint64_t>(task.gained_vertices);
+    return number;
+  }
+
+  // The result has two records: the report, and the cells. There is none if more new vertices are needed, unless it is
+  // the last try.
+  Task_report do_task(const std::size_t k, const std::size_t max_number_of_new_vertices, const bool is_last_try) const
   {
     Bytes report_bytes, cells;
     Task_report report;
@@ -286,10 +334,14 @@ private:
     Part part = join.joined();
     CGAL::Default_boundary_constrained_mesh_visitor_3 visitor;
     const std::size_t number_of_vertices = static_cast<std::size_t>(m_plan.number_of_vertices);
-    const std::size_t number_left = m_max_number_of_vertices - (std::min)(m_max_number_of_vertices, number_of_vertices);
-    const auto work_report = m_work(part, m_rounds[m_round], number_of_vertices, number_left, visitor,
+    report.gained_vertices = - static_cast<std::int64_t>(part.vertices.size());
+    const auto work_report = m_work(part, m_rounds[m_round], number_of_vertices, max_number_of_new_vertices, visitor,
                                     (std::numeric_limits<double>::infinity)());
+    report.is_field_resolved = work_report.filling.is_field_resolved;
+    if(work_report.was_full && ! is_last_try)
+      return task_to_be_done_again();
     check(work_report.filling);
+    report.gained_vertices += static_cast<std::int64_t>(part.vertices.size());
     for(const auto& v : part.vertices)
       report.new_vertices += v.number >= m_plan.number_of_vertices;
     report.tetrahedra = part.number_of_cells();
@@ -301,13 +353,20 @@ private:
     return report;
   }
 
+  static Task_report task_to_be_done_again()
+  {
+    Task_report report;
+    report.was_full = true;
+    return report;
+  }
+
   template <typename Filling>
-  static void check(const Filling& filling)
+  void check(const Filling& filling) const
   {
     for(const auto& invalid : filling.invalid_sizes)
       throw std::runtime_error("a size is no positive number: " + std::to_string(invalid.size) + ' ' + invalid.message);
     if(! filling)
-      throw std::runtime_error("the mesh gets too large");
+      throw std::runtime_error("the mesh needs more than " + std::to_string(m_max_number_of_vertices) + " vertices");
   }
 
   void plan_next()
@@ -316,6 +375,8 @@ private:
     timer.start();
     Round_plan next;
     next.number_of_parts = m_plan.number_of_parts;
+    next.number_of_vertices_in_mesh = number_after(m_reports.back().tasks);
+    next.is_field_resolved = is_field_resolved();
     next.number_of_vertices = m_plan.number_of_vertices + m_shifts.back();
     if(m_rounds[m_round + 1].works_on_parts())
       plan_parts(next);

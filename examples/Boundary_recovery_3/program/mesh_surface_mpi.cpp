@@ -78,6 +78,7 @@ class Mpi_mesher
   std::vector<Sides> m_sides;  // of the triangles of the surface
   std::vector<Round_report> m_reports;
   Mesh_quality m_quality;
+  bool m_is_field_resolved = true;
   std::size_t m_number_of_tetrahedra = 0;
   std::vector<double> m_memory; // of each rank, its peak in bytes
   CGAL::Real_timer m_division_timer, m_meshing_timer, m_output_timer;
@@ -111,6 +112,7 @@ public:
     meshing.run();
     m_meshing_timer.stop();
     m_reports = meshing.reports();
+    m_is_field_resolved = meshing.is_field_resolved();
     gather_memory();
     m_output_timer.start();
     const bool are_written = write_outputs(meshing, message);
@@ -192,22 +194,29 @@ private:
     return message.empty();
   }
 
+  // Some numbers are of vertices that are gone.
+  struct Numbers_of_vertices
+  {
+    std::size_t first_free = 0;
+    std::size_t in_mesh = 0;
+  };
+
   // Rank 0 recovers the boundary, and divides what it bounds.
   int divide(Meshing& meshing)
   {
     std::vector<Part> parts;
-    std::size_t number_of_vertices = 0;
+    Numbers_of_vertices numbers;
     int status = success;
     if(m_exchange.is_first())
-      status = divide(parts, number_of_vertices);
+      status = divide(parts, numbers);
     m_exchange.wait();
     status = m_exchange.gathered(status).front();
     if(status == success)
-      meshing.begin(std::move(parts), number_of_vertices);
+      meshing.begin(std::move(parts), numbers.first_free, numbers.in_mesh);
     return status;
   }
 
-  int divide(std::vector<Part>& parts, std::size_t& number_of_vertices)
+  int divide(std::vector<Part>& parts, Numbers_of_vertices& numbers)
   {
     const Surface<Point>& surface = m_program.surface();
     Triangulation tr;
@@ -225,10 +234,10 @@ private:
       return cannot_mesh(reason);
     store_sides(tr, result);
     const internal::Hold_recovered_vertices_3<Triangulation> hold(tr, result.recovery);
-    return divide(tr, result, parts, number_of_vertices);
+    return divide(tr, result, parts, numbers);
   }
 
-  int divide(Triangulation& tr, const Result& result, std::vector<Part>& parts, std::size_t& number_of_vertices)
+  int divide(Triangulation& tr, const Result& result, std::vector<Part>& parts, Numbers_of_vertices& numbers)
   {
     typedef internal::Part_domain_3<Triangulation>                  Domain;
     typedef CGAL::Default_boundary_constrained_mesh_visitor_3       Visitor;
@@ -250,7 +259,7 @@ private:
                          + std::to_string(static_cast<std::uint64_t>(filling.forecast_of_vertices)) + " points");
     internal::Decomposition_3<Triangulation> decomposition(tr);
     parts = decomposition.divide(size(), domain, result.constrained_edges, n, result.recovery.vertices);
-    number_of_vertices = decomposition.number_of_vertices();
+    numbers = { decomposition.number_of_vertices(), tr.number_of_vertices() };
     return success;
   }
 
@@ -411,6 +420,7 @@ private:
   {
     write_options(json, m_options);
     json.entry("number_of_ranks", m_exchange.size());
+    json.entry("is_field_resolved", m_is_field_resolved);
     json.entry("number_of_tetrahedra", m_number_of_tetrahedra);
     write_quality(json, m_quality);
     json.entry("number_of_tasks", number_of_tasks());
@@ -446,6 +456,7 @@ private:
     if(! m_exchange.is_first() || m_options.quiet)
       return;
     print_quality(std::cout, m_quality);
+    print_whether_field_is_resolved(std::cout, m_is_field_resolved);
     std::cout << m_options.number_of_subdomains << " sub-domains, " << m_number_of_tetrahedra << " tetrahedra; "
               << number_of_tasks() << " tasks, " << number_of_stored() << " of them from an earlier run\n"
               << "seconds: division " << m_division_timer.time() << ", meshing " << m_meshing_timer.time()

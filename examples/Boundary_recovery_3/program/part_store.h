@@ -25,7 +25,7 @@
 // disk full, leaves nothing that looks like a file. What is read is checked nevertheless: files get damaged.
 class Part_store
 {
-  static constexpr std::uint64_t magic = 0x31306b7361743363u; // with the version of the format
+  static constexpr std::uint64_t magic = 0x32306b7361743363u; // with the version of the format
   static constexpr std::size_t size_of_word = sizeof(std::uint64_t);
   static constexpr std::size_t size_of_header = 5 * size_of_word;
 

@@ -114,6 +114,13 @@ std::string reason_for_unfinished_mesh(const Result& result)
          (result.filling ? "improved as far as possible" : "filled");
 }
 
+// prints whether all sizes of the field were seen, unless they were
+inline void print_whether_field_is_resolved(std::ostream& os, const bool is_field_resolved)
+{
+  if(! is_field_resolved)
+    os << "small sizes between the places that were asked may have been missed\n";
+}
+
 // prints the table at the end of `mesh_surface`
 template <typename Result, typename Domain>
 void print_mesh(std::ostream& os, const Result& result, const Domain& domain, const Mesh_quality& quality,
@@ -129,8 +136,7 @@ void print_mesh(std::ostream& os, const Result& result, const Domain& domain, co
   }
   if(is_improved(result))
     print_improvement(os, result.improvement, bad_tetrahedra, domain);
-  if(! result.filling.is_field_resolved)
-    os << "small sizes between the places that were asked may have been missed\n";
+  print_whether_field_is_resolved(os, result.filling.is_field_resolved);
   if(result.number_of_subdomains > 1)
     os << result.number_of_subdomains << " sub-domains\n";
   os << to_string(result.status) << ": " << count(domain.points.size(), "point") << ", "

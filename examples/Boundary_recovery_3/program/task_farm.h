@@ -30,10 +30,13 @@ struct Task_report
   std::uint64_t task = no_task;
   std::uint64_t bytes = 0;      // of the result
   std::uint64_t new_vertices = 0;
+  std::int64_t gained_vertices = 0; // new ones, less those that are gone
   std::uint64_t tetrahedra = 0;
   double seconds = 0;
   int rank = 0;
   bool is_stored = false;       // by an earlier run
+  bool was_full = false;        // nothing is done: more vertices are needed
+  bool is_field_resolved = true;
   char error[300] = {};         // empty: it is done. No memory has to be there for the message.
 
   static constexpr std::uint64_t no_task = static_cast<std::uint64_t>(-1);

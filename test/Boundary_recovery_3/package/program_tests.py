@@ -30,6 +30,30 @@ def box(low, high, outward=True):
     return points, faces if outward else [(a, c, b) for a, b, c in faces]
 
 
+def grid_box(n):
+    """the surface of a cube of edge 1, with n * n squares on each side"""
+    index, points, faces = {}, [], []
+
+    def vertex(p):
+        if p not in index:
+            index[p] = len(points)
+            points.append(tuple(x / n for x in p))
+        return index[p]
+    for axis in range(3):
+        for side in (0, n):
+            for i in range(n):
+                for j in range(n):
+                    corners = []
+                    for u, v in ((i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)):
+                        p = [u, v]
+                        p.insert(axis, side)
+                        corners.append(vertex(tuple(p)))
+                    if (side == 0) != (axis == 1):
+                        corners.reverse()
+                    faces += [tuple(corners[:3]), (corners[0], corners[2], corners[3])]
+    return points, faces
+
+
 def join(*surfaces):
     """one soup of several ones; points are not merged"""
     points, faces = [], []

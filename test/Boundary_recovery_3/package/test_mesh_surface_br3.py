@@ -249,30 +249,6 @@ def check_edges(result, report, size):
     return report['number_of_edges_in_size'] / len(ratios)
 
 
-def grid_box(n):
-    """the surface of a cube of edge 1, with n * n squares on each side"""
-    index, points, faces = {}, [], []
-
-    def vertex(p):
-        if p not in index:
-            index[p] = len(points)
-            points.append(tuple(x / n for x in p))
-        return index[p]
-    for axis in range(3):
-        for side in (0, n):
-            for i in range(n):
-                for j in range(n):
-                    corners = []
-                    for u, v in ((i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)):
-                        p = [u, v]
-                        p.insert(axis, side)
-                        corners.append(vertex(tuple(p)))
-                    if (side == 0) != (axis == 1):
-                        corners.reverse()
-                    faces += [tuple(corners[:3]), (corners[0], corners[2], corners[3])]
-    return points, faces
-
-
 def test_sizes():
     surface = grid_box(5)
     result, report = mesh('uniform', surface, '--size', '0.2')
@@ -364,7 +340,7 @@ def test_background():
           + ''.join('%r\n' % size for size in sizes) + 'End\n')
     result, report = mesh('background', surface, '--size', '0.3', '--background', 'sizes.mesh')
     check_domain(result, *surface)
-    assert report['background'] == 'sizes.mesh'
+    assert report['background'] == 'sizes.mesh' and report['is_field_resolved']
     assert check_edges(result, report, lambda p: min(0.3, 0.05 + 0.4 * p[0])) > 0.5  # linear sizes are interpolated exactly
     left = sum(p[0] < 0.3 for p in result.points)
     assert left > len(result.points) / 2

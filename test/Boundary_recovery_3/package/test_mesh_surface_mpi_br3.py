@@ -10,6 +10,7 @@ import glob
 import hashlib
 import itertools
 import json
+import math
 import os
 import re
 import resource
@@ -21,7 +22,7 @@ import tempfile
 import time
 
 sys.dont_write_bytecode = True  # the folder of the sources stays as it is
-from program_tests import box, check_tetrahedra, join, off_text, read_mesh, signed_volume
+from program_tests import box, check_tetrahedra, grid_box, join, off_text, read_mesh, signed_volume
 
 PROGRAM, MPIEXEC, MESH_SURFACE = sys.argv[1:]
 SUBDOMAINS = 6
@@ -40,6 +41,12 @@ def boxes():
 def row_of_boxes():
     """eight boxes that do not touch"""
     return join(*[box((2 * i, 0, 0), (2 * i + 1, 1, 1)) for i in range(8)])
+
+
+def row_of_grids():
+    """four cubes of fine triangles that do not touch"""
+    points, faces = grid_box(6)
+    return join(*[([(x + 2 * i, y, z) for x, y, z in points], faces) for i in range(4)])
 
 
 def write(name, surface):
@@ -142,6 +149,31 @@ def test_one_subdomain_and_no_field_points():
         mesh = read_mesh('m.mesh')
         check_tetrahedra(mesh)
         check_surface(mesh, surface)
+
+
+def test_small_sources_and_number_of_vertices():
+    """the forecast does not know how many vertices there will be; with as many as there are, and one less"""
+    write('row.off', row_of_grids())
+    with open('sources.txt', 'w') as file:
+        file.writelines('point %r 0.3 0.4 0.003 0.01 5\n' % (2 * i + 0.3) for i in range(4))
+    arguments = 'row.off', '--size', '0.2', '--sources', 'sources.txt', '--subdomains', '4', '--no-improvement'
+    report = report_of(2, *arguments, '-o', 'free.mesh')
+    assert report['is_field_resolved']
+    points = read_mesh('free.mesh').points
+    for i in range(4):
+        assert min(math.dist(p, (2 * i + 0.3, 0.3, 0.4)) for p in points) < 0.01
+    for ranks in 1, 3:
+        work = '--work', 'work_%d' % ranks
+        for _ in 'new', 'stored':
+            report = report_of(ranks, *arguments, *work, '--max-vertices', str(len(points)), '-o', 'm.mesh')
+            assert report['is_field_resolved'] and bytes_of('m.mesh') == bytes_of('free.mesh')
+        os.remove('m.mesh')
+        message = 'the mesh needs more than %d vertices' % (len(points) - 1)
+        assert message in run(ranks, *arguments, '--max-vertices', str(len(points) - 1), '-o', 'm.mesh', status=FAILED)[1]
+        assert not os.path.exists('m.mesh')
+    run(2, *arguments[:-1], '--quiet', '--max-vertices', str(len(points)), '-o', 'm.mesh')
+    check_tetrahedra(read_mesh('m.mesh'))
+    assert len(read_mesh('m.mesh').points) <= len(points)
 
 
 # ---------------------------------------------------------------- other readers
