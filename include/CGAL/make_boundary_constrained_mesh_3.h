@@ -180,6 +180,8 @@ make_mesh_of_surface(Tr& tr, const FaceListGraph& surface, const SizingField& si
  *                           triangulation}
  *     \cgalParamType{`double`}
  *     \cgalParamDefault{no limit}
+ *     \cgalParamExtra{In sub-domains, what is there is joined to one triangulation then, which takes about a second for
+ *                     each million cells.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
  *     \cgalParamDescription{is told about the phases of all steps, and can stop the work}

@@ -64,8 +64,8 @@ public:
     : m_size(size), m_quality(quality), m_min_dihedral_angle(min_dihedral_angle)
   { }
 
-  // New vertices get numbers from the first one that is free. There are so many vertices more at most; if the filling
-  // needs others, nothing is improved.
+  // New vertices get numbers from the first one that is free. There are so many vertices more at most; a round that
+  // improves does without others.
   template <typename Visitor>
   Report operator()(Part& part, const Subdomain_round& round, const std::size_t first_new_number,
                     const std::size_t max_number_of_new_vertices, Visitor& visitor, const double seconds_left) const
@@ -78,8 +78,12 @@ public:
     Report report;
     report.filling = filled(tr, domain, round, max_number, visitor, seconds_left);
     report.was_full = report.filling.status == Meshing_status::too_large;
-    if(round.improves && ! report.was_full)
+    if(round.improves)
+    {
+      if(report.was_full)
+        report.filling.status = Meshing_status::meshed;
       improve(tr, domain, round, max_number, visitor, seconds_left, report);
+    }
     part = triangulation.part(first_new_number);
     return report;
   }
@@ -178,7 +182,7 @@ private:
     improve_domain(m_min_dihedral_angle);
     report.counts = improve_domain.counts();
     report.is_stopped = context.is_stopped();
-    report.was_full = improve_domain.was_full() && ! report.is_stopped;
+    report.was_full = (report.was_full || improve_domain.was_full()) && ! report.is_stopped;
   }
 
   const SizingField& m_size;
