@@ -195,15 +195,19 @@ public:
   /// \pre the constraints do not intersect, and no other vertex is on them.
   bool operator()(const Mode mode = Mode::constrained)
   {
-    return recover_by_flips() || recover_by_points(mode);
+    return recover_by_flips(mode) || recover_by_points(mode);
   }
 
-  /// runs the phases that add no points. Returns whether every constraint is in the triangulation.
-  bool recover_by_flips()
+  /// runs the phases before those of `recover_by_points()`. Returns whether every constraint is in the triangulation.
+  ///
+  /// \param mode how far the recovery goes; unless it is `flips_only`, Steiner points of `recover_planar_edges()` may
+  ///        be left
+  bool recover_by_flips(const Mode mode = Mode::flips_only)
   {
     search();
     if(m_state.is_nothing_lost())
       return true; // nothing is going to change, so there is nothing to recount
+    recover_planar_edges(mode);
     remove_plainly();
     recover_edges_brc1();
     if(m_effort == Effort::more_time)
@@ -220,6 +224,18 @@ public:
 
   /// looks up every constraint.
   void search() { m_state.run(Phase::search, [this] { m_points.look_up(); }); }
+
+  /// recovers edges that are tangled in a plane: groups of at least 100 lost edges, connected by the mesh edges in that
+  /// plane that they cross, more than 4 each on an average, as those of a fan of cocircular points do. A Steiner point
+  /// is put close to the plane on each side of it where there are cells, and is removed again when the edges are back,
+  /// if it is in the way of nothing. One that is left is in `steiner_vertices()`, and stays whatever comes after it.
+  /// Where not all edges of a group come back, or a point is left in the mode `flips_only`, or the visitor or the
+  /// kernel throws, the triangulation is as it was before that group.
+  ///
+  /// \param mode how far the recovery goes
+  ///
+  /// \pre no Steiner point is on a constraint.
+  void recover_planar_edges(const Mode mode = Mode::constrained) { m_points.recover_planar_edges(mode); }
 
   /// removes what crosses lost edges by complete removals of single shells: the cases that need neither
   /// quality nor recursion.
@@ -320,7 +336,8 @@ public:
   /// returns the number of Steiner points that were put on constraints.
   std::size_t number_of_constraint_points() const { return m_ledger.number_of_constraint_points(); }
 
-  /// returns the number of Steiner points that came off the constraints, before any of them was removed.
+  /// returns the number of Steiner points that came off the constraints, before any of them was removed, and of those
+  /// of `recover_planar_edges()`.
   std::size_t number_of_steiner_points() const { return m_ledger.number_of_free_points(); }
 
   /// returns the number of replacements of cells by flips and reconnections, those that were taken back included.

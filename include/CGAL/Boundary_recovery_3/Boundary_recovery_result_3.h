@@ -46,10 +46,12 @@ enum class Recovery_status
 {
   recovered,     ///< every constraint is in the triangulation (mode `conforming`: as a union of simplices)
   incomplete,    ///< some constraints are missing; they are listed. In the modes with points, none could be represented
-                 ///< where it would have to be; the triangulation is as the flips left it
+                 ///< where it would have to be; the triangulation is as the flips left it. Of Steiner points, only
+                 ///< those are in it that are left of the phase `planar_edge_recovery`, if any
   invalid_input, ///< the input cannot be recovered by anybody; its defects are listed
-  stopped        ///< the visitor or the time limit ended the recovery early; what is missing then is listed, and no
-                 ///< Steiner point is in the triangulation
+  stopped        ///< the visitor or the time limit ended the recovery early; what is missing then is listed. Of Steiner
+                 ///< points, only those are in the triangulation that are left of the phase `planar_edge_recovery`, if
+                 ///< any
 };
 
 /// \ingroup PkgBoundaryRecovery3Classes
@@ -58,6 +60,8 @@ enum class Recovery_phase
 {
   insertion,             ///< surface points that are not in the triangulation are inserted
   search,                ///< the constraints that the triangulation lacks are searched
+  planar_edge_recovery,  ///< lost edges that cross many mesh edges in a plane, by Steiner points close to it that are
+                         ///< removed again where possible
   plain_removal,         ///< complete removals of single shells, without recursion
   edge_recovery_brc1,    ///< first calling of [CZZ+17, Alg. 5]: lost edges, under BRC1
   edge_recovery_brc3,    ///< second calling of [CZZ+17, Alg. 5]: intersections of lost edges, under BRC3
@@ -234,7 +238,8 @@ struct Boundary_recovery_result_3
   std::size_t number_of_facets = 0;            ///< number of constrained facets
   std::size_t number_of_constraint_points = 0; ///< number of Steiner points that were put on constraints
   std::size_t number_of_steiner_points = 0;    ///< number of Steiner points that came off the constraints in their
-                                               ///< place, before any was removed; 0 in the mode `conforming`
+                                               ///< place, before any was removed; none in the mode `conforming`. Those
+                                               ///< of the phase `planar_edge_recovery` are counted, too
   std::size_t number_of_inserted_vertices = 0; ///< number of input points that were not in the triangulation before
   std::size_t number_of_shell_transformations = 0; ///< number of replacements of cells by flips and reconnections,
                                                    ///< those that were taken back included
@@ -293,6 +298,7 @@ inline const char* to_string(const Recovery_phase phase)
   {
     case Recovery_phase::insertion:           return "insertion";
     case Recovery_phase::search:              return "search";
+    case Recovery_phase::planar_edge_recovery: return "planar_edge_recovery";
     case Recovery_phase::plain_removal:       return "plain_removal";
     case Recovery_phase::edge_recovery_brc1:  return "edge_recovery_brc1";
     case Recovery_phase::edge_recovery_brc3:  return "edge_recovery_brc3";

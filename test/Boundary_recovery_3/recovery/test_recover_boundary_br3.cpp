@@ -521,9 +521,9 @@ struct Visitor_to_be_copied
   std::size_t own_calls = 0;
 };
 
-// A prism over an N-gon whose caps are fans at one vertex each: nearly cocircular points, so that the Delaunay
-// triangulation divides the caps in another way, and a lost edge crosses ten mesh edges.
-Soup<K> fans_of_cocircular_points(const std::size_t n)
+// A prism over an N-gon. Its vertices are nearly cocircular, so that the Delaunay triangulation divides the caps in
+// another way than the given one, and a lost edge crosses ten mesh edges and more.
+Soup<K> prism(const std::size_t n, const std::vector<std::array<std::size_t, 3> >& cap)
 {
   Soup<K> soup;
   for(const double z : { 0., 1. })
@@ -537,25 +537,93 @@ Soup<K> fans_of_cocircular_points(const std::size_t n)
     soup.triangles.push_back({{ i, j, n + j }});
     soup.triangles.push_back({{ i, n + j, n + i }});
   }
-  for(std::size_t i = 1; i + 1 < n; ++i)
+  for(const auto& t : cap)
   {
-    soup.triangles.push_back({{ 0, i + 1, i }});
-    soup.triangles.push_back({{ n, n + i, n + i + 1 }});
+    soup.triangles.push_back({{ t[0], t[2], t[1] }});
+    soup.triangles.push_back({{ n + t[0], n + t[1], n + t[2] }});
   }
   return soup;
 }
 
-// Edges that cross many mesh edges wait until they cross few: 1 point on the constraints and 3,082 replacements for 741
-// lost edges. As they come, it takes 165 and 59,040.
-void test_fans_of_cocircular_points()
+std::vector<std::array<std::size_t, 3> > fan(const std::size_t n, const std::size_t hub)
 {
-  const auto soup = fans_of_cocircular_points(302);
-  Tr tr;
-  const auto result = CGAL::recover_boundary(tr, soup.points, soup.triangles);
-  check_facets(tr, soup, result);
-  assert(result.status == Recovery_status::recovered);
-  assert(result.number_of_constraint_points < 80);
-  assert(result.number_of_shell_transformations < 20000);
+  std::vector<std::array<std::size_t, 3> > cap;
+  for(std::size_t i = 1; i + 1 < n; ++i)
+    cap.push_back({{ hub, (hub + i) % n, (hub + i + 1) % n }});
+  return cap;
+}
+
+std::vector<std::array<std::size_t, 3> > zigzag_strip(const std::size_t n)
+{
+  std::vector<std::array<std::size_t, 3> > cap;
+  for(std::size_t i = 0, j = n - 1; j - i > 1; )
+    if(i + j == n - 1)
+    {
+      cap.push_back({{ i, i + 1, j }});
+      ++i;
+    }
+    else
+    {
+      cap.push_back({{ i, j - 1, j }});
+      --j;
+    }
+  return cap;
+}
+
+template <typename Result>
+bool has_planar_phase(const Result& result)
+{
+  return std::any_of(result.phases.begin(), result.phases.end(), [](const CGAL::Boundary_recovery_3::Phase_report& r)
+  {
+    return r.phase == Recovery_phase::planar_edge_recovery;
+  });
+}
+
+// A point beside each cap lets the edges come back by flips in the plane: about as many as there are lost edges, and
+// no, or hardly any, points on constraints. By recursion, it takes 3,082 for 741 edges of fans; zigzag strips get a
+// point for every tenth edge.
+void test_tangled_planar_edges()
+{
+  for(const auto& soup : { prism(302, fan(302, 0)), prism(151, fan(151, 70)), prism(250, zigzag_strip(250)) })
+  {
+    Tr tr;
+    const auto result = CGAL::recover_boundary(tr, soup.points, soup.triangles);
+    check_facets(tr, soup, result);
+    assert(result.status == Recovery_status::recovered && has_planar_phase(result));
+    assert(br3_test::is_valid_mesh(tr));
+    assert(result.number_of_constraint_points <= 2);
+    assert(result.steiner_vertices.size() <= 1);
+    assert(result.number_of_shell_transformations < 2 * result.phases[1].lost_edges);
+  }
+}
+
+// No point is left in the mode `flips_only`, nor beside a plane where the visitor ends the recovery.
+void test_points_beside_planes_are_taken_back()
+{
+  const Soup<K> soup = prism(250, zigzag_strip(250));
+  {
+    Tr tr;
+    const auto result = CGAL::recover_boundary(tr, soup.points, soup.triangles,
+                                               params::recovery_mode(Recovery_mode::flips_only));
+    assert(has_planar_phase(result) && result.steiner_vertices.empty());
+    assert(tr.number_of_vertices() == soup.points.size() && br3_test::is_valid_mesh(tr));
+  }
+  std::size_t stopped = 0;
+  for(std::size_t n = 1; n < 1000; n += 99)
+  {
+    Tr tr(soup.points.begin(), soup.points.end());
+    Watching_visitor visitor(n);
+    const auto result = CGAL::recover_boundary(tr, soup.points, soup.triangles, params::visitor(std::ref(visitor)));
+    assert(br3_test::is_valid_mesh(tr));
+    assert(tr.number_of_vertices() == soup.points.size() + result.steiner_vertices.size());
+    if(result.status != Recovery_status::stopped || ! has_planar_phase(result))
+      continue;
+    ++stopped;
+    const auto& report = result.phases[2]; // after the insertion and the search
+    assert(report.phase == Recovery_phase::planar_edge_recovery);
+    assert(result.steiner_vertices.empty() || report.lost_edges < result.phases[1].lost_edges);
+  }
+  assert(stopped > 0);
 }
 
 void test_visitor_by_value()
@@ -631,7 +699,8 @@ int main()
   test_options();
   test_index_form();
   test_determinism();
-  test_fans_of_cocircular_points();
+  test_tangled_planar_edges();
+  test_points_beside_planes_are_taken_back();
   test_visitor();
   test_visitor_by_value();
   std::cout << "done" << std::endl;

@@ -62,22 +62,19 @@ public:
 
   Segment_walk_3(const Tr& tr, const Predicates& predicates) : m_tr(tr), m_predicates(predicates) { }
 
-  Outcome operator()(const Vertex_handle u, const Vertex_handle v) { return (*this)(u, v, std::size_t(-1)); }
-
-  // The same, but it goes no further when there are so many crossings; they are at one of both ends then.
-  Outcome operator()(const Vertex_handle u, const Vertex_handle v, const std::size_t max_number_of_crossings)
+  Outcome operator()(const Vertex_handle u, const Vertex_handle v)
   {
     m_u = u;
     m_v = v;
     m_crossings.clear();
     std::optional<Cell_handle> first = walk_around_start();
     if(first)
-      return walk(*first, max_number_of_crossings);
+      return walk(*first);
     std::swap(m_u, m_v);
     first = walk_around_start();
-    const Outcome outcome = first ? walk(*first, max_number_of_crossings) : BLOCKED;
+    const Outcome outcome = first ? walk(*first) : BLOCKED;
     turn_around();
-    return outcome == BLOCKED ? walk(search_star_of_start(), max_number_of_crossings) : outcome;
+    return outcome == BLOCKED ? walk(search_star_of_start()) : outcome;
   }
 
   Outcome operator()(const std::array<Vertex_handle, 2>& uv) { return (*this)(uv[0], uv[1]); }
@@ -88,13 +85,13 @@ public:
   Vertex_handle blocking_vertex() const { return m_blocking_vertex; }
 
 private:
-  Outcome walk(const Cell_handle first, const std::size_t max_number_of_crossings)
+  Outcome walk(const Cell_handle first)
   {
     m_crossings.clear();
     m_blocking_vertex = Vertex_handle();
     Outcome outcome = CROSSED;
     bool is_finished = leave_start(first, outcome);
-    while(! is_finished && m_crossings.size() < max_number_of_crossings)
+    while(! is_finished)
       is_finished = m_crossings.back().dimension == 2 ? leave_facet(outcome) : leave_edge(outcome);
     return outcome;
   }

@@ -218,8 +218,9 @@ private:
       recovery.set_effort(m_options.effort);
     insert_constraints(recovery);
     examine_after_work([this, &recovery] { return indices_of_missing(recovery); });
-    const bool is_recovered = m_context.is_stopped() ? is_nothing_lost(recovery)
-                                                     : recovery.recover_by_flips() || recover_by_points(recovery);
+    const bool is_recovered = m_context.is_stopped()
+      ? is_nothing_lost(recovery)
+      : recovery.recover_by_flips(m_options.mode) || recover_by_points(recovery);
     take_account(recovery);
     m_result.status = is_recovered             ? Recovery_status::recovered
                     : is_invalid()             ? Recovery_status::invalid_input

@@ -92,14 +92,6 @@ public:
     return m_walk.crossings();
   }
 
-  // Whether more mesh entities than that cross the edge.
-  bool is_crossed_by_more_than(const std::size_t n, const Constraint& edge)
-  {
-    m_walk(edge[0], edge[1], n + 1);
-    m_number_of_crossings += m_walk.crossings().size();
-    return m_walk.crossings().size() > n;
-  }
-
   // The crossings that were collected so far, those that were collected again included: with the shells, a measure of
   // the work.
   std::size_t number_of_crossings() const { return m_number_of_crossings; }

@@ -23,12 +23,9 @@
 #include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
 #include <CGAL/Shell_transformation_3.h>
 
-#include <CGAL/Unique_hash_map.h>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <random>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -72,13 +69,11 @@ public:
   {
     typedef Shell_transformation_3<Tr, No_shell_quality_3, Target_validity, Visitor> Transformation;
     Transformation st(m_tr, No_shell_quality_3(), m_context.visitor(), Predicates(m_tr));
-    start(no_limit);
+    start(std::size_t(-1));
     for(std::size_t before = std::size_t(-1); ! m_lost.empty() && m_lost.size() <= before / 2; )
     {
       before = m_lost.size();
       sort_lost([](const auto& /* crossings */) { });
-      if(are_tangled_fans())
-        break; // the first calling begins with the edges that cross least
       pass(phase, st, m_target_validity, 0);
     }
     return st.number_of_transformations();
@@ -90,8 +85,6 @@ public:
     typedef Worst_element_quality_3<Tr> Quality;
     typedef Shell_transformation_3<Tr, Quality, Target_validity, Visitor> Transformation;
     Transformation st(m_tr, Quality(m_tr), m_context.visitor(), Predicates(m_tr));
-    if constexpr(N == 2)
-      disentangle(phase, st, max_recursion_level);
     raise_recursion_level(phase, max_recursion_level, &Report::n1, [&](const int l_max)
     {
       pass(phase, st, m_target_validity, l_max);
@@ -136,13 +129,7 @@ private:
   static constexpr std::size_t work_per_shell = 10;
   static constexpr std::size_t work_per_crossing = N == 2 ? 1 : 10;
 
-  // On an average, the mesh entities that lost edges of fans cross each, and the lost edges at one end of each, from
-  // which on it matters in which order they come back.
-  static constexpr std::size_t min_number_of_crossings_of_fan = 4;
-  static constexpr std::size_t min_number_of_edges_of_fan = 4;
-
   static constexpr std::size_t never = std::size_t(-1);
-  static constexpr std::size_t no_limit = std::size_t(-1);
 
   const std::vector<Constraint>& all() const
   {
@@ -170,75 +157,7 @@ private:
   void start(const std::size_t max_number_of_shells)
   {
     m_hopeless_since.assign(all().size(), never);
-    m_waiting.clear(); // in case that a visitor threw
     m_max_number_of_shells = max_number_of_shells;
-  }
-
-  // Whether the lost edges, in the order that was found last, are those of tangled fans: on an average, they cross many
-  // mesh entities, and meet many lost edges at one of their ends.
-  bool are_tangled_fans() const
-  {
-    std::size_t number_of_crossings = 0, number_of_neighbors = 0;
-    for(const auto& crossings_and_index : m_order)
-      number_of_crossings += crossings_and_index.first;
-    if(number_of_crossings <= min_number_of_crossings_of_fan * m_order.size())
-      return false;
-    Unique_hash_map<Vertex_handle, std::size_t> numbers_at_ends(0); // for looking up only
-    for(const auto& crossings_and_index : m_order)
-      for(const Vertex_handle v : all()[crossings_and_index.second])
-        ++numbers_at_ends[v];
-    for(const auto& crossings_and_index : m_order)
-    {
-      const Constraint& edge = all()[crossings_and_index.second];
-      number_of_neighbors += (std::max)(numbers_at_ends[edge[0]], numbers_at_ends[edge[1]]);
-    }
-    return number_of_neighbors > min_number_of_edges_of_fan * m_order.size();
-  }
-
-  // In a polygon of many vertices, the edges of a fan cross many mesh edges each. Whoever removes these as they come
-  // puts others in their places, and in the end nothing can be removed any more. But where only one mesh entity crosses
-  // an edge, it has to go anyway, and other edges cross one less then. So edges wait until they cross one entity only;
-  // when no such edge comes back any more, at no recursion level, until they cross two. For the others, see Alg. 5.
-  //
-  // The order is another one in each pass, and has nothing to do with the input: where the edges of a fan come back one
-  // beside the other, cells pile up at the last one until no flip can remove what crosses the next one.
-  template <typename Transformation>
-  void disentangle(const Phase phase, Transformation& st, const int max_recursion_level)
-  {
-    start(max_number_of_shells_per_constraint * (m_lost.size() + 20));
-    sort_lost([](const auto& /* crossings */) { });
-    if(! are_tangled_fans())
-      return;
-    std::mt19937 random;
-    for(const std::size_t max_number_of_crossings : { 1, 2 })
-    {
-      for(int l_max = 0; l_max < max_recursion_level;
-          l_max = l_max == 0 ? 1 : next_recursion_level(l_max, max_recursion_level))
-        repeat_pass(phase, st, l_max, max_number_of_crossings, random);
-      repeat_pass(phase, st, max_recursion_level, max_number_of_crossings, random);
-    }
-    m_waiting.clear();
-  }
-
-  // Treats the edges that are crossed so rarely, until none comes back.
-  template <typename Transformation>
-  void repeat_pass(const Phase phase, Transformation& st, const int l_max, const std::size_t max_number_of_crossings,
-                   std::mt19937& random)
-  {
-    for(std::size_t before = no_limit; m_lost.size() < before && m_context.go_further(); )
-    {
-      before = m_lost.size();
-      m_order.clear();
-      m_waiting.clear();
-      for(const std::size_t i : m_lost)
-        if(m_recover.is_crossed_by_more_than(max_number_of_crossings, all()[i]))
-          m_waiting.push_back(i);
-        else
-          m_order.emplace_back(random(), i);
-      std::sort(m_order.begin(), m_order.end());
-      m_context.add_work(work_per_crossing * max_number_of_crossings * before);
-      pass(phase, st, m_target_validity, l_max);
-    }
   }
 
   // recvBndEdgesByST_Wrap of [CZZ+17, Alg. 5]: raises the recursion level from pass to pass up to its maximum, until
@@ -321,7 +240,7 @@ private:
     if(m_context.is_refuted())
       return;
     std::size_t done = 0;
-    std::vector<std::size_t> still_lost(m_waiting); // whoever examines the input meanwhile sees all that was lost
+    std::vector<std::size_t> still_lost; // whoever examines the input meanwhile sees all that was lost before
     for(const auto& crossings_and_index : m_order)
     {
       const std::size_t i = crossings_and_index.second;
@@ -358,9 +277,8 @@ private:
   std::vector<Report>& m_levels;
   const Target_validity_of m_target_validity;
   std::vector<std::pair<std::size_t, std::size_t> > m_order; // the lost constraints, as report() sorted them
-  std::vector<std::size_t> m_waiting; // lost constraints that are not to be treated yet
   std::vector<std::size_t> m_hopeless_since; // numbers of transformations, or never, for each constraint
-  std::size_t m_max_number_of_shells = no_limit; // in one calling of Alg. 5
+  std::size_t m_max_number_of_shells = std::size_t(-1); // in one calling of Alg. 5
 };
 
 } // namespace internal

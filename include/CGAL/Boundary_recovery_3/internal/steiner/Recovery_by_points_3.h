@@ -20,6 +20,7 @@
 #include <CGAL/Boundary_recovery_3/internal/steiner/Conforming_recovery_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Constraint_parts_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Isolated_edge_recovery_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Planar_edge_recovery_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_ledger_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_rounding_3.h>
@@ -103,6 +104,23 @@ public:
     if(mode == Mode::flips_only || m_state.context.is_stopped())
       m_unrepresentable = Lost_constraints(); // points are not wanted, or the last attempt was not finished
     return m_state.is_nothing_lost();
+  }
+
+  // Recovers edges that are tangled in planes. Where not all of them come back, or in the mode `flips_only` a point is
+  // left that was put beside them, what was done there is taken back.
+  void recover_planar_edges(const Mode mode)
+  {
+    Planar_edge_recovery_3<Tr, Visitor> recover(m_mesh);
+    const auto groups = recover.find(m_state.lost.edges);
+    if(groups.empty())
+      return;
+    m_state.run(Phase::planar_edge_recovery, [&]
+    {
+      for(const auto& edges : groups)
+        transact([&] { return recover(edges) && (mode != Mode::flips_only || m_ledger.free_points().empty()); });
+      m_state.look_up_lost();
+    });
+    m_state.number_of_transformations += recover.number_of_transformations();
   }
 
   // The first half of the main procedure: lost edges become chains of mesh edges, then lost facets unions of mesh

@@ -81,7 +81,7 @@ public:
     add(v, Carrier{ 2, f });
   }
 
-  // Adds v, which came off a constraint.
+  // Adds v, which came off a constraint, or was put beside it.
   void insert_free(const Vertex_handle v, const Carrier& origin)
   {
     m_free_points.push_back(v);
