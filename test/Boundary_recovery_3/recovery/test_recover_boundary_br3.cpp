@@ -7,6 +7,7 @@
 
 #include <CGAL/Boundary_recovery_3/internal/input/Indexed_boundary_recovery.h>
 #include <CGAL/Boundary_recovery_3/internal/input/input_conversion.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Planar_edge_recovery_3.h>
 #include <CGAL/Boundary_recovery_3/label_regions.h>
 #include <CGAL/Constrained_boundary_recovery_3.h>
 #include <CGAL/Delaunay_triangulation_3.h>
@@ -32,6 +33,7 @@
 #include <map>
 #include <memory>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <utility>
@@ -597,7 +599,17 @@ void test_tangled_planar_edges()
   }
 }
 
-// No point is left in the mode `flips_only`, nor beside a plane where the visitor ends the recovery.
+struct Throwing_visitor
+  : public CGAL::Default_boundary_recovery_visitor_3
+{
+  void on_progress(const Recovery_phase phase, const std::size_t done, const std::size_t total)
+  {
+    if(phase == Recovery_phase::planar_edge_recovery && 2 * done > total)
+      throw std::runtime_error("in the middle of a plane");
+  }
+};
+
+// No point is left in the mode `flips_only`, nor beside a plane where the visitor ends the recovery or throws.
 void test_points_beside_planes_are_taken_back()
 {
   const Soup<K> soup = prism(250, zigzag_strip(250));
@@ -607,6 +619,17 @@ void test_points_beside_planes_are_taken_back()
                                                params::recovery_mode(Recovery_mode::flips_only));
     assert(has_planar_phase(result) && result.steiner_vertices.empty());
     assert(tr.number_of_vertices() == soup.points.size() && br3_test::is_valid_mesh(tr));
+  }
+  {
+    Tr tr(soup.points.begin(), soup.points.end());
+    Throwing_visitor visitor;
+    bool is_thrown = false;
+    try {
+      CGAL::recover_boundary(tr, soup.points, soup.triangles, params::visitor(std::ref(visitor)));
+    } catch(const std::runtime_error&) {
+      is_thrown = true;
+    }
+    assert(is_thrown && tr.number_of_vertices() == soup.points.size() && br3_test::is_valid_mesh(tr));
   }
   std::size_t stopped = 0;
   for(std::size_t n = 1; n < 1000; n += 99)
