@@ -229,8 +229,8 @@ public:
   /// plane that they cross, more than 4 each on an average, as those of a fan of cocircular points do. A Steiner point
   /// is put close to the plane on each side of it where there are cells, and is removed again when the edges are back,
   /// if it is in the way of nothing. One that is left is in `steiner_vertices()`, and stays whatever comes after it.
-  /// Where not all edges of a group come back, or a point is left in the mode `flips_only`, or the visitor or the
-  /// kernel throws, the triangulation is as it was before that group.
+  /// Where fewer than 100 edges of a group come back for each point that is left, or one is left in the mode
+  /// `flips_only`, or the visitor or the kernel throws, the triangulation is as it was before that group.
   ///
   /// \param mode how far the recovery goes
   ///

@@ -85,9 +85,11 @@ public:
     return result;
   }
 
-  // Recovers such edges. Returns whether all of them are back. The ledger has no other free points.
+  // Recovers such edges. Returns whether that is worth the apexes that are left: each has to bring back as many edges as
+  // are tangled at least. The ledger has no other free points.
   bool operator()(Edges edges)
   {
+    const std::size_t number_of_edges = edges.size();
     insert_apexes(edges);
     for(std::size_t before = 0; before != edges.size() && m_mesh.context.go_further(); )
     {
@@ -95,7 +97,7 @@ public:
       recover(edges);
     }
     remove_apexes();
-    return edges.empty();
+    return number_of_edges - edges.size() >= min_number_of_edges * m_mesh.ledger.free_points().size();
   }
 
   std::size_t number_of_transformations() const { return m_transformation.number_of_transformations(); }
