@@ -85,8 +85,8 @@ public:
     return result;
   }
 
-  // Recovers such edges. Returns whether that is worth the apexes that are left: each has to bring back as many edges as
-  // are tangled at least. The ledger has no other free points.
+  // Recovers such edges. Returns whether that is worth the apexes that are left: each has to bring back as many edges
+  // as are tangled at least. The ledger has no other free points.
   bool operator()(Edges edges)
   {
     const std::size_t number_of_edges = edges.size();

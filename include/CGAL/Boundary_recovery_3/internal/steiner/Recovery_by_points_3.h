@@ -106,8 +106,8 @@ public:
     return m_state.is_nothing_lost();
   }
 
-  // Recovers edges that are tangled in planes. Where too few of them come back for the points that are left beside them,
-  // or in the mode `flips_only` a point is left, what was done there is taken back.
+  // Recovers edges that are tangled in planes. Where too few of them come back for the points that are left beside
+  // them, or in the mode `flips_only` a point is left, what was done there is taken back.
   void recover_planar_edges(const Mode mode)
   {
     Planar_edge_recovery_3<Tr, Visitor> recover(m_mesh);
