@@ -65,6 +65,11 @@ namespace CGAL {
  *     \cgalParamExtra{It has to be from 0 to 70.53, the angle of the regular tetrahedron. Above 25, many cells
  *                     will stay below it, and it takes long.}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{improvement_effort}
+ *     \cgalParamDescription{how much work the improvement is worth}
+ *     \cgalParamType{`CGAL::Boundary_recovery_3::Improvement_effort`}
+ *     \cgalParamDefault{`Improvement_effort::normal`}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{cell_quality}
  *     \cgalParamDescription{what makes a cell better than another one}
  *     \cgalParamType{a model of `CellQuality_3`}
@@ -126,13 +131,16 @@ improve_mesh_quality(Triangulation& tr, const CGAL_NP_CLASS& np = parameters::de
     get_parameter(np, BR3::cell_quality));
   const double min_dihedral_angle = choose_parameter(get_parameter(np, BR3::min_dihedral_angle),
                                                      BR3::default_min_dihedral_angle);
+  const auto effort = choose_parameter(get_parameter(np, BR3::improvement_effort),
+                                       Boundary_recovery_3::Improvement_effort::normal);
   const std::size_t max_number_of_vertices = static_cast<std::size_t>(
     choose_parameter(get_parameter(np, BR3::maximum_number_of_vertices), (std::numeric_limits<std::size_t>::max)()));
   const double maximum_running_time = choose_parameter(get_parameter(np, internal_np::maximum_running_time),
                                                        std::numeric_limits<double>::infinity());
   typedef BR3::Quality_improvement_3<Triangulation, decltype(domain), std::decay_t<decltype(quality)>,
                                      std::decay_t<decltype(visitor)> > Improvement;
-  return Improvement(tr, domain, quality, max_number_of_vertices, visitor)(min_dihedral_angle, maximum_running_time);
+  return Improvement(tr, domain, quality, max_number_of_vertices, visitor)(min_dihedral_angle, effort,
+                                                                           maximum_running_time);
 }
 
 #ifndef DOXYGEN_RUNNING

@@ -153,6 +153,11 @@ make_mesh_of_surface(Tr& tr, const FaceListGraph& surface, const SizingField& si
  *     \cgalParamType{`double`}
  *     \cgalParamDefault{25}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{improvement_effort}
+ *     \cgalParamDescription{how much work the improvement is worth}
+ *     \cgalParamType{`CGAL::Boundary_recovery_3::Improvement_effort`}
+ *     \cgalParamDefault{`Improvement_effort::normal`}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{cell_quality}
  *     \cgalParamDescription{what makes a cell better than another one}
  *     \cgalParamType{a model of `CellQuality_3`}

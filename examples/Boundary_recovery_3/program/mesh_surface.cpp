@@ -51,11 +51,12 @@ Result mesh(Triangulation& tr, const Surface<Point>& surface, const Size& size, 
   const auto vertices = CGAL::parameters::maximum_number_of_vertices(options.maximum_number_of_vertices);
   const auto improve = CGAL::parameters::improve_quality(options.improve_quality && options.insert_field_points);
   const auto angle = CGAL::parameters::min_dihedral_angle(options.min_angle);
+  const auto effort = CGAL::parameters::improvement_effort(options.effort);
   const auto subdomains = CGAL::parameters::number_of_subdomains(options.number_of_subdomains);
   const Thread_limit limit(options.number_of_threads);
   return CGAL::make_boundary_constrained_mesh_3(tr, surface.points, surface.faces,
                                                 options.insert_field_points ? size : Size::unbounded(),
-                                                common, defects, vertices, improve, angle, subdomains);
+                                                common, defects, vertices, improve, angle, effort, subdomains);
 }
 
 // the regions, unless they are not known: only what is outside would be written otherwise

@@ -101,7 +101,7 @@ public:
     if(! m_exchange.do_all_agree(read(message)) || ! have_all_the_same_input(message) ||
        ! m_exchange.do_all_agree(open_store(message)))
       return tell(message);
-    const Work work(size(), Quality(), m_options.min_angle);
+    const Work work(size(), Quality(), m_options.min_angle, m_options.effort);
     Meshing meshing(m_world, m_store, work, rounds(), m_options.maximum_number_of_vertices);
     m_division_timer.start();
     const int status = meshing.resume() ? int(success) : divide(meshing);

@@ -90,7 +90,8 @@ std::uint64_t key_of_mesh(const Surface<Point>& surface, const Mpi_options& opti
   for(const std::size_t face : surface.file_faces)
     hash.add(face);
   hash.add(options.size).add(options.grading).add(options.has_grading).add(options.insert_field_points)
-      .add(options.min_angle).add(options.improve_quality).add(options.maximum_number_of_vertices)
+      .add(options.min_angle).add(static_cast<int>(options.effort)).add(options.improve_quality)
+      .add(options.maximum_number_of_vertices)
       .add(options.number_of_subdomains)
       .add(read_surface_internal::lower_case_extension(options.background));
   for(const std::string& file : files_of_sizes)

@@ -3,9 +3,13 @@
 
 #include "command_line.h"
 
+#include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
+
 #include <cstddef>
 #include <limits>
 #include <string>
+
+using CGAL::Boundary_recovery_3::Improvement_effort;
 
 constexpr const char* meshing_usage =
   "usage: mesh_surface [INPUT] [options]\n"
@@ -39,6 +43,8 @@ constexpr const char* meshing_usage =
   "quality:\n"
   "  --min-angle DEGREES    improve tetrahedra with a dihedral angle below that one, default: 25; more is\n"
   "                         seldom possible\n"
+  "  --effort low|normal|high\n"
+  "                         how much work the improvement is worth, default: normal; high takes some times as long\n"
   "  --no-improvement       leave the tetrahedra as the field points make them\n"
   "surfaces that are not valid:\n"
   "  --repair               merge points, and drop, turn and divide triangles\n"
@@ -74,6 +80,8 @@ struct Meshing_options
   bool insert_field_points = true;
   double min_angle = 25;            // in degrees, that of the library
   bool has_min_angle = false;
+  Improvement_effort effort = Improvement_effort::normal;
+  bool has_effort = false;
   bool improve_quality = true;
   std::size_t maximum_number_of_vertices = (std::numeric_limits<std::size_t>::max)();
   std::size_t number_of_subdomains = 1;
@@ -112,6 +120,15 @@ protected:
       m_options.min_angle = number_after(option, Number_kind::not_negative);
       m_options.has_min_angle = true;
     }
+    else if(option == "--effort")
+    {
+      const std::string name = value_after(option);
+      if(name != "low" && name != "normal" && name != "high")
+        refuse("--effort is low, normal or high");
+      m_options.effort = name == "low" ? Improvement_effort::low
+                                       : name == "normal" ? Improvement_effort::normal : Improvement_effort::high;
+      m_options.has_effort = true;
+    }
     else if(option == "--no-improvement")
       m_options.improve_quality = false;
     else if(option == "--subdomains")
@@ -143,6 +160,8 @@ protected:
       refuse("--min-angle needs an angle of at most 70.53 degrees: no tetrahedron has only larger ones");
     if(m_options.has_min_angle && (! m_options.improve_quality || ! m_options.insert_field_points))
       refuse("--min-angle is for tetrahedra that are improved only");
+    if(m_options.has_effort && (! m_options.improve_quality || ! m_options.insert_field_points))
+      refuse("--effort is for tetrahedra that are improved only");
   }
 
 private:

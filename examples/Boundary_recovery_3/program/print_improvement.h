@@ -50,8 +50,7 @@ void print_improvement(std::ostream& os, const Improvement& improvement,
   os << ": " << count(counts.number_of_removed_edges, "edge") << " and "
      << count(counts.number_of_removed_facets, "facet") << " removed, vertices moved "
      << count(counts.number_of_moved_vertices, "time") << ", " << counts.number_of_inserted_points << " inserted and "
-     << counts.number_of_removed_vertices << " removed, " << counts.number_of_reconnected_polyhedra
-     << " polyhedra reconnected\n";
+     << counts.number_of_removed_vertices << " removed\n";
   const auto& certificate = improvement.certificate;
   if(! certificate.is_complete)
   {

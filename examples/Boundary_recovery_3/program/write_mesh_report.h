@@ -142,7 +142,6 @@ void write_improvement(Json_writer& json, const Improvement& improvement, const 
   json.entry("number_of_moved_vertices", improvement.counts.number_of_moved_vertices);
   json.entry("number_of_inserted_points", improvement.counts.number_of_inserted_points);
   json.entry("number_of_removed_vertices", improvement.counts.number_of_removed_vertices);
-  json.entry("number_of_reconnected_polyhedra", improvement.counts.number_of_reconnected_polyhedra);
   json.entry("is_measured", improvement.is_measured); // else there was no time left
   json.entry("is_certificate_complete", improvement.certificate.is_complete);
   write_figures(json, "before", improvement.before);

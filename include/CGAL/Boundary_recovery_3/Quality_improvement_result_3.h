@@ -23,6 +23,16 @@ namespace CGAL {
 namespace Boundary_recovery_3 {
 
 /// \ingroup PkgBoundaryRecovery3Classes
+/// how much work the improvement of a mesh is worth. An operation is tried on bad cells of one kind as long as it makes
+/// them better at a sufficient rate; work is counted, not timed, so the mesh does not depend on the machine.
+enum class Improvement_effort
+{
+  low,   ///< what improves most for least
+  normal, ///< what pays; on most smooth surfaces, all that can be done
+  high   ///< ten times the credit, and a tenth of the rate: for the last bad cells
+};
+
+/// \ingroup PkgBoundaryRecovery3Classes
 /// how often `CGAL::improve_mesh_quality()` changed something, without what was undone again.
 struct Quality_improvement_counts
 {
@@ -32,7 +42,6 @@ struct Quality_improvement_counts
   std::size_t number_of_moved_vertices = 0;       ///< number of times that a vertex was moved
   std::size_t number_of_inserted_points = 0;      ///< number of vertices that were inserted
   std::size_t number_of_removed_vertices = 0;     ///< number of vertices that were removed
-  std::size_t number_of_reconnected_polyhedra = 0; ///< number of cavities that got the best mesh there is
 };
 
 /*!

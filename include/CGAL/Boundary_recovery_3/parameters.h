@@ -34,6 +34,7 @@ enum maximum_number_of_vertices_t { maximum_number_of_vertices };
 enum min_dihedral_angle_t        { min_dihedral_angle };
 enum cell_quality_t              { cell_quality };
 enum improve_quality_t           { improve_quality };
+enum improvement_effort_t        { improvement_effort };
 enum cell_region_map_t           { cell_region_map };
 enum constrained_facets_t        { constrained_facets };
 enum number_of_layers_t          { number_of_layers };
@@ -165,6 +166,15 @@ Named_function_parameters<K, Boundary_recovery_3::internal::improve_quality_t>
 improve_quality(const K& k)
 {
   return Named_function_parameters<K, Boundary_recovery_3::internal::improve_quality_t>(k);
+}
+
+/// \ingroup PkgBoundaryRecovery3Functions
+/// how much work the improvement is worth: a value of `CGAL::Boundary_recovery_3::Improvement_effort`.
+template <typename K>
+Named_function_parameters<K, Boundary_recovery_3::internal::improvement_effort_t>
+improvement_effort(const K& k)
+{
+  return Named_function_parameters<K, Boundary_recovery_3::internal::improvement_effort_t>(k);
 }
 
 /// \ingroup PkgBoundaryRecovery3Functions

@@ -566,7 +566,7 @@ private:
 
   double lack(const double quality) const
   {
-    const int power = m_mesh.measure_of_badness().is_lenient() ? 1 : 2;
+    const int power = m_mesh.measure_of_badness().is_lenient() ? 1 : 3;
     return quality < m_mesh.enough() ? std::pow((m_mesh.enough() - quality) / m_mesh.enough(), power) : 0;
   }
 

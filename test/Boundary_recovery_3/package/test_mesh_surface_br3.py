@@ -536,8 +536,29 @@ def test_no_improvement():
     assert report['number_of_points'] == 9 + report['number_of_field_points']
     process = run(name, '--no-improvement', '--timing', status=MESHED)
     assert '@@improve 0\n' in process.out and 'tetrahedra below' not in process.out and 'improved' not in process.out
-    for combination in (['--no-improvement', '--min-angle', '10'], ['--no-field-points', '--min-angle', '10']):
+    for combination in (['--no-improvement', '--effort', 'low'], ['--no-field-points', '--effort', 'low'],
+                        ['--no-improvement', '--min-angle', '10'], ['--no-field-points', '--min-angle', '10']):
         check_file_error(name, *combination)
+
+
+def coin(n):
+    rim = [(math.cos(2 * math.pi * i / n), math.sin(2 * math.pi * i / n)) for i in range(n)]
+    points = [(x, y, z) for z in (0, 0.1) for x, y in rim] + [(0, 0, 0), (0, 0, 0.1)]
+    faces = []
+    for i in range(n):
+        j = (i + 1) % n
+        faces += [(i, j, n + j), (i, n + j, n + i), (2 * n, j, i), (2 * n + 1, n + i, n + j)]
+    return points, faces
+
+
+def test_effort():
+    name = write('effort.off', off_text(*coin(64)))  # thin triangles, beside which much can be tried
+    meshes = {}
+    for effort in ('low', 'normal', 'high', None):
+        run(name, '--quiet', '-o', 'effort.mesh', *(['--effort', effort] if effort else []), status=MESHED)
+        with open('effort.mesh', 'rb') as file:
+            meshes[effort] = file.read()
+    assert meshes[None] == meshes['normal'] and meshes['low'] != meshes['high']
 
 
 def test_chart():
@@ -709,7 +730,7 @@ def test_command_line():
     process = run('--help', status=MESHED)
     assert process.out.startswith('usage: mesh_surface') and process.err == ''
     for option in ('-o --size --sources --background --grading --no-field-points --max-vertices --time-limit --subdomains '
-                   '--threads --min-angle --no-improvement --repair --tolerance --list-defects --report --timing --quiet --help').split():
+                   '--threads --min-angle --effort --no-improvement --repair --tolerance --list-defects --report --timing --quiet --help').split():
         assert '  %s ' % option in process.out, option
     surface = write('command_line.off', off_text(*tetrahedron()))
     for wrong in (['--unknown'], ['-x'], ['-o'], ['--report'], [surface], [''], ['--size'], ['--size', '0'], ['--size', '-1'],
@@ -719,7 +740,7 @@ def test_command_line():
                   ['--time-limit', 'soon'], ['--subdomains', '0'], ['--subdomains', '1.5'], ['--threads', '2'],
                   ['--subdomains', '2', '--threads', '0'], ['--threads'], ['--tolerance', '1'], ['--conforming'], ['--min-angle'],
                   ['--min-angle', '-1'], ['--min-angle', '70.6'], ['--min-angle', 'nan'], ['--no-improvement', '1'],
-                  ['-o', 'out.stl'], ['-o', 'out']):
+                  ['--effort'], ['--effort', 'much'], ['--effort', ''], ['-o', 'out.stl'], ['-o', 'out']):
         check_file_error(surface, *wrong)
     run(surface, '--grading', '0.5', '--max-vertices', '100', '--time-limit', '60', '--min-angle', '70.5', status=MESHED)
 

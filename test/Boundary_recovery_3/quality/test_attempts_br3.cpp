@@ -12,7 +12,6 @@
 #include <CGAL/Boundary_recovery_3/internal/quality/Flip_bad_cell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Insert_near_bad_cell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Move_at_random_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/Reconnect_bad_cell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Smooth_vertex_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -44,7 +43,6 @@ struct Attempt
   typedef typename Base::Scene::Vertex_handle                                        Vertex_handle;
   typedef typename Base::Scene::Cell_handle                                          Cell_handle;
   using Base::scene;
-  using Base::quality;
   using Base::mesh;
 
   Attempt(const unsigned seed, const Improvement_options& options)
@@ -62,9 +60,8 @@ struct Attempt
   {
     internal::Flip_bad_cell_3<Mesh> flip(mesh);
     internal::Contract_bad_edge_3<Mesh> contract(mesh);
-    internal::Smooth_vertex_3<Mesh> smooth(mesh, quality);
-    internal::Insert_near_bad_cell_3<Mesh> insert(mesh, quality);
-    internal::Reconnect_bad_cell_3<Mesh> reconnect(mesh);
+    internal::Smooth_vertex_3<Mesh> smooth(mesh);
+    internal::Insert_near_bad_cell_3<Mesh> insert(mesh);
     internal::Move_at_random_3<Mesh> move(mesh);
     int number = 0;
     for(int k = 0; k < number_of_cells; ++k)
@@ -79,13 +76,12 @@ struct Attempt
           operation.apply();
         return is_found;
       };
-      switch(random.get_int(0, 6))
+      switch(random.get_int(0, 5))
       {
         case 0: number += flip(c); break;
         case 1: number += contract.find(c->vertex(0), 0) && contract.apply(); break;
         case 2: number += smooth(c->vertex(1)); break;
         case 3: number += do_if(insert.find_any(c, 3, random), insert); break;
-        case 4: number += do_if(reconnect.find(c), reconnect); break;
         default: number += move(c, random);
       }
     }

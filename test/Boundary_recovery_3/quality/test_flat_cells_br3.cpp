@@ -97,8 +97,8 @@ struct Numbers
 // How often the worst cell is nearly as good again as it was at first.
 void test_vertex(Improvement& t, const Vertex_handle v, Star& star, Numbers& numbers)
 {
-  internal::Deepen_vertex_3<Mesh> deepen(t.mesh, t.quality);
-  internal::Smooth_vertex_3<Mesh> smooth(t.mesh, t.quality);
+  internal::Deepen_vertex_3<Mesh> deepen(t.mesh);
+  internal::Smooth_vertex_3<Mesh> smooth(t.mesh);
   const Place start = Mesh::coordinates(v);
   if(! star.collect(v))
   {
@@ -163,9 +163,9 @@ void test_many_cells()
   squeeze(t, v, star, 0);
   const auto deepest = internal::deepest_point(t.scene.tr, star.faces(), Mesh::coordinates(v));
   assert(deepest && worst_quality(t, star, *deepest) > 1e-3);
-  is_done = internal::Smooth_vertex_3<Mesh>(t.mesh, t.quality)(v);
+  is_done = internal::Smooth_vertex_3<Mesh>(t.mesh)(v);
   assert(! is_done);
-  is_done = internal::Deepen_vertex_3<Mesh>(t.mesh, t.quality)(v);
+  is_done = internal::Deepen_vertex_3<Mesh>(t.mesh)(v);
   assert(is_done && worst_quality(t, star, Mesh::coordinates(v)) > 1e-3);
   assert_positive(t, star);
 }
@@ -220,7 +220,7 @@ bool test_layer(const unsigned seed, const bool is_oblique)
   const double worst = worst_quality(t);
   assert(worst < 1e-10 && worst_at_first > 0);
 
-  internal::Deepen_vertex_3<Mesh> deepen(t.mesh, t.quality);
+  internal::Deepen_vertex_3<Mesh> deepen(t.mesh);
   internal::Lift_layer_3<Mesh> lift(t.mesh);
   bool is_one_deep = false;
   for(const auto& vh : heights)
@@ -272,7 +272,7 @@ void test_flat_cell_between_walls(const unsigned seed, const double size)
   assert(is_cell && t.mesh.quality(flat) < 1e-12 && worst_quality(t) < 1e-12);
   const std::size_t number = tr.number_of_vertices();
 
-  internal::Insert_into_shell_3<Mesh> insert_into_shell(t.mesh, t.quality);
+  internal::Insert_into_shell_3<Mesh> insert_into_shell(t.mesh);
   const bool is_found = insert_into_shell.find(flat);
   assert(is_found);
   insert_into_shell.apply();

@@ -1,5 +1,5 @@
-// Removal of edges and of facets, and reconnection, led by quality, on random constrained meshes, judged after each
-// step; against brute force; and the removal of facets as the inverse of that of an edge.
+// Removal of edges and of facets, led by quality, on random constrained meshes, judged after each step; against brute
+// force; and the removal of facets as the inverse of that of an edge.
 
 #undef NDEBUG // the checks are assertions, also in a Release build
 
@@ -8,7 +8,6 @@
 
 #include <CGAL/Boundary_recovery_3/Cell_quality_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Flip_bad_cell_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/Reconnect_bad_cell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Remove_bad_edge_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Remove_bad_facet_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -81,12 +80,12 @@ struct Improvement
 };
 
 // All steps on random meshes. Returns how many there were of each kind.
-std::array<int, 4> test_all_steps(const unsigned seed)
+std::array<int, 3> test_all_steps(const unsigned seed)
 {
   Improvement_options options;
   options.is_grid = seed % 4 == 0;
   options.size = seed % 3 == 0 ? 0.06 : seed % 3 == 1 ? 0.4 : 0;
-  std::array<int, 4> number = {{ 0, 0, 0, 0 }};
+  std::array<int, 3> number = {{ 0, 0, 0 }};
   const int kind = seed / 2 % 3;
   const double degrees = 10 + seed % 5 * 10;
   {
@@ -109,15 +108,6 @@ std::array<int, 4> test_all_steps(const unsigned seed)
     internal::Flip_bad_cell_3<Mesh> flip(t.mesh);
     number[2] = try_on_all_cells(t.scene, t.mesh, Lengths_slack::edges_that_go, std::ref(flip));
   }
-  Improvement t(seed, options, kind, degrees);
-  internal::Reconnect_bad_cell_3<Mesh> reconnect(t.mesh);
-  number[3] = try_on_all_cells(t.scene, t.mesh, Lengths_slack::none, [&](const Cell_handle c)
-  {
-    if(! reconnect.find(c))
-      return false;
-    reconnect.apply();
-    return true;
-  });
   return number;
 }
 
@@ -369,227 +359,19 @@ void test_inverse(const int n)
   assert(remove_facet.new_cells().size() == static_cast<std::size_t>(n));
 }
 
-// ------------------------------------------------ reconnection, by brute force
-
-// All tetrahedralizations of a polyhedron, by its faces seen from inside: the worst cell of the best one.
-class Best_tetrahedralization
-{
-public:
-  typedef std::array<std::size_t, 3> Face; // turned so that the least number is first
-
-  Best_tetrahedralization(const Improvement& t, const double known) : m_t(t), m_best(known)
-  {
-    for(const Vertex_handle v : t.scene.tr.finite_vertex_handles())
-      m_vertices.push_back(v);
-    for(const Cell_handle c : t.scene.cells())
-      for(int i = 0; i < 4; ++i)
-        if(t.scene.tr.is_infinite(c->neighbor(i)))
-        {
-          const auto f = internal::facet_vertices(c, i);
-          m_open.insert(turned({{ number(f[0]), number(f[1]), number(f[2]) }}));
-        }
-    search(2);
-  }
-
-  double worst() const { return m_best; }
-
-private:
-  std::size_t number(const Vertex_handle v) const
-  {
-    return static_cast<std::size_t>(std::find(m_vertices.begin(), m_vertices.end(), v) - m_vertices.begin());
-  }
-
-  static Face turned(Face f)
-  {
-    std::rotate(f.begin(), std::min_element(f.begin(), f.end()), f.end());
-    return f;
-  }
-
-  // Positive cells whose outer facets are those of the polyhedron cover each point once.
-  void search(const double worst)
-  {
-    if(m_open.empty())
-    {
-      m_best = worst;
-      return;
-    }
-    const Face f = *m_open.begin();
-    for(std::size_t k = 0; k < m_vertices.size(); ++k)
-    {
-      const auto& v = m_vertices;
-      double w = worst;
-      badness(m_t.mesh, v[f[0]], v[f[1]], v[f[2]], v[k], w);
-      if(! (w > m_best) || ! m_t.mesh.is_positive(v[f[0]], v[f[1]], v[f[2]], v[k]))
-        continue;
-      const std::set<Face> open = m_open, closed = m_closed;
-      if(close(f, k))
-        search(w);
-      m_open = open;
-      m_closed = closed;
-    }
-  }
-
-  bool close(const Face& f, const std::size_t k)
-  {
-    m_open.erase(f);
-    m_closed.insert(f);
-    for(int i = 0; i < 3; ++i)
-    {
-      const Face mine = turned({{ f[i], k, f[(i + 1) % 3] }}), other = turned({{ f[i], f[(i + 1) % 3], k }});
-      if(m_closed.count(mine) > 0 || m_closed.count(other) > 0)
-        return false;
-      if(m_open.erase(mine) > 0)
-        m_closed.insert(mine);
-      else
-        m_open.insert(other);
-    }
-    return true;
-  }
-
-  const Improvement& m_t;
-  double m_best;
-  std::vector<Vertex_handle> m_vertices;
-  std::set<Face> m_open, m_closed;
-};
-
-double worst_cell(const Improvement& t)
-{
-  double worst = 2;
-  for(const Cell_handle c : t.scene.cells())
-    worst = (std::min)(worst, t.mesh.quality(c));
-  return worst;
-}
-
-void insert_on_sphere(Improvement& t, const int n, const bool has_inner_vertex = false)
-{
-  Tr& tr = t.scene.tr;
-  tr.clear();
-  if(has_inner_vertex)
-    tr.insert(Tr::Point(100, 200, 300));
-  while(tr.number_of_vertices() < static_cast<std::size_t>(n))
-  {
-    const double x = t.scene.random_int(2000) - 1000, y = t.scene.random_int(2000) - 1000;
-    const double z = t.scene.random_int(2000) - 1000, r = std::sqrt(x * x + y * y + z * z);
-    tr.insert(Tr::Point(std::floor(4096 * x / r), std::floor(4096 * y / r), std::floor(4096 * z / r)));
-  }
-  t.scene.select_all();
-}
-
-// A vertex inside of the polyhedron would be lost.
-void test_reconnection_around_vertex()
-{
-  int number = 0;
-  for(unsigned seed = 0; seed < 20; ++seed)
-  {
-    Improvement t(seed, Improvement_options(), 1, 60);
-    insert_on_sphere(t, 9, true);
-    std::vector<Cell_handle> around;
-    for(const Vertex_handle v : t.scene.tr.finite_vertex_handles())
-      if(v->point() == Tr::Point(100, 200, 300))
-        t.scene.tr.incident_cells(v, std::back_inserter(around));
-    if(std::any_of(around.begin(), around.end(), [&](const Cell_handle c) { return t.scene.tr.is_infinite(c); }))
-      continue; // it is not inside
-    ++number;
-    internal::Reconnect_bad_cell_3<Mesh> reconnect(t.mesh);
-    for(const Cell_handle c : around)
-      assert(! reconnect.find(c));
-  }
-  assert(number > 5);
-}
-
-// Where vertices moved, nothing is known from before.
-void test_reconnection_after_move()
-{
-  int number = 0;
-  for(unsigned seed = 0; seed < 40; ++seed)
-  {
-    Improvement t(seed, Improvement_options(), 1, 60);
-    insert_on_sphere(t, 8);
-    internal::Reconnect_bad_cell_3<Mesh> reconnect(t.mesh);
-    reconnect.find(t.scene.tr.finite_cells_begin());
-    for(const Vertex_handle v : t.scene.tr.finite_vertex_handles()) // affinely: the mesh stays valid
-      v->set_point(Tr::Point(0.25 * v->point().x() + v->point().z(), 2 * v->point().y(), v->point().z()));
-    assert(br3_test::is_valid_mesh(t.scene.tr));
-    const double badness = badness_of_all(t), worst = worst_cell(t);
-    if(! reconnect.find(t.scene.tr.finite_cells_begin()))
-      continue;
-    reconnect.apply();
-    assert(br3_test::is_valid_mesh(t.scene.tr) && badness_of_all(t) < badness && worst_cell(t) >= worst);
-    ++number;
-  }
-  assert(number > 10);
-}
-
-// New edges are not too long, and not too short.
-void test_lengths_of_reconnection()
-{
-  int number = 0;
-  for(unsigned seed = 0; seed < 80; ++seed)
-  {
-    Improvement t(seed, Improvement_options(), 1, 60);
-    insert_on_sphere(t, 8);
-    std::set<std::set<Vertex_handle> > before;
-    for(const auto& e : t.scene.tr.finite_edges())
-      before.insert({ e.first->vertex(e.second), e.first->vertex(e.third) });
-    for(const Vertex_handle v : t.scene.tr.finite_vertex_handles())
-      v->set_meshing_info(seed % 2 == 0 ? 3000 : 10000);
-    internal::Reconnect_bad_cell_3<Mesh> reconnect(t.mesh);
-    if(! reconnect.find(t.scene.tr.finite_cells_begin()))
-      continue;
-    reconnect.apply();
-    ++number;
-    for(const auto& e : t.scene.tr.finite_edges())
-    {
-      const Vertex_handle u = e.first->vertex(e.second), v = e.first->vertex(e.third);
-      assert(before.count({ u, v }) > 0 || t.mesh.is_edge_in_size(u, v));
-    }
-  }
-  assert(number > 5);
-}
-
-void test_best_reconnection()
-{
-  const double rounding = 1e-12; // the quality depends on the order of the corners, that little
-  std::array<int, 3> number = {{ 0, 0, 0 }};
-  for(unsigned seed = 0; seed < 60; ++seed)
-  {
-    Improvement_options options;
-    options.has_walls = false;
-    options.number_of_points = 20;
-    Improvement t(seed, options, static_cast<int>(seed % 2), 60);
-    insert_on_sphere(t, 6 + static_cast<int>(seed % 3));
-    const double before = worst_cell(t);
-    internal::Reconnect_bad_cell_3<Mesh> reconnect(t.mesh);
-    const double best = Best_tetrahedralization(t, before).worst();
-    const bool is_found = reconnect.find(t.scene.tr.finite_cells_begin());
-    if(is_found)
-      reconnect.apply();
-    const double after = worst_cell(t);
-    assert(t.scene.tr.tds().is_valid() && after <= best + rounding && after >= before - rounding);
-    ++number[is_found ? after > best - rounding ? 2 : 1 : best < before + rounding ? 2 : 0];
-  }
-  // the other ones would make the worst cell better, but the sum worse
-  assert(number[1] == 0 && number[2] >= 50);
-}
-
 int main()
 {
-  std::array<int, 4> number = {{ 0, 0, 0, 0 }};
+  std::array<int, 3> number = {{ 0, 0, 0 }};
   for(unsigned seed = 0; seed < 16; ++seed)
   {
     const auto more = test_all_steps(seed);
-    for(int i = 0; i < 4; ++i)
+    for(int i = 0; i < 3; ++i)
       number[i] += more[i];
   }
-  std::cout << number[0] << " edges, " << number[1] << " facets, " << number[2] << " of either, " << number[3]
-            << " reconnections" << std::endl;
-  assert(number[0] > 100 && number[1] > 100 && number[2] > 100 && number[3] > 20);
+  std::cout << number[0] << " edges, " << number[1] << " facets, " << number[2] << " of either" << std::endl;
+  assert(number[0] > 100 && number[1] > 100 && number[2] > 100);
   test_best_removal_of_edge();
   test_best_flip();
   for(int n = 3; n <= 12; ++n)
     test_inverse(n);
-  test_best_reconnection();
-  test_reconnection_around_vertex();
-  test_reconnection_after_move();
-  test_lengths_of_reconnection();
 }

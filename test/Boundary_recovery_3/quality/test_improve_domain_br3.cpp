@@ -10,6 +10,7 @@
 #include <CGAL/Boundary_recovery_3/internal/quality/Improve_bad_cells_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Improve_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Search_locally_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Work_account.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -245,7 +246,7 @@ void check_counts(const BR3::Quality_improvement_counts& counts, const Visitor& 
 {
   assert(counts.number_of_inserted_points - counts.number_of_removed_vertices == number_of_more_vertices);
   const std::size_t others = counts.number_of_removed_edges + counts.number_of_removed_facets +
-                             counts.number_of_inserted_points + counts.number_of_reconnected_polyhedra;
+                             counts.number_of_inserted_points;
   assert(others + 2 * visitor.number_of_exchanges_taken_back <= visitor.number_of_exchanges);
   assert(visitor.number_of_exchanges_taken_back > 0 ||
          visitor.number_of_exchanges <= others + counts.number_of_removed_vertices);
@@ -271,16 +272,14 @@ void test_random_meshes(const unsigned first, const unsigned last)
     sum.number_of_removed_facets += counts.number_of_removed_facets;
     sum.number_of_removed_vertices += counts.number_of_removed_vertices;
     sum.number_of_inserted_points += counts.number_of_inserted_points;
-    sum.number_of_reconnected_polyhedra += counts.number_of_reconnected_polyhedra;
     sum.number_of_moved_vertices += counts.number_of_moved_vertices;
     again(20 + seed % 3 * 5);
     assert(bytes_of(t.scene.tr) == bytes_of(again.scene.tr));
   }
   std::cout << sum.number_of_removed_edges << " edges, " << sum.number_of_removed_facets << " facets, "
             << sum.number_of_removed_vertices << " vertices removed, " << sum.number_of_inserted_points
-            << " inserted, " << sum.number_of_moved_vertices << " moved, " << sum.number_of_reconnected_polyhedra
-            << " reconnections; " << number_taken_back << " attempts taken back; bad cells " << number_before << " -> "
-            << number_after << std::endl;
+            << " inserted, " << sum.number_of_moved_vertices << " moved; " << number_taken_back
+            << " attempts taken back; bad cells " << number_before << " -> " << number_after << std::endl;
   assert(sum.number_of_removed_edges > 0 && sum.number_of_removed_facets > 0 && sum.number_of_moved_vertices > 0);
   if(last - first > 8)
     assert(sum.number_of_removed_vertices > 0 && sum.number_of_inserted_points > 0 && number_taken_back > 0);
@@ -298,7 +297,7 @@ struct Bad_cell_improvement
 
   explicit Bad_cell_improvement(const unsigned seed)
     : Improvement<K>(seed, options_of(seed)), improve(scene.tr, domain, quality, context),
-      search(improve, domain, quality, context)
+      search(improve, domain, context)
   {
     improve.set_measure_of_badness(quality.of_angle(angle));
     for(const Cell_handle c : scene.cells())
@@ -340,17 +339,15 @@ void test_search()
   {
     Bad_cell_improvement t(seed);
     t.judge.remember_all();
-    t.improve.try_all(0);
+    t.improve.attempt(0);
     assert(t.judge.is_unchanged());
     const auto cells = t.improve.bad_cells().next_round();
     assert(t.is_complete(cells));
     t.improve.bad_cells().put_back(cells);
-    t.improve.try_all();
+    t.improve();
     const double before = t.weight();
     t.judge.remember_all();
-    t.search(t.angle, 0);
-    assert(t.judge.is_unchanged());
-    t.search(t.angle, 6000);
+    t.search(t.angle);
     assert(t.is_complete(t.improve.bad_cells().next_round()) && t.weight() <= before + 1e-9);
     t.check();
     sum_before += before;
@@ -465,12 +462,67 @@ void test_number_of_vertices()
     improve(limit);
 }
 
+// An account pays until its credit is spent; what it earns lengthens that, at the rate that is asked for. More effort
+// means more credit, and a lower rate; more cells, more credit; each kind of cell has its own.
+void test_work_account()
+{
+  const auto number_of_tries = [](const BR3::Improvement_effort effort, const std::size_t number_of_cells,
+                                  const double yield)
+  {
+    internal::Work_account account;
+    account.open(effort, number_of_cells);
+    std::size_t number = 0;
+    for(; account.pays(0) && number < 1000000; ++number)
+      account.book(0, 90, yield);
+    assert(account.pays(1) && account.pays(2));
+    return number;
+  };
+  using Effort = BR3::Improvement_effort;
+  for(const std::size_t n : { 1000, 5000 })
+  {
+    const std::size_t low = number_of_tries(Effort::low, n, 0), normal = number_of_tries(Effort::normal, n, 0);
+    assert(low < normal && normal < number_of_tries(Effort::high, n, 0));
+    assert(normal < number_of_tries(Effort::normal, 2 * n, 0) && normal < number_of_tries(Effort::normal, n, 0.005));
+    assert(number_of_tries(Effort::normal, n, 0.005) < 1000000 && number_of_tries(Effort::normal, n, 0.02) == 1000000);
+    assert(number_of_tries(Effort::low, n, 0.02) < 1000000 && number_of_tries(Effort::high, n, 0.005) == 1000000);
+  }
+  assert(number_of_tries(Effort::normal, 0, 0) > 0);
+  internal::Work_account account; // not opened: no limit
+  account.book(0, 1000000000, 0);
+  assert(account.pays(0));
+  assert(internal::Work_account::kind(0, 1) == 0 && internal::Work_account::kind(0.3, 1) == 1
+         && internal::Work_account::kind(0.9, 1) == 2 && internal::Work_account::kind(0.3, 0.4) == 2);
+}
+
+// More effort is more work on the same meshes, and fewer bad cells.
+void test_effort()
+{
+  std::array<std::size_t, 3> bad = {{ 0, 0, 0 }}, exchanges = {{ 0, 0, 0 }};
+  for(unsigned seed = 0; seed < 12; ++seed)
+    for(const int k : { 0, 1, 2 })
+    {
+      Improvement<K> t(seed, options_of(seed));
+      Improvement<K>::Improve_domain improve(t.scene.tr, t.domain, t.quality, t.context);
+      improve.set_effort(static_cast<BR3::Improvement_effort>(k));
+      improve(30);
+      t.check();
+      bad[k] += t.number_of_bad_cells();
+      exchanges[k] += t.visitor.number_of_exchanges;
+    }
+  std::cout << "effort: " << bad[0] << ", " << bad[1] << ", " << bad[2] << " bad cells; " << exchanges[0] << ", "
+            << exchanges[1] << ", " << exchanges[2] << " exchanges" << std::endl;
+  assert(exchanges[0] < exchanges[1] && exchanges[1] < exchanges[2]);
+  assert(bad[2] < bad[1] && bad[1] < bad[0]);
+}
+
 int main()
 {
   test_random_meshes<K>(0, 30);
 #ifndef BR3_TEST_EPICK_ONLY
   test_random_meshes<CGAL::Exact_predicates_exact_constructions_kernel>(2, 4);
 #endif
+  test_work_account();
+  test_effort();
   test_search();
   test_nothing_to_do();
   test_interruptions(2);

@@ -10,7 +10,6 @@
 #include <CGAL/Boundary_recovery_3/internal/quality/Contract_bad_edge_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Flip_bad_cell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Insert_into_bad_cell_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/Reconnect_bad_cell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Smooth_vertex_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Labeled_mesh_domain_3.h>
@@ -70,21 +69,9 @@ struct Operations
     return (*this)(Lengths_slack::edges_that_go, std::ref(flip));
   }
 
-  int reconnect()
-  {
-    internal::Reconnect_bad_cell_3<Mesh> reconnect(trial.mesh);
-    return (*this)(Lengths_slack::none, [&](const Cell_handle c)
-    {
-      if(! reconnect.find(c))
-        return false;
-      reconnect.apply();
-      return true;
-    });
-  }
-
   int smooth()
   {
-    internal::Smooth_vertex_3<Mesh> smooth(trial.mesh, trial.quality);
+    internal::Smooth_vertex_3<Mesh> smooth(trial.mesh);
     return (*this)(Lengths_slack::none, [&](const Cell_handle c) { return smooth(c->vertex(0)); });
   }
 
@@ -106,7 +93,7 @@ struct Operations
   {
     const std::set<Vertex_handle> before(trial.scene.tr.finite_vertex_handles().begin(),
                                          trial.scene.tr.finite_vertex_handles().end());
-    internal::Insert_into_bad_cell_3<Mesh> insert(trial.mesh, trial.quality);
+    internal::Insert_into_bad_cell_3<Mesh> insert(trial.mesh);
     const int number = (*this)(Lengths_slack::longest_edge,
                                [&](const Cell_handle c) { return insert.find(c) && insert.apply(); });
     for(const Cell_handle c : trial.scene.cells())
@@ -129,20 +116,19 @@ struct Operations
 
 // Returns how many steps there were of each kind.
 template <typename Tr>
-std::array<int, 6> test(const char* const name)
+std::array<int, 5> test(const char* const name)
 {
-  std::array<int, 6> number = {{ 0, 0, 0, 0, 0, 0 }};
+  std::array<int, 5> number = {{ 0, 0, 0, 0, 0 }};
   for(unsigned seed = 0; seed < 12; ++seed)
   {
     number[0] += Operations<Tr>(seed).flip();
-    number[1] += Operations<Tr>(seed).reconnect();
-    number[2] += Operations<Tr>(seed).smooth();
-    number[3] += Operations<Tr>(seed).contract();
-    number[4] += Operations<Tr>(seed).insert();
-    number[5] += Operations<Tr>(seed).center();
+    number[1] += Operations<Tr>(seed).smooth();
+    number[2] += Operations<Tr>(seed).contract();
+    number[3] += Operations<Tr>(seed).insert();
+    number[4] += Operations<Tr>(seed).center();
   }
-  std::cout << name << ": " << number[0] << " flips, " << number[1] << " reconnections, " << number[2] << " moves, "
-            << number[3] << " contractions, " << number[4] << " insertions, " << number[5] << " centered" << std::endl;
+  std::cout << name << ": " << number[0] << " flips, " << number[1] << " moves, " << number[2]
+            << " contractions, " << number[3] << " insertions, " << number[4] << " centered" << std::endl;
   for(const int n : number)
     assert(n > 3);
   return number;

@@ -205,10 +205,11 @@ private:
     const std::size_t max_number_of_vertices = static_cast<std::size_t>(
       get(internal::maximum_number_of_vertices, (std::numeric_limits<std::size_t>::max)()));
     const double min_dihedral_angle = get(internal::min_dihedral_angle, default_min_dihedral_angle);
+    const Improvement_effort effort = get(internal::improvement_effort, Improvement_effort::normal);
     Hold_recovered_vertices_3<Tr> hold(m_tr, result.recovery);
     const auto quality = get(internal::cell_quality, Dihedral_angle_quality_3());
     Subdomain_meshing_3<Tr, SizingField, std::decay_t<decltype(quality)>, Recorder>(
-      m_tr, size, quality, min_dihedral_angle, max_number_of_vertices, recorder, result)(
+      m_tr, size, quality, min_dihedral_angle, effort, max_number_of_vertices, recorder, result)(
       number, get(internal::improve_quality, true));
     hold.forget_lost_steiner_vertices();
     if(! result.filling)

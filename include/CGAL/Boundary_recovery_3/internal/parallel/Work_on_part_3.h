@@ -60,8 +60,9 @@ public:
   typedef Mesh_part_3<Tr>   Part;
   typedef Part_report_3<Tr> Report;
 
-  Work_on_part_3(const SizingField& size, const Quality& quality, const double min_dihedral_angle)
-    : m_size(size), m_quality(quality), m_min_dihedral_angle(min_dihedral_angle)
+  Work_on_part_3(const SizingField& size, const Quality& quality, const double min_dihedral_angle,
+                 const Improvement_effort effort)
+    : m_size(size), m_quality(quality), m_min_dihedral_angle(min_dihedral_angle), m_effort(effort)
   { }
 
   // New vertices get numbers from the first one that is free. There are so many vertices more at most; a round that
@@ -178,6 +179,7 @@ private:
     Improve_domain_3<Tr, Domain, Quality, Visitor> improve_domain(tr, domain, m_quality, context);
     if(! round.works_on_parts())
       improve_domain.be_strict();
+    improve_domain.set_effort(m_effort);
     improve_domain.set_max_number_of_vertices(max_number);
     improve_domain(m_min_dihedral_angle);
     report.counts = improve_domain.counts();
@@ -188,6 +190,7 @@ private:
   const SizingField& m_size;
   const Quality m_quality;
   const double m_min_dihedral_angle;
+  const Improvement_effort m_effort;
 };
 
 } // namespace internal

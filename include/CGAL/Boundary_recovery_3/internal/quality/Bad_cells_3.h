@@ -54,11 +54,14 @@ public:
   void begin_visit() { ++m_visit; }
 
   // A cell of the domain may be bad. Returns its quality.
-  double push(const Cell_handle c)
+  double push(const Cell_handle c) { return push(c, m_visit); }
+
+  // The same for a cell that could not be improved in this visit.
+  double push(const Cell_handle c, const std::size_t visit)
   {
     const double q = m_mesh.quality(c);
     if(q < m_mesh.enough())
-      m_cells.push_back(Bad_cell{ q, c, m_visit });
+      m_cells.push_back(Bad_cell{ q, c, visit });
     return q;
   }
 

@@ -23,7 +23,7 @@ namespace internal {
 /*
  * How bad cells are, by what their qualities lack of what is enough, and what operations may do for the sum of it.
  *
- * At first, the squares count, and no new cell may be worse than the worst one of those that go. For what that leaves,
+ * At first, the cubes count, and no new cell may be worse than the worst one of those that go. For what that leaves,
  * the lacks themselves count, so that one very bad cell is preferred to several bad ones; and a new cell may be worse
  * than all that go, by a factor, but never worse than the whole mesh was.
  */
@@ -52,13 +52,13 @@ public:
   }
 
   // `lack` is from 0 to 1, as the badness is; this grows with it.
-  double of_lack(const double lack) const { return m_is_lenient ? lack : lack * lack; }
+  double of_lack(const double lack) const { return m_is_lenient ? lack : lack * lack * lack; }
 
   // What a cell counts where it matters how many are bad: hardly less if it is only a bit so.
   double weight(const double quality) const { return std::sqrt((std::max)(0., 1 - quality * m_inverse)); }
 
-  // Half of the derivative, up to a factor.
-  double slope(const double lack) const { return m_is_lenient ? 1 : lack; }
+  // The derivative, up to a factor.
+  double slope(const double lack) const { return m_is_lenient ? 1 : lack * lack; }
 
   // The quality that new cells have at least, if that is the one of the worst cell that goes.
   double least_quality(const double worst) const

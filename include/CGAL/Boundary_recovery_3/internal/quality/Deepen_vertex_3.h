@@ -41,8 +41,8 @@ public:
   typedef typename Mesh::Vertex_handle Vertex_handle;
   typedef typename Mesh::Cell_handle   Cell_handle;
 
-  Deepen_vertex_3(Mesh& mesh, const typename Mesh::Quality& quality)
-    : m_mesh(mesh), m_star(mesh, max_number_of_cells), m_best_point(quality)
+  explicit Deepen_vertex_3(Mesh& mesh)
+    : m_mesh(mesh), m_star(mesh, max_number_of_cells), m_best_point(mesh.quality())
   { }
 
   // Moves v. Returns whether the worst cell at v is better by far now; others may be worse than before, and edges have

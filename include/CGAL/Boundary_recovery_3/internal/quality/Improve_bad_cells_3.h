@@ -24,12 +24,13 @@
 #include <CGAL/Boundary_recovery_3/internal/quality/Insert_into_shell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Insert_near_bad_cell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Lift_layer_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/Reconnect_bad_cell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Smooth_vertex_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Vain_attempts_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Work_account.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -39,9 +40,12 @@ namespace Boundary_recovery_3 {
 namespace internal {
 
 /*
- * Works through the list of the bad cells of a mesh, again and again. What is cheap is done for all of them; the dear
- * operations follow, for what that leaves. The worst one comes first, but at first, when there are many, that is so in
- * blocks of cells that are near each other, which is faster.
+ * Works through the list of the bad cells of a mesh, again and again. What is cheap is done for all of them; the
+ * expensive operations follow, for what that leaves. The worst one comes first, but at first, when there are many, that
+ * is so in blocks of cells that are near each other, which is faster.
+ *
+ * An operation is tried at a cell as long as it pays, see `Work_account`, and not again where it failed, before
+ * something around the cell has changed.
  *
  * No operation leaves a cell that is worse than the worst one of those that it changes, or than the measure of badness
  * tolerates, and each makes the sum of the badness of the cells smaller, or the worst one better by far, where that is
@@ -60,9 +64,8 @@ public:
     : m_quality(quality), m_context(context), m_mesh(tr, domain, quality, context.visitor()),
       m_bad_cells(m_mesh, [&context] { return context.go_further_after_short_step(); }),
       m_vain_contractions(m_bad_cells), m_vain_smoothings(m_bad_cells), m_vain_deepenings(m_bad_cells),
-      m_vain_lifts(m_bad_cells), m_flip(m_mesh), m_contract(m_mesh), m_smooth(m_mesh, quality),
-      m_deepen(m_mesh, quality), m_lift(m_mesh), m_insert(m_mesh, quality), m_insert_into_shell(m_mesh, quality),
-      m_insert_near(m_mesh, quality), m_reconnect(m_mesh)
+      m_vain_lifts(m_bad_cells), m_flip(m_mesh), m_contract(m_mesh), m_smooth(m_mesh), m_deepen(m_mesh),
+      m_lift(m_mesh), m_insert(m_mesh), m_insert_into_shell(m_mesh), m_insert_near(m_mesh)
   { }
 
   Mesh& mesh() { return m_mesh; }
@@ -80,32 +83,34 @@ public:
     m_vain_lifts.clear();
   }
 
+  // From now on, what operations cost is booked, against what they earn. A strict measure of badness and a lenient one
+  // have accounts of their own, since they do not count in the same unit.
+  void open_accounts(const Improvement_effort effort, const std::size_t number_of_cells)
+  {
+    for(auto& accounts : m_accounts)
+      for(Work_account& account : accounts)
+        account.open(effort, number_of_cells);
+  }
+
   // Nothing is tolerated.
   void be_strict() { m_is_strict = true; }
   bool is_strict() const { return m_is_strict; }
 
-  // Whether cells where nothing has changed are left out also in the first rounds.
+  // Whether cells where nothing has changed are left out also in the first round.
   void set_visits_only_changed(const bool b) { m_visits_only_changed = b; }
 
-  // Works until nothing helps, or the context says stop, with the operations that pay where bad cells are many.
-  void try_most() { improve(max_number_of_rounds, false, no_limit); }
-
-  // The same with all of them, for the last ones, of which so many are visited at most.
-  void try_all(const std::size_t max_number_of_visits = no_limit)
+  // Works until nothing helps or pays, or the context says stop.
+  void operator()()
   {
-    const std::size_t last_visit = max_number_of_visits < no_limit - m_number_of_visits
-                                     ? m_number_of_visits + max_number_of_visits : no_limit;
-    improve(max_number_of_last_rounds, true, last_visit);
+    m_is_attempt = false;
+    improve(no_limit);
   }
 
-  // Inserts a vertex near a bad cell, at a loss of at most `tolerated_loss`. Returns false if that cannot be done.
-  bool insert_near(const Cell_handle c, const double tolerated_loss = 0)
+  // The same for an attempt, which has an account of its own: visits so many bad cells at most.
+  void attempt(const std::size_t max_number_of_visits)
   {
-    if(! m_insert_near.find(c, tolerated_loss))
-      return false;
-    m_insert_near.apply();
-    note_insertion(m_insert_near);
-    return true;
+    m_is_attempt = true;
+    improve(m_number_of_visits + max_number_of_visits);
   }
 
   // Vertices were inserted.
@@ -121,12 +126,34 @@ public:
   void finish() { tell_progress(m_number_of_visits); }
 
 private:
+  // What can be done for a bad cell, and from which round on.
+  struct Operation
+  {
+    bool (Improve_bad_cells_3::*apply_at)(Cell_handle);
+    int first_round;
+  };
+
+  static constexpr std::size_t number_of_operations = 7;
+
+  // In the order in which they are tried.
+  static const std::array<Operation, number_of_operations>& operations()
+  {
+    static constexpr std::array<Operation, number_of_operations> table = {{
+      { &Improve_bad_cells_3::flip, 1 },
+      { &Improve_bad_cells_3::contract, 1 },
+      { &Improve_bad_cells_3::smooth, 2 },
+      { &Improve_bad_cells_3::deepen, 2 },
+      { &Improve_bad_cells_3::insert, first_expensive_round },
+      { &Improve_bad_cells_3::insert_into_shell, first_expensive_round },
+      { &Improve_bad_cells_3::insert_near, first_expensive_round } }};
+    return table;
+  }
+
   // See "Tuning constants" in the manual.
   static constexpr double flat_angle = 0.5;
-  static constexpr int max_number_of_rounds = 6;
-  static constexpr int max_number_of_last_rounds = 12;
+  static constexpr int max_number_of_rounds = 12;
   static constexpr std::size_t cells_per_block = 4096;
-  static constexpr int first_dear_round = 3;
+  static constexpr int first_expensive_round = 3;
   static constexpr double least_progress = 0.1;
   static constexpr std::size_t max_number_of_flips = 50;
   static constexpr std::size_t visits_per_report = 2048;
@@ -135,17 +162,17 @@ private:
   static constexpr std::size_t no_limit = (std::numeric_limits<std::size_t>::max)();
 
   // One round after the other.
-  void improve(const int max_number, const bool tries_all, const std::size_t last_visit)
+  void improve(const std::size_t last_visit)
   {
     double last_badness = 0;
-    for(m_round = 1; m_round <= max_number && m_number_of_visits < last_visit && m_context.go_further(); ++m_round)
+    for(m_round = 1; m_round <= max_number_of_rounds && m_number_of_visits < last_visit && m_context.go_further();
+        ++m_round)
     {
-      const std::vector<Bad_cell> cells = tries_all ? m_bad_cells.next_round()
-                                                    : m_bad_cells.next_round_in_blocks(cells_per_block);
+      const std::vector<Bad_cell> cells = m_bad_cells.next_round_in_blocks(cells_per_block);
       const bool is_slow = m_bad_cells.badness() > (1 - least_progress) * last_badness;
       if(cells.empty())
         break;
-      if(m_round > first_dear_round && is_slow)
+      if(m_round > first_expensive_round && is_slow)
       {
         m_bad_cells.put_back(cells);
         break;
@@ -153,7 +180,6 @@ private:
       last_badness = m_bad_cells.badness();
       if(m_number_of_visits == 0)
         m_expected_visits = expected_number_of_visits * cells.size();
-      m_tries_all = tries_all;
       ++m_counts.number_of_rounds;
       visit(cells, last_visit);
     }
@@ -171,25 +197,45 @@ private:
         visit(c);
   }
 
+  // Where nothing has changed since the last round, there is only what was not tried in it.
   void visit(const Bad_cell& c)
   {
     if(++m_number_of_visits % visits_per_report == 0)
       tell_progress((std::max)(m_expected_visits, m_number_of_visits));
     m_bad_cells.begin_visit();
     const bool is_as_before = (m_round > 1 || m_visits_only_changed) && ! m_bad_cells.has_changed(c);
-    if(is_as_before && (m_round > first_dear_round || m_visits_only_changed))
+    if(is_as_before && (m_round > first_expensive_round || m_visits_only_changed))
       m_bad_cells.put_back(c);
-    else if(! improve(c.cell, ! is_as_before))
+    else if(! improve(c.cell, is_as_before ? m_round : 1))
       m_bad_cells.push(c.cell);
   }
 
-  // Flips would fail again where nothing has changed. Returns whether the cell was changed.
-  bool improve(const Cell_handle c, const bool may_flip)
+  // By one of the operations from that round on. Returns whether the cell was changed.
+  bool improve(const Cell_handle c, const int first_round)
   {
-    return (may_flip && flip(c)) || contract(c)
-        || (m_round > 1 && (smooth(c) || (m_tries_all && deepen(c))))
-        || (m_round >= first_dear_round && (insert(c) || (m_tries_all && (insert_into_shell(c) || reconnect(c)
-                                                                          || insert_near(c)))));
+    const int kind = Work_account::kind(m_mesh.quality(c), m_mesh.enough());
+    auto& accounts = m_accounts[m_mesh.measure_of_badness().is_lenient()];
+    for(std::size_t k = 0; k < number_of_operations; ++k)
+    {
+      const Operation& operation = operations()[k];
+      if(operation.first_round >= first_round && operation.first_round <= m_round
+         && try_at(c, operation, accounts[k], kind))
+        return true;
+    }
+    return false;
+  }
+
+  bool try_at(const Cell_handle c, const Operation& operation, Work_account& account, const int kind)
+  {
+    if(m_is_attempt)
+      return (this->*operation.apply_at)(c);
+    if(! account.pays(kind))
+      return false;
+    const std::size_t price_before = m_mesh.quality().number();
+    const double gain_before = m_mesh.total_gain();
+    const bool is_done = (this->*operation.apply_at)(c);
+    account.book(kind, m_mesh.quality().number() - price_before, m_mesh.total_gain() - gain_before);
+    return is_done;
   }
 
   // Flips what comes from a cell, until that does not help any more.
@@ -292,13 +338,12 @@ private:
     return true;
   }
 
-  bool reconnect(const Cell_handle c)
+  bool insert_near(const Cell_handle c)
   {
-    if(! m_reconnect.find(c))
+    if(! m_insert_near.find(c))
       return false;
-    m_reconnect.apply();
-    ++m_counts.number_of_reconnected_polyhedra;
-    m_bad_cells.push_changed(m_reconnect.new_cells());
+    m_insert_near.apply();
+    note_insertion(m_insert_near);
     return true;
   }
 
@@ -325,11 +370,11 @@ private:
   Insert_into_bad_cell_3<Mesh> m_insert;
   Insert_into_shell_3<Mesh> m_insert_into_shell;
   Insert_near_bad_cell_3<Mesh> m_insert_near;
-  Reconnect_bad_cell_3<Mesh> m_reconnect;
+  std::array<std::array<Work_account, number_of_operations>, 2> m_accounts; // of a strict and a lenient measure
   Quality_improvement_counts m_counts;
   std::vector<Cell_handle> m_stack;
   int m_round = 0;
-  bool m_tries_all = false;
+  bool m_is_attempt = false;
   bool m_visits_only_changed = false;
   bool m_is_strict = false;
   std::size_t m_number_of_visits = 0;

@@ -52,18 +52,38 @@ class Improved_mesh_3
 public:
   typedef Tr                                   Triangulation;
   typedef Domain_                              Domain;
-  typedef Quality_                             Quality;
   typedef typename Tr::Vertex_handle           Vertex_handle;
   typedef typename Tr::Cell_handle             Cell_handle;
   typedef typename Tr::Geom_traits::Point_3    Point_3;
   typedef std::array<Coordinates_3, 4>         Corners;
+
+  // The quality of cells, and how often it was asked for: the price of whatever asked.
+  class Quality
+  {
+  public:
+    explicit Quality(const Quality_& quality) : m_quality(quality) { }
+
+    double operator()(const Corners& corners) const
+    {
+      ++m_number;
+      return m_quality(corners);
+    }
+
+    std::size_t number() const { return m_number; }
+
+  private:
+    const Quality_& m_quality;
+    mutable std::size_t m_number = 0;
+  };
+
   typedef Domain_keeper_3<Tr, Domain, Visitor> Domain_keeper;
   typedef Mesh_editor_3<Tr, Domain_keeper>     Editor;
   typedef typename Editor::Tetrahedron         Tetrahedron;
   typedef typename Editor::Cells               Cells;
 
-  Improved_mesh_3(Tr& tr, Domain& domain, const Quality& quality, Visitor& visitor)
-    : m_tr(tr), m_domain(domain), m_quality(quality), m_domain_keeper(domain, visitor), m_editor(tr, m_domain_keeper),
+  Improved_mesh_3(Tr& tr, Domain& domain, const Quality_& quality, Visitor& visitor)
+    : m_tr(tr), m_domain(domain), m_uncounted_quality(quality), m_quality(quality), m_domain_keeper(domain, visitor),
+      m_editor(tr, m_domain_keeper),
       m_orientation(tr.geom_traits().orientation_3_object()), m_lengths(tr)
   { }
 
@@ -72,6 +92,8 @@ public:
   const Domain& domain() const { return m_domain; }
 
   static Coordinates_3 coordinates(const Vertex_handle v) { return internal::coordinates_of(v->point()); }
+
+  const Quality& quality() const { return m_quality; }
 
   double quality(const Corners& corners) const { return m_quality(corners); }
   double quality(const Cell_handle c) const { return m_quality(internal::corners(c)); }
@@ -104,7 +126,7 @@ public:
   void set_measure_of_badness(const Badness_3& badness)
   {
     m_badness = badness;
-    m_enough_roundness = internal::sure_roundness(m_quality, enough());
+    m_enough_roundness = internal::sure_roundness(m_uncounted_quality, enough());
   }
   const Badness_3& measure_of_badness() const { return m_badness; }
 
@@ -277,6 +299,9 @@ public:
     return m_editor.new_cells();
   }
 
+  // By how much cells have become less bad since the beginning, all changes together.
+  double total_gain() const { return m_total_gain; }
+
   // --- attempts -----------------------------------------------------------------------------------------------------
 
   // What is changed from now on may be taken back. Until it is kept or undone, the measure of badness is to stay.
@@ -334,29 +359,23 @@ private:
     }
   };
 
-  // --- what an attempt has to know of changes -----------------------------------------------------------------------
+  // --- what changes earn --------------------------------------------------------------------------------------------
 
   template <typename CellRange>
-  void will_change(const CellRange& cells)
-  {
-    if(m_editor.journal().is_active())
-      m_gain += weight_of(cells);
-  }
+  void will_change(const CellRange& cells) { add_gain(1, cells); }
 
   template <typename CellRange>
-  void has_changed(const CellRange& cells)
-  {
-    if(m_editor.journal().is_active())
-      m_gain -= weight_of(cells);
-  }
+  void has_changed(const CellRange& cells) { add_gain(-1, cells); }
 
   template <typename CellRange>
-  double weight_of(const CellRange& cells) const
+  void add_gain(const double sign, const CellRange& cells)
   {
-    double sum = 0;
     for(const Cell_handle c : cells)
-      sum += m_badness.weight(quality(c));
-    return sum;
+    {
+      const double q = m_uncounted_quality(internal::corners(c));
+      m_total_gain += sign * badness(q);
+      m_gain += sign * m_badness.weight(q);
+    }
   }
 
   // The first one that had the handle: others got the room that it had left.
@@ -390,7 +409,8 @@ private:
 
   Tr& m_tr;
   Domain& m_domain;
-  const Quality& m_quality;
+  const Quality_& m_uncounted_quality;
+  const Quality m_quality;
   Domain_keeper m_domain_keeper;
   Editor m_editor; // with a journal, in an attempt
   typename Tr::Geom_traits::Orientation_3 m_orientation;
@@ -399,7 +419,8 @@ private:
   double m_enough_roundness = std::numeric_limits<double>::infinity();
   Allowed_lengths_3<Tr> m_lengths;
   std::vector<Dropped_vertex> m_dropped_vertices; // by the attempt, in order
-  double m_gain = 0;
+  double m_gain = 0; // by an attempt
+  double m_total_gain = 0;
   std::size_t m_max_number_of_vertices = (std::numeric_limits<std::size_t>::max)();
   bool m_was_full = false;
 };

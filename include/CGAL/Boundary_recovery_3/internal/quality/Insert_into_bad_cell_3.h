@@ -35,9 +35,7 @@ public:
   typedef typename Mesh::Cell_handle   Cell_handle;
   typedef typename Mesh::Cells         Cells;
 
-  Insert_into_bad_cell_3(Mesh& mesh, const typename Mesh::Quality& quality)
-    : m_mesh(mesh), m_cavity(mesh, quality)
-  { }
+  explicit Insert_into_bad_cell_3(Mesh& mesh) : m_mesh(mesh), m_cavity(mesh) { }
 
   // Searches for a point. Returns whether the cells would be less bad then, and none worse than the worst one now. The
   // first point is in the cell, so if that is flat and at a wall, it is in the plane of the wall.

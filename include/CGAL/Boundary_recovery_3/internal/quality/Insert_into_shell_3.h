@@ -41,9 +41,7 @@ public:
   typedef typename Mesh::Cell_handle Cell_handle;
   typedef typename Mesh::Cells       Cells;
 
-  Insert_into_shell_3(Mesh& mesh, const typename Mesh::Quality& quality)
-    : m_mesh(mesh), m_cavity(mesh, quality)
-  { }
+  explicit Insert_into_shell_3(Mesh& mesh) : m_mesh(mesh), m_cavity(mesh) { }
 
   // The quality of a nearly flat cell, as a part of what is enough.
   static constexpr double flat = 2e-3;

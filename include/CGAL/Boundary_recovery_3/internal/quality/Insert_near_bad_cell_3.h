@@ -43,18 +43,16 @@ public:
   typedef typename Mesh::Cell_handle Cell_handle;
   typedef typename Mesh::Cells       Cells;
 
-  Insert_near_bad_cell_3(Mesh& mesh, const typename Mesh::Quality& quality)
-    : m_mesh(mesh), m_cavity(mesh, quality)
-  { }
+  explicit Insert_near_bad_cell_3(Mesh& mesh) : m_mesh(mesh), m_cavity(mesh) { }
 
-  // Searches for a point. Returns whether the cells would be less bad then, or worse by less than `tolerated_loss`, and
-  // none worse than the worst one now, or, if the mesh has it so, than what is tolerated.
-  bool find(const Cell_handle c, const double tolerated_loss = 0)
+  // Searches for a point. Returns whether the cells would be less bad then, and none worse than the worst one now, or,
+  // if the mesh has it so, than what is tolerated.
+  bool find(const Cell_handle c)
   {
     if(! m_mesh.has_room())
       return false;
-    m_least_gain = - tolerated_loss;
-    double best_gain = m_least_gain;
+    set_limits(c, 0);
+    double best_gain = 0;
     const Coordinates_3* best = nullptr;
     for(const Coordinates_3& p : m_places_near(internal::corners(c)))
     {
@@ -65,15 +63,16 @@ public:
         best = &p;
       }
     }
-    return best != nullptr && gain_at(c, *best) > m_least_gain;
+    return best != nullptr && gain_at(c, *best) > 0;
   }
 
-  // The same for a few of the places, at random: the first one that will do is taken.
+  // The same for a few of the places, at random, where the cells may be worse by less than `tolerated_loss`: the first
+  // one that will do is taken.
   bool find_any(const Cell_handle c, const double tolerated_loss, CGAL::Random& random)
   {
     if(! m_mesh.has_room())
       return false;
-    m_least_gain = - tolerated_loss;
+    set_limits(c, tolerated_loss);
     const std::vector<Coordinates_3>& places = m_places_near(internal::corners(c));
     for(int k = 0; k < max_number_of_random_places && ! places.empty(); ++k)
       if(gain_at(c, places[random.uniform_int<std::size_t>(0, places.size() - 1)]) > m_least_gain)
@@ -98,11 +97,26 @@ private:
   static constexpr std::size_t max_number_of_cells = 30;
   static constexpr int max_number_of_random_places = 4;
 
+  void set_limits(const Cell_handle c, const double tolerated_loss)
+  {
+    m_least_gain = - tolerated_loss;
+    m_least_at_wall = m_mesh.least_quality(m_mesh.quality(c));
+  }
+
   // Returns by how much the cells would be less bad with a vertex there; the least gain: not by more, or it is not
   // possible.
   double gain_at(const Cell_handle c, const Coordinates_3& p)
   {
-    return walk(c, p) && make_cavity(p) ? m_cavity.gain() : m_least_gain;
+    return are_walls_good_with(c, p) && walk(c, p) && make_cavity(p) ? m_cavity.gain() : m_least_gain;
+  }
+
+  // The cells at the walls of c stay whatever the cavity grows to, so nothing is worth while if they are too bad.
+  bool are_walls_good_with(const Cell_handle c, const Coordinates_3& p) const
+  {
+    for(int i = 0; i < 4; ++i)
+      if(m_mesh.domain().is_wall(c, i) && m_mesh.quality(internal::facet_vertices(c, i), p) < m_least_at_wall)
+        return false;
+    return true;
   }
 
   // Collects the cells from c to the one that the point is in, none of them twice. Returns false if there is a wall
@@ -195,6 +209,7 @@ private:
   double m_worst = 0;           // of the qualities of the new cells
   double m_worst_at_wall = 0;
   double m_least_gain = 0;
+  double m_least_at_wall = 0; // of the qualities of the cells at the walls of the bad cell
   const Cells* m_new_cells = nullptr;
 };
 

@@ -66,7 +66,7 @@ private:
   static constexpr double growth_of_distances = 2;
   static constexpr double height_in_shortest_edges = 1.6;
   static constexpr double spacing_in_shortest_edges = 2;
-  static constexpr double max_number_along_edge = 15;
+  static constexpr double max_number_along_edge = 7;
   static constexpr double largest_ratio_along_edge = 128;
   static constexpr std::array<double, 2> heights_in_longest_edges = {{ 0.35, 0.7 }};
 

@@ -56,13 +56,14 @@ public:
       m_context(visitor)
   { }
 
-  Result operator()(const double min_dihedral_angle, const double maximum_running_time)
+  Result operator()(const double min_dihedral_angle, const Improvement_effort effort,
+                    const double maximum_running_time)
   {
     m_context.set_maximum_running_time(maximum_running_time);
     if(is_possible_target(min_dihedral_angle))
     {
       m_context.visitor().on_phase_begin(Meshing_phase::quality_improvement);
-      improve(min_dihedral_angle);
+      improve(min_dihedral_angle, effort);
       m_context.visitor().on_phase_end(report());
     }
     else
@@ -74,10 +75,10 @@ public:
 private:
   typedef std::optional<Mesh_quality_3> Figures; // none if there was no time
 
-  void improve(const double min_dihedral_angle)
+  void improve(const double min_dihedral_angle, const Improvement_effort effort)
   {
     bool is_begun = false;
-    const Figures before = change_mesh(min_dihedral_angle, is_begun);
+    const Figures before = change_mesh(min_dihedral_angle, effort, is_begun);
     const bool is_done = ! m_context.is_stopped();
     Explain_bad_cells_3<Tr, Domain> explain(m_tr, m_domain, min_dihedral_angle);
     const Figures after = measure([&](const Cell_handle c, const Cell_angles_3& angles) { explain.add(c, angles); });
@@ -89,11 +90,12 @@ private:
   }
 
   // Returns the figures before the first change.
-  Figures change_mesh(const double min_dihedral_angle, bool& is_begun)
+  Figures change_mesh(const double min_dihedral_angle, const Improvement_effort effort, bool& is_begun)
   {
     const Ordinary_scale_3<Tr> scale(m_tr);
     Improve_domain_3<Tr, Domain, Quality, Visitor> improve_domain(m_tr, m_domain, m_quality, m_context);
     improve_domain.set_target(min_dihedral_angle);
+    improve_domain.set_effort(effort);
     improve_domain.set_max_number_of_vertices(m_max_number_of_vertices);
     const Figures before = measure([&](const Cell_handle c, const Cell_angles_3&) { improve_domain.add(c); });
     is_begun = m_context.go_further();

@@ -18,10 +18,12 @@
 #include <CGAL/Boundary_recovery_3/internal/quality/Insert_near_bad_cell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Move_at_random_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Walls_at_edge_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Work_account.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 
 #include <CGAL/Random.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -42,16 +44,19 @@ public:
   typedef typename Improve_bad_cells::Bad_cell              Bad_cell;
   typedef typename Tr::Cell_handle                          Cell_handle;
 
-  Search_locally_3(Improve_bad_cells& improve, const Domain& domain, const Quality& quality,
-                   Recovery_context<Visitor>& context)
+  Search_locally_3(Improve_bad_cells& improve, const Domain& domain, Recovery_context<Visitor>& context)
     : m_improve(improve), m_context(context), m_mesh(improve.mesh()), m_bad_cells(improve.bad_cells()),
-      m_walls_at_edge(domain), m_insert_near(m_mesh, quality), m_move_at_random(m_mesh)
+      m_walls_at_edge(domain), m_insert_near(m_mesh), m_move_at_random(m_mesh)
   { }
 
-  // For all bad cells but those that are forced to be below `angle`, in degrees, as far as the attempts go.
-  void operator()(const double angle, const std::size_t max_number_of_attempts)
+  void open_account(const Improvement_effort effort, const std::size_t number_of_cells)
   {
-    std::size_t number_of_attempts = 0;
+    m_account.open(effort, number_of_cells);
+  }
+
+  // For all bad cells but those that are forced to be below `angle`, in degrees, as long as attempts pay.
+  void operator()(const double angle)
+  {
     std::vector<Bad_cell> forced_cells;
     for(int k = 0; k < max_number_of_searches && m_context.go_further(); ++k)
     {
@@ -64,9 +69,9 @@ public:
           continue;
         if(internal::is_forced(m_walls_at_edge, c.cell, angle))
           forced_cells.push_back(c);
-        else if(number_of_attempts < max_number_of_attempts)
+        else if(m_account.pays(kind))
         {
-          number_of_attempts += attempt(c.cell);
+          attempt(c.cell);
           const std::vector<Bad_cell> around = m_bad_cells.take();
           cells.insert(cells.end(), around.begin(), around.end());
         }
@@ -86,17 +91,22 @@ private:
   static constexpr double tolerated_loss = 3;
   static constexpr double least_gain = 1e-6;
 
-  // Afterwards, the bad cells that are new or back are in the list. Returns whether the mesh could be perturbed.
-  bool attempt(const Cell_handle c)
+  static constexpr int kind = 0; // of cells, for the account: all are the worst ones, for which nothing else helped
+
+  // Afterwards, the bad cells that are new or back are in the list.
+  void attempt(const Cell_handle c)
   {
+    const std::size_t price_before = m_mesh.quality().number();
     const Quality_improvement_counts counts = m_improve.counts();
     m_bad_cells.begin_visit();
     m_mesh.begin_attempt();
     const bool is_perturbed = perturb_near(c);
     push_if_bad(c);
     if(is_perturbed)
-      m_improve.try_all(max_number_of_visits);
-    if(m_mesh.gain_of_attempt() > least_gain)
+      m_improve.attempt(max_number_of_visits);
+    const double gain = m_mesh.gain_of_attempt();
+    m_account.book(kind, m_mesh.quality().number() - price_before, (std::max)(0., gain));
+    if(gain > least_gain)
       m_mesh.keep_attempt();
     else
     {
@@ -105,7 +115,6 @@ private:
       push_if_bad(c);
       m_improve.counts() = counts;
     }
-    return is_perturbed;
   }
 
   // The cell itself may be gone, or not be one of those that are changed.
@@ -142,6 +151,7 @@ private:
   Walls_at_edge_3<Tr, Domain> m_walls_at_edge;
   Insert_near_bad_cell_3<Mesh> m_insert_near;
   Move_at_random_3<Mesh> m_move_at_random;
+  Work_account m_account;
   CGAL::Random m_random = CGAL::Random(0); // always the same numbers
 };
 

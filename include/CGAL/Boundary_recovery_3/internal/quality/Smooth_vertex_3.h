@@ -34,9 +34,7 @@ public:
   typedef typename Mesh::Vertex_handle Vertex_handle;
   typedef typename Mesh::Cell_handle   Cell_handle;
 
-  Smooth_vertex_3(Mesh& mesh, const typename Mesh::Quality& quality)
-    : m_mesh(mesh), m_star(mesh), m_best_point(quality)
-  { }
+  explicit Smooth_vertex_3(Mesh& mesh) : m_mesh(mesh), m_star(mesh), m_best_point(mesh.quality()) { }
 
   // Moves v. Returns whether the cells at v are less bad now. Otherwise, nothing is changed.
   bool operator()(const Vertex_handle v)

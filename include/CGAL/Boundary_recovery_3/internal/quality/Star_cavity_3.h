@@ -50,7 +50,7 @@ public:
     double quality; // of the new cell there
   };
 
-  Star_cavity_3(Mesh& mesh, const typename Mesh::Quality& quality) : m_mesh(mesh), m_best_point(quality) { }
+  explicit Star_cavity_3(Mesh& mesh) : m_mesh(mesh), m_best_point(mesh.quality()) { }
 
   // One cell, and the place of the vertex.
   void start(const Cell_handle c, const Coordinates_3& p)

@@ -79,7 +79,6 @@ inline void add_counts(Quality_improvement_counts& sum, const Quality_improvemen
   sum.number_of_moved_vertices += counts.number_of_moved_vertices;
   sum.number_of_inserted_points += counts.number_of_inserted_points;
   sum.number_of_removed_vertices += counts.number_of_removed_vertices;
-  sum.number_of_reconnected_polyhedra += counts.number_of_reconnected_polyhedra;
 }
 
 } // namespace internal
