@@ -466,15 +466,16 @@ void test_number_of_vertices()
 // means more credit, and a lower rate; more cells, more credit; each kind of cell has its own.
 void test_work_account()
 {
+  typedef internal::Work_account Account;
   const auto number_of_tries = [](const BR3::Improvement_effort effort, const std::size_t number_of_cells,
                                   const double yield)
   {
-    internal::Work_account account;
+    Account account;
     account.open(effort, number_of_cells);
     std::size_t number = 0;
-    for(; account.pays(0) && number < 1000000; ++number)
-      account.book(0, 90, yield);
-    assert(account.pays(1) && account.pays(2));
+    for(; account.pays(Account::VERY_BAD) && number < 1000000; ++number)
+      account.book(Account::VERY_BAD, 90, yield);
+    assert(account.pays(Account::BAD) && account.pays(Account::NEARLY_GOOD));
     return number;
   };
   using Effort = BR3::Improvement_effort;
@@ -487,11 +488,11 @@ void test_work_account()
     assert(number_of_tries(Effort::low, n, 0.02) < 1000000 && number_of_tries(Effort::high, n, 0.005) == 1000000);
   }
   assert(number_of_tries(Effort::normal, 0, 0) > 0);
-  internal::Work_account account; // not opened: no limit
-  account.book(0, 1000000000, 0);
-  assert(account.pays(0));
-  assert(internal::Work_account::kind(0, 1) == 0 && internal::Work_account::kind(0.3, 1) == 1
-         && internal::Work_account::kind(0.9, 1) == 2 && internal::Work_account::kind(0.3, 0.4) == 2);
+  Account account; // not opened: no limit
+  account.book(Account::BAD, 1000000000, 0);
+  assert(account.pays(Account::BAD));
+  assert(Account::kind(0, 1) == Account::VERY_BAD && Account::kind(0.3, 1) == Account::BAD
+         && Account::kind(0.9, 1) == Account::NEARLY_GOOD && Account::kind(0.3, 0.4) == Account::NEARLY_GOOD);
 }
 
 // More effort is more work on the same meshes, and fewer bad cells.

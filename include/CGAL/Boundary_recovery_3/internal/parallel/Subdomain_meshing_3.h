@@ -61,7 +61,8 @@ public:
   typedef Boundary_constrained_mesh_result_3<Tr> Result;
 
   Subdomain_meshing_3(Tr& tr, const SizingField& size, const Quality& quality, const double min_dihedral_angle,
-                      const Improvement_effort effort, const std::size_t max_number_of_vertices, Recorder& recorder, Result& result)
+                      const Improvement_effort effort, const std::size_t max_number_of_vertices, Recorder& recorder,
+                      Result& result)
     : m_tr(tr), m_size(size), m_min_dihedral_angle(min_dihedral_angle),
       m_max_number_of_vertices(max_number_of_vertices),
       m_work(size, quality, min_dihedral_angle, effort), m_recorder(recorder), m_task_visitor(recorder),

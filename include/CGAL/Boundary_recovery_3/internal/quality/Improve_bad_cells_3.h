@@ -33,6 +33,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <tuple>
 #include <vector>
 
 namespace CGAL {
@@ -87,7 +88,7 @@ public:
   // have accounts of their own, since they do not count in the same unit.
   void open_accounts(const Improvement_effort effort, const std::size_t number_of_cells)
   {
-    for(auto& accounts : m_accounts)
+    for(Accounts& accounts : m_accounts)
       for(Work_account& account : accounts)
         account.open(effort, number_of_cells);
   }
@@ -133,12 +134,13 @@ private:
     int first_round;
   };
 
-  static constexpr std::size_t number_of_operations = 7;
+  typedef std::array<Operation, 7> Operations;
+  typedef std::array<Work_account, std::tuple_size<Operations>::value> Accounts;
 
   // In the order in which they are tried.
-  static const std::array<Operation, number_of_operations>& operations()
+  static const Operations& operations()
   {
-    static constexpr std::array<Operation, number_of_operations> table = {{
+    static const Operations table = {{
       { &Improve_bad_cells_3::flip, 1 },
       { &Improve_bad_cells_3::contract, 1 },
       { &Improve_bad_cells_3::smooth, 2 },
@@ -213,19 +215,20 @@ private:
   // By one of the operations from that round on. Returns whether the cell was changed.
   bool improve(const Cell_handle c, const int first_round)
   {
-    const int kind = Work_account::kind(m_mesh.quality(c), m_mesh.enough());
-    auto& accounts = m_accounts[m_mesh.measure_of_badness().is_lenient()];
-    for(std::size_t k = 0; k < number_of_operations; ++k)
+    const Work_account::Kind kind = Work_account::kind(m_mesh.quality(c), m_mesh.enough());
+    auto account = m_accounts[m_mesh.measure_of_badness().is_lenient()].begin();
+    for(const Operation& operation : operations())
     {
-      const Operation& operation = operations()[k];
       if(operation.first_round >= first_round && operation.first_round <= m_round
-         && try_at(c, operation, accounts[k], kind))
+         && try_at(c, operation, *account, kind))
         return true;
+      ++account;
     }
     return false;
   }
 
-  bool try_at(const Cell_handle c, const Operation& operation, Work_account& account, const int kind)
+  bool try_at(const Cell_handle c, const Operation& operation, Work_account& account,
+              const Work_account::Kind kind)
   {
     if(m_is_attempt)
       return (this->*operation.apply_at)(c);
@@ -370,7 +373,7 @@ private:
   Insert_into_bad_cell_3<Mesh> m_insert;
   Insert_into_shell_3<Mesh> m_insert_into_shell;
   Insert_near_bad_cell_3<Mesh> m_insert_near;
-  std::array<std::array<Work_account, number_of_operations>, 2> m_accounts; // of a strict and a lenient measure
+  std::array<Accounts, 2> m_accounts; // of a strict and a lenient measure
   Quality_improvement_counts m_counts;
   std::vector<Cell_handle> m_stack;
   int m_round = 0;

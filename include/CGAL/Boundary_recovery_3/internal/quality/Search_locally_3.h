@@ -69,7 +69,7 @@ public:
           continue;
         if(internal::is_forced(m_walls_at_edge, c.cell, angle))
           forced_cells.push_back(c);
-        else if(m_account.pays(kind))
+        else if(m_account.pays(Work_account::VERY_BAD))
         {
           attempt(c.cell);
           const std::vector<Bad_cell> around = m_bad_cells.take();
@@ -91,8 +91,6 @@ private:
   static constexpr double tolerated_loss = 3;
   static constexpr double least_gain = 1e-6;
 
-  static constexpr int kind = 0; // of cells, for the account: all are the worst ones, for which nothing else helped
-
   // Afterwards, the bad cells that are new or back are in the list.
   void attempt(const Cell_handle c)
   {
@@ -105,7 +103,7 @@ private:
     if(is_perturbed)
       m_improve.attempt(max_number_of_visits);
     const double gain = m_mesh.gain_of_attempt();
-    m_account.book(kind, m_mesh.quality().number() - price_before, (std::max)(0., gain));
+    m_account.book(Work_account::VERY_BAD, m_mesh.quality().number() - price_before, (std::max)(0., gain));
     if(gain > least_gain)
       m_mesh.keep_attempt();
     else

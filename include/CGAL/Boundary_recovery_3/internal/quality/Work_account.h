@@ -35,11 +35,17 @@ namespace internal {
 class Work_account
 {
 public:
-  // A cell is of one of these kinds, by its quality as a part of what is enough.
-  static constexpr int number_of_kinds = 3;
-  static int kind(const double quality, const double enough)
+  enum Kind
   {
-    return quality < very_bad * enough ? 0 : quality < half_bad * enough ? 1 : 2;
+    VERY_BAD,
+    BAD,
+    NEARLY_GOOD
+  };
+
+  // That of a cell, by its quality as a part of what is enough.
+  static Kind kind(const double quality, const double enough)
+  {
+    return quality < very_bad * enough ? VERY_BAD : quality < half_bad * enough ? BAD : NEARLY_GOOD;
   }
 
   void open(const Improvement_effort effort, const std::size_t number_of_cells)
@@ -50,9 +56,9 @@ public:
     m_least_rate = least_rate / factor;
   }
 
-  bool pays(const int kind) const { return m_prices[kind] <= m_credit + m_yields[kind] / m_least_rate; }
+  bool pays(const Kind kind) const { return m_prices[kind] <= m_credit + m_yields[kind] / m_least_rate; }
 
-  void book(const int kind, const std::size_t price, const double yield)
+  void book(const Kind kind, const std::size_t price, const double yield)
   {
     m_prices[kind] += static_cast<double>(price + price_of_any_try);
     m_yields[kind] += yield;
@@ -66,16 +72,18 @@ private:
   static constexpr std::size_t least_number_of_cells = 1000;
   static constexpr double least_rate = 1e-4; // flat cells that become good, per quality that is asked for
   static constexpr std::size_t price_of_any_try = 10;
+  static constexpr double low_factor = 0.25;
+  static constexpr double high_factor = 15;
 
   static double factor_of(const Improvement_effort effort)
   {
-    return effort == Improvement_effort::low ? 0.25 : effort == Improvement_effort::normal ? 1 : 15;
+    return effort == Improvement_effort::low ? low_factor : effort == Improvement_effort::high ? high_factor : 1;
   }
 
   double m_credit = std::numeric_limits<double>::infinity();
   double m_least_rate = least_rate;
-  std::array<double, number_of_kinds> m_prices = {{ 0, 0, 0 }};
-  std::array<double, number_of_kinds> m_yields = {{ 0, 0, 0 }};
+  std::array<double, 3> m_prices = {{ 0, 0, 0 }};
+  std::array<double, 3> m_yields = {{ 0, 0, 0 }};
 };
 
 } // namespace internal
