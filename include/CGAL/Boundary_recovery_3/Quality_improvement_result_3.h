@@ -29,7 +29,7 @@ enum class Improvement_effort
 {
   low,   ///< what improves most for least
   normal, ///< what pays; on most smooth surfaces, all that can be done
-  high   ///< ten times the credit, and a tenth of the rate: for the last bad cells
+  high   ///< twenty times the credit, and a twentieth of the rate: for the last bad cells
 };
 
 /// \ingroup PkgBoundaryRecovery3Classes

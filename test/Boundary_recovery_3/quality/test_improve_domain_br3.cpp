@@ -484,8 +484,8 @@ void test_work_account()
     const std::size_t low = number_of_tries(Effort::low, n, 0), normal = number_of_tries(Effort::normal, n, 0);
     assert(low < normal && normal < number_of_tries(Effort::high, n, 0));
     assert(normal < number_of_tries(Effort::normal, 2 * n, 0) && normal < number_of_tries(Effort::normal, n, 0.005));
-    assert(number_of_tries(Effort::normal, n, 0.005) < 1000000 && number_of_tries(Effort::normal, n, 0.02) == 1000000);
-    assert(number_of_tries(Effort::low, n, 0.02) < 1000000 && number_of_tries(Effort::high, n, 0.005) == 1000000);
+    assert(number_of_tries(Effort::normal, n, 0.005) < 1000000 && number_of_tries(Effort::normal, n, 0.04) == 1000000);
+    assert(number_of_tries(Effort::low, n, 0.04) < 1000000 && number_of_tries(Effort::high, n, 0.005) == 1000000);
   }
   assert(number_of_tries(Effort::normal, 0, 0) > 0);
   Account account; // not opened: no limit

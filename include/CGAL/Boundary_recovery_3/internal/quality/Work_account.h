@@ -70,10 +70,10 @@ private:
   static constexpr double half_bad = 0.5;
   static constexpr double credit_per_cell = 10;
   static constexpr std::size_t least_number_of_cells = 1000;
-  static constexpr double least_rate = 1e-4; // flat cells that become good, per quality that is asked for
+  static constexpr double least_rate = 2e-4; // flat cells that become good, per quality that is asked for
   static constexpr std::size_t price_of_any_try = 10;
   static constexpr double low_factor = 0.25;
-  static constexpr double high_factor = 15;
+  static constexpr double high_factor = 20;
 
   static double factor_of(const Improvement_effort effort)
   {
