@@ -83,7 +83,8 @@ struct Field_points_result_3
 
   /// whether no size in a cell is less than an eighth of what the cell has without having been looked at. It is `false`
   /// if nobody knows: if the field tells neither its `grading()` nor its `least_size_around()` a place, or if its
-  /// grading is so large that there was no end of questions.
+  /// grading is so large that there was no end of questions. A cell counts as looked at if eight such places in it had
+  /// no room for a point.
   bool is_field_resolved = true;
 
   /// the place that made the status `invalid_input`: none, or one

@@ -87,9 +87,7 @@ public:
     const Ordinary_scale_3<Tr> scale(m_tr);
     m_sizes.set_scale(scale.factor());
     m_result.number_of_field_points = number_of_field_points;
-    forecast();
-    m_result.forecast_of_vertices = (std::max)(m_result.forecast_of_vertices,
-                                               static_cast<double>(m_tr.number_of_vertices() + 1));
+    correct_forecast();
     return m_result;
   }
 
@@ -168,6 +166,14 @@ private:
     m_result.forecast_of_vertices = number_of_vertices + (std::max)(0., inner_cells / cells_per_inner_vertex);
   }
 
+  // That of a mesh with field points which needs more of them.
+  void correct_forecast()
+  {
+    forecast();
+    m_result.forecast_of_vertices = (std::max)(m_result.forecast_of_vertices,
+                                               static_cast<double>(m_tr.number_of_vertices() + 1));
+  }
+
   // Seen from inside: cells at them have their size.
   std::size_t number_of_walls() const
   {
@@ -226,7 +232,7 @@ private:
     else if(fill_domain.is_full())
     {
       m_result.status = Meshing_status::too_large;
-      forecast_of_unfinished(m_result.number_of_field_points);
+      correct_forecast();
     }
   }
 

@@ -89,12 +89,24 @@ private:
       exchange_in_domain(cavity.cells(), m_new_cells);
     } catch(...) {
       for(const Cell_handle c : m_new_cells)
+      {
+        try_to([&] { m_domain.remove(c); });
         m_tr.tds().delete_cell(c);
+      }
       m_tr.tds().delete_vertex(v);
       for(const Cell_handle c : cavity.cells())
-        m_domain.add(c);
+        try_to([&] { m_domain.add(c); });
       throw;
     }
+  }
+
+  // If the property map that tells the domain throws once more, the others are put back nevertheless.
+  template <typename Work>
+  static void try_to(const Work& work)
+  {
+    try {
+      work();
+    } catch(...) { }
   }
 
   void exchange_in_domain(const typename Cavity::Cells& old_cells, const std::vector<Cell_handle>& new_cells)

@@ -28,8 +28,9 @@ namespace internal {
 /*
  * Searches cells for places where the size field is far smaller than at their centroids, by branch and bound: a cell is
  * bisected until such a place is found, or all pieces are certain, that is, the field is known to be nowhere far
- * smaller in the ball around each. Where the field does not tell bounds, or too many questions would be needed, the
- * search is given up, and is not complete from then on.
+ * smaller in the ball around each. Where the field does not tell bounds, the search is given up for good; in a cell
+ * where too many questions would be needed, it ends for this cell. It is not complete from then on. After some places
+ * without success, a cell is left, too: there is no room in it.
  */
 template <typename Sizes, typename Cell_handle>
 class Small_size_search_3
@@ -54,7 +55,8 @@ public:
     std::size_t tries_left = max_number_of_tries;
     m_number_after_cell = m_number_of_questions_left - (std::min)(m_number_of_questions_left, questions_per_cell);
     m_pieces.assign(1, corners);
-    while(! m_pieces.empty() && m_is_complete && tries_left > 0)
+    m_is_given_up = ! m_is_bounded;
+    while(! m_pieces.empty() && ! m_is_given_up && tries_left > 0)
     {
       const Corners piece = m_pieces.back();
       const Coordinates_3 center = internal::centroid(piece);
@@ -63,14 +65,14 @@ public:
       if(m_sizes.known_least_size(c, corners, center, radius) >= certain * size
          || is_certain(center, radius, m_sizes.region(c), size))
         continue;
-      const double h = m_is_complete ? m_sizes.of_field(center, m_sizes.region(c)) : 0;
+      const double h = ! m_is_given_up ? m_sizes.of_field(center, m_sizes.region(c)) : 0;
       if(! (h > 0)) // nobody knows, or there is none
         return false;
       const bool is_small = h < small * size;
       if(is_small && is_done(center))
         return true;
       tries_left -= is_small;
-      if(! is_small || radius > h) // else nothing else is far enough away
+      if(! is_small || radius > h) // else all of the piece is nearer to that place than points may be
         bisect(piece);
     }
     return false;
@@ -85,13 +87,16 @@ private:
   static constexpr std::size_t questions_per_vertex = 2000;
   static constexpr std::size_t questions_per_cell = 100000;
 
-  // Whether sizes are large enough in a ball. The search is given up if the field tells no bound even of the size at
-  // the center, or if no question is left.
+  // Whether sizes are large enough in a ball. The search is given up if no question is left, and for good if the field
+  // tells no bound even of the size at the center.
   bool is_certain(const Coordinates_3& center, const double radius, const int region, const double size)
   {
+    const bool is_question_left = m_number_of_questions_left > m_number_after_cell;
+    m_number_of_questions_left -= is_question_left;
     const double least = m_sizes.least_size_around(center, radius, region);
-    m_is_complete = m_number_of_questions_left-- > m_number_after_cell
-                    && (least > 0 || m_sizes.least_size_around(center, 0, region) > 0);
+    m_is_bounded = least > 0 || m_sizes.least_size_around(center, 0, region) > 0;
+    m_is_given_up = ! m_is_bounded || ! is_question_left;
+    m_is_complete = m_is_complete && ! m_is_given_up;
     return least >= certain * size;
   }
 
@@ -110,6 +115,8 @@ private:
   std::vector<Corners> m_pieces; // that have to be looked at
   std::size_t m_number_of_questions_left = least_number_of_questions;
   std::size_t m_number_after_cell = 0; // of questions that have to be left then
+  bool m_is_given_up = false; // in this cell
+  bool m_is_bounded = true;
   bool m_is_complete = true;
 };
 

@@ -30,6 +30,8 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/enum.h>
 
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -67,21 +69,16 @@ public:
       m_remove(mesh.editor, mesh.predicates, mesh.constraints)
   { }
 
-  // The tangled edges among those that are lost, by planes.
+  // The tangled edges among those that are lost, by groups: those that are connected by mesh edges that they cross, in
+  // one plane as a rule.
   std::vector<Edges> find(const Indices& lost)
   {
     std::vector<Edges> result;
     if(lost.size() < min_number_of_edges)
       return result;
-    collect_crossings(lost);
-    std::vector<char> is_known(lost.size());
-    for(std::size_t i = 0; i < lost.size(); ++i)
-      if(! is_known[i])
-      {
-        const Indices group = group_of(i, is_known);
-        if(is_tangled(group))
-          result.push_back(edges(group, lost));
-      }
+    std::vector<Edges> groups = find_groups(lost);
+    std::copy_if(std::make_move_iterator(groups.begin()), std::make_move_iterator(groups.end()),
+                 std::back_inserter(result), &is_tangled);
     return result;
   }
 
@@ -126,59 +123,47 @@ private:
     return result;
   }
 
-  void collect_crossings(const Indices& lost)
+  // What crosses what is not kept: all edges of a fan may cross all mesh edges. Empty if the context says stop.
+  std::vector<Edges> find_groups(const Indices& lost)
   {
-    Simplex_index_3<Vertex_handle, 2> numbers;
-    m_crossed_by.clear();
-    m_crossing.clear();
-    for(std::size_t i = 0; i < lost.size(); ++i)
+    boost::disjoint_sets_with_storage<> sets(lost.size());
+    Simplex_index_3<Vertex_handle, 2> crossed;
+    Indices first_crossing; // by number of a crossed mesh edge, the position of the first lost edge that does
+    Edges edges;
+    for(std::size_t i = 0; i < lost.size() && m_mesh.context.go_further_after_short_step(); ++i)
     {
-      m_crossed_by.emplace_back();
-      for(const Crossing& c : crossed_edges(lost[i]))
+      const std::vector<Crossing> crossings = crossed_edges(lost[i]);
+      edges.emplace_back(crossings.size(), lost[i]);
+      for(const Crossing& c : crossings)
       {
-        const auto inserted = numbers.insert({{ c.vertices[0], c.vertices[1] }});
+        const auto inserted = crossed.insert({{ c.vertices[0], c.vertices[1] }});
         if(inserted.second)
-          m_crossing.emplace_back();
-        m_crossed_by[i].push_back(inserted.first);
-        m_crossing[inserted.first].push_back(i);
+          first_crossing.push_back(i);
+        else
+          sets.union_set(i, first_crossing[inserted.first]);
       }
     }
+    return edges.size() < lost.size() ? std::vector<Edges>() : groups_of(edges, sets);
   }
 
-  // The lost edges that are connected with the one at that position by mesh edges that they cross.
-  Indices group_of(const std::size_t first, std::vector<char>& is_known)
+  // Groups may be empty; in a group, those that cross least come first.
+  template <typename Disjoint_sets>
+  static std::vector<Edges> groups_of(const Edges& edges, Disjoint_sets& sets)
   {
-    Indices group(1, first);
-    is_known[first] = true;
-    for(std::size_t k = 0; k < group.size(); ++k) // it grows
-      for(const std::size_t crossed : m_crossed_by[group[k]])
-      {
-        for(const std::size_t i : m_crossing[crossed])
-          if(! is_known[i])
-          {
-            is_known[i] = true;
-            group.push_back(i);
-          }
-        m_crossing[crossed].clear(); // all are known now
-      }
-    return group;
+    std::vector<Edges> groups(edges.size());
+    for(std::size_t i = 0; i < edges.size(); ++i)
+      groups[sets.find_set(i)].push_back(edges[i]);
+    for(Edges& group : groups)
+      std::sort(group.begin(), group.end());
+    return groups;
   }
 
-  bool is_tangled(const Indices& group) const
+  static bool is_tangled(const Edges& edges)
   {
     std::size_t n = 0;
-    for(const std::size_t i : group)
-      n += m_crossed_by[i].size();
-    return group.size() >= min_number_of_edges && n > min_number_of_crossings * group.size();
-  }
-
-  Edges edges(const Indices& group, const Indices& lost) const
-  {
-    Edges result;
-    for(const std::size_t i : group)
-      result.emplace_back(m_crossed_by[i].size(), lost[i]);
-    std::sort(result.begin(), result.end());
-    return result;
+    for(const auto& crossings_and_index : edges)
+      n += crossings_and_index.first;
+    return edges.size() >= min_number_of_edges && n > min_number_of_crossings * edges.size();
   }
 
   // --- apexes -------------------------------------------------------------------------------------------------------
@@ -191,8 +176,10 @@ private:
       for(const Orientation side : { POSITIVE, NEGATIVE })
       {
         const std::vector<Crossing> crossed = crossed_edges(it->second);
-        if(! m_mesh.context.go_further() || crossed.empty())
+        if(! m_mesh.context.go_further())
           return;
+        if(crossed.empty())
+          break;
         insert_apex(it->second, crossed[crossed.size() / 2], side);
       }
   }
@@ -303,8 +290,6 @@ private:
   Constraint_recovery_3<Tr, 2> m_recover;
   Shell_transformation_3<Tr, No_shell_quality_3, Validity, typename Mesh::Editor> m_transformation;
   Remove_vertex_3<Tr, Visitor, Constraints> m_remove;
-  std::vector<Indices> m_crossed_by; // by position among the lost edges, numbers of mesh edges
-  std::vector<Indices> m_crossing;   // by number of a mesh edge, positions of lost edges
 };
 
 } // namespace internal
