@@ -179,7 +179,8 @@ private:
     Improve_domain_3<Tr, Domain, Quality, Visitor> improve_domain(tr, domain, m_quality, context);
     if(! round.works_on_parts())
       improve_domain.be_strict();
-    improve_domain.set_effort(m_effort);
+    // what walls of parts did to cells beside them can be mended, and there are few of these
+    improve_domain.set_effort(round.works_on_parts() ? m_effort : Improvement_effort::high);
     improve_domain.set_max_number_of_vertices(max_number);
     improve_domain(m_min_dihedral_angle);
     report.counts = improve_domain.counts();
