@@ -198,7 +198,8 @@ public:
     return recover_by_flips(mode) || recover_by_points(mode);
   }
 
-  /// runs the phases before those of `recover_by_points()`. Returns whether every constraint is in the triangulation.
+  /// runs the phases before those of `recover_by_points()`. With a mode other than `flips_only`, it may leave Steiner
+  /// points beside planes. Returns whether every constraint is in the triangulation.
   ///
   /// \param mode how far the recovery goes; unless it is `flips_only`, Steiner points of `recover_planar_edges()` may
   ///        be left

@@ -113,7 +113,8 @@ namespace CGAL {
  *
  * \return the status, the quality before and after, the cells that are below the target nevertheless, and counts. It
  *         converts to `true` iff the status is `meshed`. `invalid_input`: `min_dihedral_angle` is not possible; nothing
- *         was done. `stopped`: what was done until then is there; the last figures and the certificate may not be.
+ *         was done. `stopped`: what was done until then is there; the last figures and the certificate may not be;
+ *         also if only the last figures were cut off.
  *
  * \pre `tr` is valid.
  */

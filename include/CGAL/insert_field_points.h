@@ -60,10 +60,13 @@ namespace CGAL {
  *        that is called with a point, or with a point, the dimension 3 and the number of a region, and returns a
  *        positive number. A member function `grading()`, if there is one, says by how much sizes grow per length at
  *        most: then far fewer places have to be asked for. A member function `least_size_around(p, radius, index)`, if
- *        there is one, returns a number that no size within a distance of a point is below, 0 if that is not known.
- *        With one of these, no small size between large ones is missed, see \ref BR3_sizes. `%insert_field_points()`
- *        asks in the regions of the domain only, up to rounding. Where walls are finer than the size, edges are
- *        shorter, see \ref BR3_sizes.
+ *        there is one, returns a number that no size within the distance `radius` of `p` is below in the region
+ *        `index`. It must be `const`, and the nearer to the size at `p` the smaller `radius` is: a bound that does not
+ *        depend on `radius` is of no use. 0: not known. With one of these, small sizes between large ones are found,
+ *        unless `grading()` is so large that there would be no end of questions;
+ *        `Field_points_result_3::is_field_resolved` tells, see \ref BR3_sizes. `%insert_field_points()` asks in the
+ *        regions of the domain only, up to rounding. Where walls are finer than the size, edges are shorter, see
+ *        \ref BR3_sizes.
  * \param np an optional sequence of named parameters among the ones listed below. `maximum_number_of_vertices` starts a
  *        chain; several chains are passed one after the other.
  *

@@ -125,9 +125,11 @@ make_mesh_of_surface(Tr& tr, const FaceListGraph& surface, const SizingField& si
  *        have sheets that end inside, and bound several regions, which are all meshed. What is a region and what is a
  *        void, `Boundary_recovery_3::label_regions()` says.
  * \param size the lengths that edges inside are to have, in the unit of the coordinates: a number, or a function object
- *        that is called with a point, a dimension (3) and an index (that of the region), as CGAL's fields are. Without
- *        this argument, the sizes come from the surface, see `Boundary_recovery_3::Surface_sizing_field_3`. Where the
- *        surface is finer than the size, edges are shorter, see \ref BR3_sizes.
+ *        that is called with a point, a dimension (3) and an index (that of the region), as CGAL's fields are. The
+ *        latter may have the members `grading()` and `least_size_around()`, see `insert_field_points()`; without them,
+ *        `filling.is_field_resolved` is `false`. Without this argument, the sizes come from the surface, see
+ *        `Boundary_recovery_3::Surface_sizing_field_3`. Where the surface is finer than the size, edges are shorter,
+ *        see \ref BR3_sizes.
  * \param np an optional sequence of named parameters: those of `recover_boundary()`, and the ones listed below.
  *        Those that only this package has start a chain; several chains are passed one after the other.
  *

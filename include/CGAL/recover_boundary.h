@@ -38,7 +38,8 @@ namespace CGAL {
  * 1. checks the input;
  * 2. finds the points among the vertices of `tr` by their exact coordinates, and inserts those that are not there;
  * 3. recovers lost edges, then lost facets, by recursive shell transformations [CZZ+17, Section 4.2] and small
- *    polyhedron reconnection, without adding points;
+ *    polyhedron reconnection, without adding points, but where 100 lost edges or more are tangled in a plane: see the
+ *    phase `planar_edge_recovery`;
  * 4. if something is still lost, and the constraints do not intersect, recovers it by Steiner points, on the
  *    constraints first [CZZ+17, Section 4]; takes them off the constraints, and removes as many of them as it can;
  * 5. looks up every constraint again.
@@ -74,7 +75,8 @@ namespace CGAL {
  *     \cgalParamType{`CGAL::Boundary_recovery_3::Recovery_mode`}
  *     \cgalParamDefault{`Recovery_mode::constrained`}
  *     \cgalParamExtra{If Steiner points cannot recover all, because the kernel has no numbers for their positions, or
- *                     because time is up, the triangulation is given back as the flips left it.}
+ *                     because time is up, the triangulation is given back as the flips left it, with points of the
+ *                     phase `planar_edge_recovery`, if any.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{effort}
  *     \cgalParamDescription{what the recovery gives up, time or points}

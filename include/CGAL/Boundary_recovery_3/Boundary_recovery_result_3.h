@@ -26,9 +26,11 @@ namespace Boundary_recovery_3 {
 enum class Recovery_mode
 {
   constrained, ///< every constraint becomes one simplex of the triangulation; Steiner points only off the constraints
-  conforming,  ///< Steiner points stay on the constraints, which become unions of simplices
+  conforming,  ///< Steiner points stay on the constraints, which become unions of simplices. A Steiner point of the
+               ///< phase `planar_edge_recovery` may be left off the constraints
   flips_only   ///< no points: where a few edges stay lost, Steiner points are tried as a temporary means, and all is
-               ///< taken back unless every one of them can be removed again
+               ///< taken back unless every one of them can be removed again; so are points beside planes, see the phase
+               ///< `planar_edge_recovery`
 };
 
 /// \ingroup PkgBoundaryRecovery3Classes
@@ -48,7 +50,8 @@ enum class Recovery_status
   incomplete,    ///< some constraints are missing; they are listed. In the modes with points, none could be represented
                  ///< where it would have to be; the triangulation is as the flips left it. Of Steiner points, only
                  ///< those are in it that are left of the phase `planar_edge_recovery`, if any
-  invalid_input, ///< the input cannot be recovered by anybody; its defects are listed
+  invalid_input, ///< the input cannot be recovered by anybody; its defects are listed. If intersections were found only
+                 ///< after flips, Steiner points of the phase `planar_edge_recovery` may be in the triangulation
   stopped        ///< the visitor or the time limit ended the recovery early; what is missing then is listed. Of Steiner
                  ///< points, only those are in the triangulation that are left of the phase `planar_edge_recovery`, if
                  ///< any
@@ -238,8 +241,9 @@ struct Boundary_recovery_result_3
   std::size_t number_of_facets = 0;            ///< number of constrained facets
   std::size_t number_of_constraint_points = 0; ///< number of Steiner points that were put on constraints
   std::size_t number_of_steiner_points = 0;    ///< number of Steiner points that came off the constraints in their
-                                               ///< place, before any was removed; none in the mode `conforming`. Those
-                                               ///< of the phase `planar_edge_recovery` are counted, too
+                                               ///< place (none in the mode `conforming`), and of those of the phase
+                                               ///< `planar_edge_recovery`, in all modes; those that were removed later
+                                               ///< included
   std::size_t number_of_inserted_vertices = 0; ///< number of input points that were not in the triangulation before
   std::size_t number_of_shell_transformations = 0; ///< number of replacements of cells by flips and reconnections,
                                                    ///< those that were taken back included

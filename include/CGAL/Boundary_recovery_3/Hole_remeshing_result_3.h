@@ -123,7 +123,8 @@ struct Hole_remeshing_result_3
   double smallest_new_angle = 180;
 
   std::size_t number_of_forced_cells = 0;  ///< number of new cells below the target of the improvement because of
-                                           ///< facets that have to stay, see `Quality_certificate_3`
+                                           ///< facets that have to stay, those in gaps between them included, see
+                                           ///< `Quality_certificate_3`
   std::size_t number_of_needles = 0;       ///< number of those that are as thin as a facet of theirs that has to stay
   std::size_t number_of_unimproved_cells = 0; ///< number of other new cells below the target
 

@@ -109,8 +109,8 @@ struct Quality_certificate_3
 
   std::vector<Bad_cell> cells; ///< the cells below the target, those with the smallest angles first
 
-  /// whether all of them are there. If `CGAL::improve_mesh_quality()` was stopped, there may have been no time left to
-  /// look for them. Then `cells` is empty.
+  /// whether all of them are there: not if nobody asked for the improvement, or the work ended before it, or
+  /// `CGAL::improve_mesh_quality()` was stopped with no time left to look for them. Then `cells` is empty.
   bool is_complete = false;
 
   /// returns how many cells are bad for this reason, and have an angle below `degrees`.

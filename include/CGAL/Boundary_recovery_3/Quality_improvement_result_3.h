@@ -63,8 +63,8 @@ struct Quality_improvement_result_3
   Mesh_quality_3 before; ///< the quality before the first change
   Mesh_quality_3 after;  ///< the quality after the last one
 
-  /// whether `after` is there. If the work was stopped, there may have been no time left to measure. Then `after` has
-  /// no cells, nor has `before` if that was before the first change.
+  /// whether `after` is there: not if nobody asked for the improvement, or the work ended before it, or was stopped
+  /// with no time left to measure. Then `after` has no cells, nor has `before` if that was before the first change.
   bool is_measured = false;
 
   /// the cells that are below the target, with the reasons; if the work was stopped, see `is_complete` there

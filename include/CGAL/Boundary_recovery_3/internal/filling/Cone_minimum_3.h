@@ -85,8 +85,8 @@ private:
     return box;
   }
 
-  // Where several sites are at one place, the smallest one counts: wherever one of them is of interest, all would be.
-  // If there are none, the order stays.
+  // Where several sites are at one place, the smallest one counts: else each question near them would look at all of
+  // them. If there are none, the order stays.
   static void keep_smallest_at_places(std::vector<Site>& sites)
   {
     std::vector<Site> sorted = sites;

@@ -26,7 +26,8 @@ namespace CGAL {
 namespace Boundary_recovery_3 {
 namespace internal {
 
-// The property map of the places of what is sorted. Only an exception ends a sort early.
+// The property map of the places of what is sorted. `hilbert_sort()` cannot be stopped; the map throws to leave it, and
+// `sort_in_space()` catches that.
 template <typename Entry, typename Question>
 struct Place_of_entry
 {

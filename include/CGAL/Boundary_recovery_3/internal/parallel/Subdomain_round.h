@@ -75,7 +75,7 @@ inline std::vector<std::size_t> shares_of_vertices(const std::size_t number, con
 {
   const std::size_t sum = std::accumulate(weights.begin(), weights.end(), std::size_t(0));
   std::vector<std::size_t> shares;
-  for(const std::size_t weight : weights) // no overflow: there are no 2^32 cells in memory
+  for(const std::size_t weight : weights) // no overflow while the cells of all tasks times those of one are below 2^64
     shares.push_back(number / sum * weight + number % sum * weight / sum);
   return shares;
 }
