@@ -167,6 +167,7 @@ private:
   void improve(const std::size_t last_visit)
   {
     double last_badness = 0;
+    m_first_visit = m_bad_cells.visit() + 1;
     for(m_round = 1; m_round <= max_number_of_rounds && m_number_of_visits < last_visit && m_context.go_further();
         ++m_round)
     {
@@ -199,14 +200,16 @@ private:
         visit(c);
   }
 
-  // Where nothing has changed since the last round, there is only what was not tried in it.
+  // Where nothing has changed since the last round, there is only what was not tried in it; or nothing, if only what
+  // changed before is visited.
   void visit(const Bad_cell& c)
   {
     if(++m_number_of_visits % visits_per_report == 0)
       tell_progress((std::max)(m_expected_visits, m_number_of_visits));
     m_bad_cells.begin_visit();
     const bool is_as_before = (m_round > 1 || m_visits_only_changed) && ! m_bad_cells.has_changed(c);
-    if(is_as_before && (m_round > first_expensive_round || m_visits_only_changed))
+    const bool was_left_out = m_visits_only_changed && c.visit < m_first_visit;
+    if(is_as_before && (m_round > first_expensive_round || was_left_out))
       m_bad_cells.put_back(c);
     else if(! improve(c.cell, is_as_before ? m_round : 1))
       m_bad_cells.push(c.cell);
@@ -227,8 +230,7 @@ private:
     return false;
   }
 
-  bool try_at(const Cell_handle c, const Operation& operation, Work_account& account,
-              const Work_account::Kind kind)
+  bool try_at(const Cell_handle c, const Operation& operation, Work_account& account, const Work_account::Kind kind)
   {
     if(m_is_attempt)
       return (this->*operation.apply_at)(c);
@@ -377,6 +379,7 @@ private:
   Quality_improvement_counts m_counts;
   std::vector<Cell_handle> m_stack;
   int m_round = 0;
+  std::size_t m_first_visit = 0; // of these rounds
   bool m_is_attempt = false;
   bool m_visits_only_changed = false;
   bool m_is_strict = false;

@@ -58,7 +58,7 @@ public:
   void operator()(const double angle)
   {
     std::vector<Bad_cell> forced_cells;
-    for(int k = 0; k < max_number_of_searches && m_context.go_further(); ++k)
+    for(int k = 0; k < max_number_of_searches && pays() && m_context.go_further(); ++k)
     {
       std::vector<Bad_cell> cells;
       for(const Bad_cell& c : m_bad_cells.next_round())
@@ -69,7 +69,7 @@ public:
           continue;
         if(internal::is_forced(m_walls_at_edge, c.cell, angle))
           forced_cells.push_back(c);
-        else if(m_account.pays(Work_account::VERY_BAD))
+        else if(pays())
         {
           attempt(c.cell);
           const std::vector<Bad_cell> around = m_bad_cells.take();
@@ -90,6 +90,9 @@ private:
   static constexpr double share_of_insertions = 0.25; // of the attempts
   static constexpr double tolerated_loss = 3;
   static constexpr double least_gain = 1e-6;
+
+  // All of these cells are bad ones that nothing else helped.
+  bool pays() const { return m_account.pays(Work_account::VERY_BAD); }
 
   // Afterwards, the bad cells that are new or back are in the list.
   void attempt(const Cell_handle c)
