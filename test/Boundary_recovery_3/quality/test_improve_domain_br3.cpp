@@ -188,11 +188,11 @@ struct Improvement
     return result;
   }
 
-  std::size_t number_of_bad_cells() const
+  std::size_t number_of_bad_cells(const double degrees = 15) const
   {
     std::size_t number = 0;
     for(const Cell_handle c : scene.cells())
-      number += scene.contains(c) && quality(internal::corners(c)) < quality.of_angle(15);
+      number += scene.contains(c) && quality(internal::corners(c)) < quality.of_angle(degrees);
     return number;
   }
 
@@ -507,7 +507,7 @@ void test_effort()
       improve.set_effort(static_cast<BR3::Improvement_effort>(k));
       improve(30);
       t.check();
-      bad[k] += t.number_of_bad_cells();
+      bad[k] += t.number_of_bad_cells(10); // what the search is for
       exchanges[k] += t.visitor.number_of_exchanges;
     }
   std::cout << "effort: " << bad[0] << ", " << bad[1] << ", " << bad[2] << " bad cells; " << exchanges[0] << ", "
