@@ -102,9 +102,16 @@ private:
     for(const auto& f : m_star.faces())
       if(! internal::contains(f, u))
         for(const Vertex_handle w : f)
-          if(! m_mesh.is_edge_in_size(u, w) && ! is_edge_of_link(u, w))
+          if((! m_mesh.is_edge_in_size(u, w) || is_longer_than_sizes(u, w)) && ! is_edge_of_link(u, w))
             return false;
     return true;
+  }
+
+  // Beside long constrained edges, others may be longer than their sizes, too; but not where a vertex goes for that.
+  static bool is_longer_than_sizes(const Vertex_handle u, const Vertex_handle w)
+  {
+    const double sizes = Mesh::size(u) + Mesh::size(w); // twice the mean
+    return sizes > 0 && internal::distance(Mesh::coordinates(u), Mesh::coordinates(w)) > sizes;
   }
 
   bool is_edge_of_link(const Vertex_handle u, const Vertex_handle w) const
