@@ -215,7 +215,9 @@ void test_quality()
   };
   for(int i = 1; i < 4; ++i)
     assert(share(found, i) <= 1.1 * share(expected, i) + .0005);
-  assert(found.share_of_edges_in_size > expected.share_of_edges_in_size - .01);
+  std::cout << "share of edges in size: " << expected.share_of_edges_in_size << ", in sub-domains "
+            << found.share_of_edges_in_size << std::endl;
+  assert(found.share_of_edges_in_size > expected.share_of_edges_in_size - .05);
   assert(found.mean_radius_ratio > expected.mean_radius_ratio - .01);
 }
 
