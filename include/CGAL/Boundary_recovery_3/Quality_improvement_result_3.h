@@ -27,9 +27,9 @@ namespace Boundary_recovery_3 {
 /// them better at a sufficient rate; work is counted, not timed, so the mesh does not depend on the machine.
 enum class Improvement_effort
 {
-  low,   ///< what improves most for least
+  low,    ///< what improves most for least
   normal, ///< what pays; on most smooth surfaces, all that can be done
-  high   ///< twenty times the credit, and a twentieth of the rate: for the last bad cells
+  high    ///< twenty times the credit, and a twentieth of the rate: for the last bad cells
 };
 
 /// \ingroup PkgBoundaryRecovery3Classes

@@ -235,7 +235,7 @@ std::vector<Triangle> sides(const Tr& tr)
   return result;
 }
 
-// Field points do not encroach, there are as many as there is room for, and cells are good enough.
+// Field points do not encroach, there are as many as there is room for, and cells can be made good enough.
 void test_block(const std::array<double, 3>& lengths, const double size, const std::array<std::size_t, 2>& numbers,
                 const double least_angle)
 {
@@ -254,7 +254,8 @@ void test_block(const std::array<double, 3>& lengths, const double size, const s
         encroachment.look_at(t, v->point(), size);
       assert(encroachment.nearest() > 1 - 1e-6);
     }
-  const auto improvement = CGAL::improve_mesh_quality(tr);
+  const auto improvement = CGAL::improve_mesh_quality(
+    tr, CGAL::parameters::improvement_effort(CGAL::Boundary_recovery_3::Improvement_effort::high));
   assert(improvement && improvement.after.min_dihedral_angle > least_angle);
 }
 

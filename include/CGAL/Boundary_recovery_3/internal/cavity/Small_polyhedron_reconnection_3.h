@@ -28,16 +28,6 @@ namespace CGAL {
 namespace Boundary_recovery_3 {
 namespace internal {
 
-// Lets every tetrahedron be part of a tetrahedralization.
-struct Any_tetrahedron
-{
-  template <typename Vertex_handle>
-  bool operator()(const Vertex_handle, const Vertex_handle, const Vertex_handle, const Vertex_handle) const
-  {
-    return true;
-  }
-};
-
 /*
  * Small polyhedron reconnection: searches a tetrahedralization of a polyhedron that contains given edges and facets.
  *
@@ -49,10 +39,8 @@ struct Any_tetrahedron
  * required or on the boundary of the polyhedron, and what was chosen before. Obstacles are kept as the edges and faces
  * that they cross, for each edge of the front as the set of its third vertices, so a few operations on bits find all
  * apexes. A face with none left ends the branch.
- *
- * `Filter` tells of which tetrahedra the result may consist, given by four vertices in positive orientation.
  */
-template <typename Tr, typename Filter = Any_tetrahedron>
+template <typename Tr>
 class Small_polyhedron_reconnection_3
   : public Tetrahedralization_search
 {
@@ -67,11 +55,7 @@ public:
   // Each tetrahedron that is tried is a step; they are not collected.
   static constexpr Bounds default_bounds = { 28, 0, 2000 };
 
-  explicit Small_polyhedron_reconnection_3(const Predicates& predicates, const Filter& filter = Filter())
-    : m_orientations(predicates), m_filter(filter)
-  { }
-
-  Filter& filter() { return m_filter; }
+  explicit Small_polyhedron_reconnection_3(const Predicates& predicates) : m_orientations(predicates) { }
 
   // Forgets the last polyhedron, of which the orientations that are still of use in the next one are kept. To be called
   // if vertices moved.
@@ -350,7 +334,7 @@ private:
     Front_face result = { f, 0 };
     internal::for_each_bit(m_orientations.sides(f).positive & ~apexes_behind_obstacles(f), [&](const int v)
     {
-      if(! m_orientations.contains_vertex(f, v) && m_filter(vertex(f[0]), vertex(f[1]), vertex(f[2]), vertex(v)))
+      if(! m_orientations.contains_vertex(f, v))
         result.apexes |= Orientations::set_of(v);
     });
     m_front.push_back(result);
@@ -374,7 +358,6 @@ private:
   }
 
   Orientations m_orientations;
-  Filter m_filter;
   // The obstacles, and what they hide:
   std::vector<Edge> m_edges;           // those that are obstacles
   std::vector<Vertex_set> m_neighbors; // of each vertex, the other ends of these edges

@@ -110,9 +110,6 @@ public:
   // The number of the visit that goes on.
   std::size_t visit() const { return m_visit; }
 
-  // How many there are at most: some may be gone or good.
-  std::size_t size() const { return m_cells.size(); }
-
   // What is in the list, without those that are gone or good, the worst one first. In equal meshes, the order is the
   // same.
   const std::vector<Bad_cell>& worst_first()

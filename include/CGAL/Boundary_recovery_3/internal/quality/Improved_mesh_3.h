@@ -83,8 +83,7 @@ public:
 
   Improved_mesh_3(Tr& tr, Domain& domain, const Quality_& quality, Visitor& visitor)
     : m_tr(tr), m_domain(domain), m_uncounted_quality(quality), m_quality(quality), m_domain_keeper(domain, visitor),
-      m_editor(tr, m_domain_keeper),
-      m_orientation(tr.geom_traits().orientation_3_object()), m_lengths(tr)
+      m_editor(tr, m_domain_keeper), m_orientation(tr.geom_traits().orientation_3_object()), m_lengths(tr)
   { }
 
   Tr& triangulation() { return m_tr; }
@@ -299,7 +298,7 @@ public:
     return m_editor.new_cells();
   }
 
-  // By how much cells have become less bad since the beginning, all changes together.
+  // By how much cells have become less bad since the beginning, all changes together but those of attempts.
   double total_gain() const { return m_total_gain; }
 
   // --- attempts -----------------------------------------------------------------------------------------------------
@@ -367,14 +366,15 @@ private:
   template <typename CellRange>
   void has_changed(const CellRange& cells) { add_gain(-1, cells); }
 
+  // An attempt counts otherwise, and may be taken back: what it earns is not known before its end.
   template <typename CellRange>
   void add_gain(const double sign, const CellRange& cells)
   {
+    const bool is_attempt = m_editor.journal().is_active();
     for(const Cell_handle c : cells)
     {
       const double q = m_uncounted_quality(internal::corners(c));
-      m_total_gain += sign * badness(q);
-      m_gain += sign * m_badness.weight(q);
+      (is_attempt ? m_gain : m_total_gain) += sign * (is_attempt ? m_badness.weight(q) : badness(q));
     }
   }
 
