@@ -23,8 +23,6 @@
 #include <CGAL/Boundary_recovery_3/internal/parallel/Work_on_part_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/for_each_task.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/partition_graph.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/Bad_cells_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/Vain_attempts_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/sum_of_qualities.h>
 #include <CGAL/Boundary_recovery_3/mesh_quality.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -741,39 +739,8 @@ void test_sum_of_qualities()
   assert(counts.number_of_rounds == 3 && counts.number_of_moved_vertices == 10);
 }
 
-// What failed at a vertex is in vain until a cell around it changes.
-void test_vain_attempts()
-{
-  struct Any_mesh
-  {
-    typedef Tr::Vertex_handle Vertex_handle;
-    typedef Tr::Cell_handle   Cell_handle;
-  };
-  Scene<K> scene(boxes());
-  scene.make(2);
-  const Any_mesh mesh;
-  internal::Bad_cells_3<Any_mesh> cells(mesh);
-  internal::Vain_attempts_3<Any_mesh> attempts(cells);
-  const Tr::Cell_handle c = scene.tr.finite_cells_begin();
-  const Tr::Vertex_handle v = c->vertex(0), other = scene.tr.mirror_vertex(c, 0);
-  assert(! attempts.contains(v));
-  cells.begin_visit();
-  attempts.add(v);
-  attempts.add(other);
-  assert(attempts.contains(v) && attempts.contains(other) && ! attempts.contains(c->vertex(1)));
-  cells.begin_visit();
-  cells.note_change(std::vector<Tr::Cell_handle>{ c });
-  assert(! attempts.contains(v) && attempts.contains(other));
-  cells.begin_visit();
-  attempts.add(v);
-  assert(attempts.contains(v));
-  attempts.clear();
-  assert(! attempts.contains(v) && ! attempts.contains(other));
-}
-
 int main()
 {
-  test_vain_attempts();
   test_sum_of_qualities();
   test_partition();
   test_tasks();

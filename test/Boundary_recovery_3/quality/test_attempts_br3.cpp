@@ -10,9 +10,8 @@
 #include <CGAL/Boundary_recovery_3/internal/quality/Badness_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Contract_bad_edge_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Flip_bad_cell_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/Insert_near_bad_cell_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/Move_at_random_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/Smooth_vertex_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Insert_vertex_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Move_vertex_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Random.h>
@@ -70,19 +69,13 @@ struct Attempt
       const Cell_handle c = cells[random.uniform_int<std::size_t>(0, cells.size() - 1)];
       if(! scene.contains(c))
         continue;
-      const auto do_if = [&](const bool is_found, auto& operation)
-      {
-        if(is_found)
-          operation.apply();
-        return is_found;
-      };
       switch(random.get_int(0, 5))
       {
-        case 0: number += flip(c); break;
+        case 0: number += flip.find(c) && flip.apply(); break;
         case 1: number += contract.find(c->vertex(0), 0) && contract.apply(); break;
         case 2: number += smooth(c->vertex(1)); break;
-        case 3: number += do_if(insert.find_any(c, 3, random), insert); break;
-        default: number += move(c, random);
+        case 3: number += insert.find_any(c, 3, random) && insert.apply(); break;
+        default: number += move(c->vertex(random.get_int(0, 4)));
       }
     }
     return number;
@@ -192,7 +185,7 @@ void test_random_moves(const unsigned seed, int& number)
   internal::Move_at_random_3<Moves::Mesh> move(t.mesh);
   CGAL::Random random(seed);
   number += br3_test::try_on_all_cells(t.scene, t.mesh, Lengths_slack::none, [&](const Moves::Cell_handle c)
-                                       { return move(c, random); }, std::numeric_limits<double>::infinity());
+                                       { return move(c->vertex(random.get_int(0, 4))); }, std::numeric_limits<double>::infinity());
 }
 
 int main()

@@ -8,11 +8,9 @@
 
 #include <CGAL/Boundary_recovery_3/Cell_quality_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/distances_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/Deepen_vertex_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Free_star_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/Insert_into_shell_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/Lift_layer_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/Smooth_vertex_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Insert_vertex_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Move_vertex_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/deepest_point.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Random.h>
@@ -181,71 +179,6 @@ double worst_quality(const Improvement& t)
   return worst;
 }
 
-// Vertices above a square, in a plane that is parallel to two axes or not, whose heights shrink to nearly nothing:
-// lifted together, they get about as high as they were. Returns whether one of them can become deep by itself.
-bool test_layer(const unsigned seed, const bool is_oblique)
-{
-  Improvement_options options;
-  options.has_walls = false;
-  Improvement t(1, options);
-  Tr& tr = t.scene.tr;
-  tr.clear();
-  // dyadic, so that the points of the square are exactly in a plane, and heights shrink exactly
-  const auto point = [&](const double x, const double y, const double h)
-  {
-    return is_oblique ? Scene::Point(x, y, x + h) : Scene::Point(x, y, 1 + h);
-  };
-  for(const int x : { 0, 1 })
-    for(const int y : { 0, 1 })
-      tr.insert(point(x, y, 0));
-  tr.insert(point(0.5, 0.5, 4));
-  CGAL::Random random(seed);
-  std::vector<std::pair<Vertex_handle, double>> heights;
-  const auto dyadic = [&]() { return random.get_int(3, 14) / 16.; };
-  for(int i = 0; i < 8; ++i)
-  {
-    const double x = dyadic(), y = dyadic(), h = dyadic();
-    const std::size_t number = tr.number_of_vertices();
-    const Vertex_handle v = tr.insert(point(x, y, h));
-    if(tr.number_of_vertices() > number)
-      heights.emplace_back(v, h);
-  }
-  t.scene.select_all();
-  const double worst_at_first = worst_quality(t);
-  for(const auto& vh : heights)
-  {
-    const double x = vh.first->point().x(), y = vh.first->point().y();
-    vh.first->set_point(point(x, y, std::ldexp(vh.second, -46)));
-  }
-  const double worst = worst_quality(t);
-  assert(worst < 1e-10 && worst_at_first > 0);
-
-  internal::Deepen_vertex_3<Mesh> deepen(t.mesh);
-  internal::Lift_layer_3<Mesh> lift(t.mesh);
-  bool is_one_deep = false;
-  for(const auto& vh : heights)
-  {
-    const auto before = vh.first->point();
-    is_one_deep = is_one_deep || (deepen(vh.first) && worst_quality(t) > 1e-10);
-    vh.first->set_point(before);
-  }
-  const bool is_lifted = lift(heights.front().first);
-  assert(is_lifted && worst_quality(t) > 0.2 * worst_at_first);
-  const bool is_lifted_again = lift(heights.front().first);
-  assert(! is_lifted_again);
-  return is_one_deep;
-}
-
-void test_layers()
-{
-  for(unsigned seed = 0; seed < 10; ++seed)
-    for(const bool is_oblique : { false, true })
-    {
-      const bool is_one_deep = test_layer(seed, is_oblique);
-      assert(! is_one_deep);
-    }
-}
-
 // The corners of a rectangle, one of them higher by nearly nothing: a cell between the two walls, and others above.
 // Sizes that allow no edge of the new vertex do not count then.
 void test_flat_cell_between_walls(const unsigned seed, const double size)
@@ -273,10 +206,11 @@ void test_flat_cell_between_walls(const unsigned seed, const double size)
   const std::size_t number = tr.number_of_vertices();
 
   internal::Insert_into_shell_3<Mesh> insert_into_shell(t.mesh);
-  const bool is_found = insert_into_shell.find(flat);
-  assert(is_found);
-  insert_into_shell.apply();
-  assert(tr.number_of_vertices() + insert_into_shell.number_of_removed_vertices() == number + 1);
+  const bool is_done = insert_into_shell.find(flat) && insert_into_shell.apply();
+  assert(is_done);
+  BR3::Quality_improvement_counts counts;
+  insert_into_shell.count(counts);
+  assert(tr.number_of_vertices() + counts.number_of_removed_vertices == number + counts.number_of_inserted_points);
   assert(tr.tds().is_valid() && worst_quality(t) > 1e-3);
   Cell_handle c;
   int i, j, k;
@@ -289,7 +223,6 @@ int main()
   for(unsigned seed = 0; seed < 10; ++seed)
     for(const double size : { 0., 100. })
       test_flat_cell_between_walls(seed, size);
-  test_layers();
   test_random_meshes(false);
   test_random_meshes(true);
   test_many_cells();

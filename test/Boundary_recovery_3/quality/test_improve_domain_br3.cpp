@@ -299,7 +299,7 @@ struct Bad_cell_improvement
     : Improvement<K>(seed, options_of(seed)), improve(scene.tr, domain, quality, context),
       search(improve, domain, context)
   {
-    improve.set_measure_of_badness(quality.of_angle(angle));
+    improve.mesh().set_enough(quality.of_angle(angle));
     for(const Cell_handle c : scene.cells())
       if(scene.contains(c))
         improve.bad_cells().push(c);

@@ -6,11 +6,10 @@
 #include "improvement_judge_br3.h"
 
 #include <CGAL/Boundary_recovery_3/Cell_quality_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/Center_vertex_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Contract_bad_edge_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Flip_bad_cell_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/Insert_into_bad_cell_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/Smooth_vertex_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Insert_vertex_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Move_vertex_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Labeled_mesh_domain_3.h>
 #include <CGAL/Mesh_triangulation_3.h>
@@ -66,7 +65,7 @@ struct Operations
   int flip()
   {
     internal::Flip_bad_cell_3<Mesh> flip(trial.mesh);
-    return (*this)(Lengths_slack::edges_that_go, std::ref(flip));
+    return (*this)(Lengths_slack::edges_that_go, [&](const Cell_handle c) { return flip.find(c) && flip.apply(); });
   }
 
   int smooth()

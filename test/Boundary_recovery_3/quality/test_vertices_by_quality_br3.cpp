@@ -15,14 +15,13 @@
 #include <CGAL/Boundary_recovery_3/internal/quality/Badness_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Best_point_in_star_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Cell_angles_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/Center_vertex_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Contract_bad_edge_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Free_star_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/Insert_into_bad_cell_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/Insert_near_bad_cell_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Insert_vertex_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Move_vertex_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Places_near_cell_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/Smooth_vertex_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Star_cavity_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Vain_attempts_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Random.h>
 
@@ -103,8 +102,11 @@ void test_insertion(Improvement& t, const Insert& insert, const Attempt& attempt
     const std::size_t number = t.scene.tr.number_of_vertices();
     if(! attempt(c))
       return false;
-    assert(t.scene.tr.number_of_vertices() + insert.number_of_removed_vertices() == number + 1);
-    insertions.number_of_removed_vertices += insert.number_of_removed_vertices();
+    BR3::Quality_improvement_counts counts;
+    insert.count(counts);
+    assert(counts.number_of_inserted_points == 1);
+    assert(t.scene.tr.number_of_vertices() + counts.number_of_removed_vertices == number + 1);
+    insertions.number_of_removed_vertices += counts.number_of_removed_vertices;
     return true;
   };
   insertions.number += try_on_all_cells(t.scene, t.mesh, Lengths_slack::longest_edge, counted_attempt, tolerated_loss);
@@ -118,13 +120,7 @@ void test_insertion(Improvement& t, const Insert& insert, const Attempt& attempt
 void test_insertion_near_cells(Improvement& t, const double size, Insertions& insertions)
 {
   internal::Insert_near_bad_cell_3<Mesh> insert(t.mesh);
-  const auto attempt = [&](const Cell_handle c)
-  {
-    const bool is_found = insert.find(c);
-    if(is_found)
-      insert.apply();
-    return is_found;
-  };
+  const auto attempt = [&](const Cell_handle c) { return insert.find(c) && insert.apply(); };
   test_insertion(t, insert, attempt, size, insertions);
 }
 
@@ -134,13 +130,7 @@ void test_insertion_anywhere_near_cells(Improvement& t, const double size, Inser
   const double tolerated_loss = 0.5;
   CGAL::Random random(7);
   internal::Insert_near_bad_cell_3<Mesh> insert(t.mesh);
-  const auto attempt = [&](const Cell_handle c)
-  {
-    const bool is_found = insert.find_any(c, tolerated_loss, random);
-    if(is_found)
-      insert.apply();
-    return is_found;
-  };
+  const auto attempt = [&](const Cell_handle c) { return insert.find_any(c, tolerated_loss, random) && insert.apply(); };
   test_insertion(t, insert, attempt, size, insertions, tolerated_loss);
 }
 
@@ -828,49 +818,63 @@ void test_list_of_bad_cells()
     }
   }
 
-  // cells that are gone are not bad, and where the mesh changed is known until the next visit
   for(const Bad_cell& c : list)
-    assert(! bad_cells.has_changed(c));
-  for(const Bad_cell& c : list)
-    bad_cells.put_back(c);
+    assert(c.time == 0);
+}
+
+// Cells that are gone are not bad, and it is known where the mesh has changed since a time.
+void test_changes()
+{
+  Improvement_options options;
+  options.number_of_points = 120;
+  Improvement t(3, options, 30);
+  internal::Bad_cells_3<Mesh> bad_cells(t.mesh);
+  internal::Vain_attempts_3<Mesh> vain_attempts(t.mesh);
+  const std::size_t begin = t.mesh.time();
+  for(const Vertex_handle v : t.scene.tr.finite_vertex_handles())
+  {
+    assert(! vain_attempts.contains(v) && ! t.mesh.has_changed(v, begin));
+    vain_attempts.add(v);
+    assert(vain_attempts.contains(v));
+  }
+  for(const Cell_handle c : t.scene.cells())
+    if(t.scene.contains(c))
+      bad_cells.push(c, begin);
   internal::Contract_bad_edge_3<Mesh> contract(t.mesh);
   const std::size_t number_of_cells = t.scene.tr.number_of_cells();
-  bad_cells.begin_visit();
   for(const Vertex_handle v : t.scene.tr.finite_vertex_handles())
     if(contract.find(v, 0) && contract.apply())
       break;
-  assert(t.scene.tr.number_of_cells() < number_of_cells);
-  bad_cells.note_change(contract.new_cells());
+  assert(t.scene.tr.number_of_cells() < number_of_cells && t.mesh.time() > begin);
+  bad_cells.push_all(contract.new_cells());
   std::set<Vertex_handle> changed;
   for(const Cell_handle c : contract.new_cells())
     for(int i = 0; i < 4; ++i)
       changed.insert(c->vertex(i));
-  const auto check_changes = [&](const std::vector<Bad_cell>& cells, const bool is_visited)
+  for(const Vertex_handle v : t.scene.tr.finite_vertex_handles())
   {
-    int number = 0;
-    for(const Bad_cell& c : cells)
-    {
-      assert(t.scene.tr.tds().cells().is_used(c.cell) && t.mesh.quality(c.cell) < t.mesh.enough());
-      bool is_beside = false;
-      for(int i = 0; i < 4; ++i)
-        is_beside = is_beside || changed.count(c.cell->vertex(i)) > 0;
-      number += is_beside;
-      assert(bad_cells.has_changed(c) == (is_beside && ! is_visited));
-    }
-    assert(number > 0 && number < static_cast<int>(cells.size()));
-  };
-  const std::vector<Bad_cell> next = bad_cells.next_round();
-  check_changes(next, false);
-  bad_cells.begin_visit();
-  for(const Bad_cell& c : next)
-    bad_cells.push(c.cell);
-  check_changes(bad_cells.next_round(), true);
+    assert(t.mesh.has_changed(v, begin) == (changed.count(v) > 0) && ! t.mesh.has_changed(v, t.mesh.time()));
+    assert(vain_attempts.contains(v) != t.mesh.has_changed(v, begin));
+  }
+  int number = 0;
+  const std::vector<Bad_cell> cells = bad_cells.next_round();
+  for(const Bad_cell& c : cells)
+  {
+    assert(t.scene.tr.tds().cells().is_used(c.cell) && t.mesh.quality(c.cell) < t.mesh.enough());
+    bool is_beside = false;
+    for(int i = 0; i < 4; ++i)
+      is_beside = is_beside || changed.count(c.cell->vertex(i)) > 0;
+    number += is_beside;
+    assert(t.mesh.has_changed(c.cell, c.time) == is_beside);
+  }
+  assert(number > 0 && number < static_cast<int>(cells.size()));
 
-  // what is new in a visit was not visited
-  bad_cells.begin_visit();
-  bad_cells.push_changed(t.scene.tr.finite_cell_handles());
-  for(const Bad_cell& c : bad_cells.next_round())
-    assert(bad_cells.has_changed(c));
+  // what failed need not fail where something else is bad
+  for(const Vertex_handle v : t.scene.tr.finite_vertex_handles())
+    vain_attempts.add(v);
+  t.mesh.set_enough(t.mesh.enough() / 2);
+  for(const Vertex_handle v : t.scene.tr.finite_vertex_handles())
+    assert(! vain_attempts.contains(v));
 }
 
 // What cells remember of their shape is forgotten where they have such a memory, and nothing else happens.
@@ -924,4 +928,5 @@ int main()
   test_allowed_lengths();
   test_new_vertex_at_old_place();
   test_list_of_bad_cells();
+  test_changes();
 }

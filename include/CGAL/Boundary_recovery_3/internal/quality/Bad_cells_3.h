@@ -28,87 +28,53 @@ namespace Boundary_recovery_3 {
 namespace internal {
 
 /*
- * The cells that are not good enough, and where the mesh changed lately: around a cell where nothing did, what failed
- * before would fail again.
+ * The cells that are not good enough, and when each was visited last: if nothing has changed around it since, what
+ * failed before would fail again.
  */
 template <typename Mesh>
 class Bad_cells_3
 {
 public:
-  typedef typename Mesh::Vertex_handle Vertex_handle;
-  typedef typename Mesh::Cell_handle   Cell_handle;
+  typedef typename Mesh::Cell_handle Cell_handle;
 
   struct Bad_cell
   {
     double quality;
     Cell_handle cell;
-    std::size_t visit; // that it comes from, or the last one that was for it
+    std::size_t time; // of the last visit, in changes of the mesh; 0: none
   };
 
   // What goes through the whole list asks for each cell whether to go on; if not, the list is of no use any more.
   explicit Bad_cells_3(const Mesh& mesh, std::function<bool()> goes_on = [] { return true; })
-    : m_mesh(mesh), m_goes_on(std::move(goes_on)), m_last_change(0)
+    : m_mesh(mesh), m_goes_on(std::move(goes_on))
   { }
 
-  // From now on, something else is tried.
-  void begin_visit() { ++m_visit; }
-
-  // A cell of the domain may be bad. Returns its quality.
-  double push(const Cell_handle c) { return push(c, m_visit); }
-
-  // The same for a cell that could not be improved in this visit.
-  double push(const Cell_handle c, const std::size_t visit)
+  // A cell of the domain, visited at that time, may be bad. Returns its quality.
+  double push(const Cell_handle c, const std::size_t time = 0)
   {
     const double q = m_mesh.quality(c);
     if(q < m_mesh.enough())
-      m_cells.push_back(Bad_cell{ q, c, visit });
+      m_cells.push_back(Bad_cell{ q, c, time });
     return q;
+  }
+
+  // These cells of the domain are new, or have a vertex that moved.
+  template <typename CellRange>
+  void push_all(const CellRange& cells)
+  {
+    for(const Cell_handle c : cells)
+      push(c);
   }
 
   // It was not visited, or they were not.
   void put_back(const Bad_cell& c) { m_cells.push_back(c); }
   void put_back(const std::vector<Bad_cell>& cells) { m_cells.insert(m_cells.end(), cells.begin(), cells.end()); }
 
-  // These cells of the domain are new, or have a vertex that moved.
-  template <typename CellRange>
-  void push_changed(const CellRange& cells)
-  {
-    note_change(cells);
-    for(const Cell_handle c : cells)
-      push(c);
-  }
-
-  template <typename CellRange>
-  void note_change(const CellRange& cells)
-  {
-    for(const Cell_handle c : cells)
-      for(int i = 0; i < 4; ++i)
-        m_last_change[c->vertex(i)] = m_visit;
-  }
-
   // Whether a handle, maybe of a cell that is gone, is one of a bad cell of the domain.
   bool contains(const Cell_handle c) const
   {
     return is_in_domain(c) && m_mesh.quality(c) < m_mesh.enough();
   }
-
-  // Whether something changed at the vertices of a cell since its visit, or in it.
-  bool has_changed(const Bad_cell& c) const
-  {
-    for(int i = 0; i < 4; ++i)
-      if(has_changed(c.cell->vertex(i), c.visit))
-        return true;
-    return false;
-  }
-
-  // Whether a cell around the vertex changed since this visit, or in it.
-  bool has_changed(const Vertex_handle v, const std::size_t visit) const
-  {
-    return m_last_change.is_defined(v) && m_last_change[v] >= visit;
-  }
-
-  // The number of the visit that goes on.
-  std::size_t visit() const { return m_visit; }
 
   // What is in the list, without those that are gone or good, the worst one first. In equal meshes, the order is the
   // same.
@@ -177,7 +143,7 @@ private:
         continue;
       const double quality = m_mesh.quality(c.cell);
       if(quality < m_mesh.enough())
-        cells.push_back(Bad_cell{ quality, c.cell, c.visit });
+        cells.push_back(Bad_cell{ quality, c.cell, c.time });
     }
     m_cells.swap(cells);
   }
@@ -193,8 +159,6 @@ private:
   const Mesh& m_mesh;
   const std::function<bool()> m_goes_on;
   std::vector<Bad_cell> m_cells;
-  Unique_hash_map<Vertex_handle, std::size_t> m_last_change; // the visit, by vertex; for looking up only
-  std::size_t m_visit = 0;
   double m_badness = 0;
 };
 

@@ -56,6 +56,9 @@ public:
   // Of the cells of the faces and the point, where `improve` left it.
   const std::vector<double>& qualities() const { return m_qualities; }
 
+  // By how much `improve` made them less bad.
+  double gain() const { return m_gain; }
+
   // Moves the point to better places, until all cells are good enough, or nothing helps. The worst cell never gets
   // worse, or not more than the measure of badness tolerates. `is_allowed` tells where the point may be. Returns
   // which part of the badness of the cells is gone, 0 if the point was not moved.
@@ -82,7 +85,8 @@ public:
       if(is_slow)
         break;
     }
-    return badness < badness_before ? 1 - badness / badness_before : 0;
+    m_gain = badness_before - badness;
+    return badness < badness_before ? m_gain / badness_before : 0;
   }
 
 private:
@@ -187,6 +191,7 @@ private:
   std::vector<double> m_qualities;
   Badness_3 m_badness = 1;
   double m_least = 0; // what qualities are to be
+  double m_gain = 0;
 };
 
 } // namespace internal

@@ -12,8 +12,10 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Free_star_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Vain_attempts_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 
 #include <algorithm>
@@ -36,7 +38,26 @@ public:
   typedef typename Mesh::Cell_handle   Cell_handle;
   typedef typename Mesh::Cells         Cells;
 
-  explicit Contract_bad_edge_3(Mesh& mesh) : m_mesh(mesh), m_star(mesh) { }
+  explicit Contract_bad_edge_3(Mesh& mesh) : m_mesh(mesh), m_star(mesh), m_vain_attempts(mesh) { }
+
+  // Searches for the best edge of all vertices of a bad cell, of those around which something has changed.
+  bool find(const Cell_handle c)
+  {
+    double gain = 0;
+    int best = -1;
+    for(int i = 0; i < 4; ++i)
+      if(! m_vain_attempts.contains(c->vertex(i)))
+      {
+        if(find(c->vertex(i), gain))
+        {
+          gain = m_gain;
+          best = i;
+        }
+        else if(gain == 0)
+          m_vain_attempts.add(c->vertex(i));
+      }
+    return best >= 0 && find(c->vertex(best), 0);
+  }
 
   // Searches for the best edge of v to be contracted. Returns whether the cells would be less bad then, by more than
   // `least_gain`, and none worse than the worst one now.
@@ -74,6 +95,8 @@ public:
   }
 
   const Cells& new_cells() const { return *m_new_cells; }
+
+  void count(Quality_improvement_counts& counts) const { ++counts.number_of_removed_vertices; }
 
 private:
   typedef typename Mesh::Tetrahedron Tetrahedron;
@@ -124,6 +147,7 @@ private:
 
   Mesh& m_mesh;
   Free_star_3<Mesh> m_star;
+  Vain_attempts_3<Mesh> m_vain_attempts;
   Vertex_handle m_v, m_to;
   double m_worst = 0; // what qualities are to be at least
   double m_least = 0; // badness

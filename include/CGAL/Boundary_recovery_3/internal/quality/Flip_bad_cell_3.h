@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Remove_bad_edge_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Remove_bad_facet_3.h>
 
@@ -31,8 +32,8 @@ public:
 
   explicit Flip_bad_cell_3(Mesh& mesh) : m_remove_edge(mesh), m_remove_facet(mesh) { }
 
-  // Returns whether that was done.
-  bool operator()(const Cell_handle c)
+  // Searches which one that is. Returns false if none helps.
+  bool find(const Cell_handle c)
   {
     double gain = least_gain;
     int i = -1, j = -1; // the edge from vertex i to vertex j, or, if j is negative, the facet opposite to vertex i
@@ -52,16 +53,20 @@ public:
         j = -1;
       }
     m_is_edge_removed = j >= 0;
-    if(i < 0)
-      return false;
-    return m_is_edge_removed ? m_remove_edge.find(c, i, j, 0) && m_remove_edge.apply()
-                             : m_remove_facet.find(c, i, 0) && m_remove_facet.apply();
+    return i >= 0 && (m_is_edge_removed ? m_remove_edge.find(c, i, j, 0) : m_remove_facet.find(c, i, 0));
   }
 
-  // What was done last: whether an edge was removed, or facets.
-  bool is_edge_removed() const { return m_is_edge_removed; }
+  double gain() const { return m_is_edge_removed ? m_remove_edge.gain() : m_remove_facet.gain(); }
+
+  // Removes it. Returns false, and does nothing, if a new cell is not positively oriented.
+  bool apply() { return m_is_edge_removed ? m_remove_edge.apply() : m_remove_facet.apply(); }
 
   const Cells& new_cells() const { return m_is_edge_removed ? m_remove_edge.new_cells() : m_remove_facet.new_cells(); }
+
+  void count(Quality_improvement_counts& counts) const
+  {
+    ++(m_is_edge_removed ? counts.number_of_removed_edges : counts.number_of_removed_facets);
+  }
 
 private:
   // Less may be rounding: in a grid, flips would go on in circles.

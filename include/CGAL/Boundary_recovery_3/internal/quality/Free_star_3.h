@@ -23,10 +23,13 @@ namespace CGAL {
 namespace Boundary_recovery_3 {
 namespace internal {
 
+// Vertices of more cells are left alone by what is tried of each neighbor with each cell, which would take too long. See
+// "Tuning constants" in the manual.
+constexpr std::size_t usual_max_number_of_cells = 100;
+
 /*
  * The cells around a vertex that is free: it may be moved, or removed, since it is inside of a region and on no
- * constraint. Vertices of very many cells are left alone: what is tried of each neighbor with each cell would take too
- * long.
+ * constraint.
  */
 template <typename Mesh>
 class Free_star_3
@@ -36,7 +39,7 @@ public:
   typedef typename Mesh::Cell_handle   Cell_handle;
   typedef std::array<Vertex_handle, 3> Face;
 
-  explicit Free_star_3(const Mesh& mesh, const std::size_t max_number_of_cells = default_max_number_of_cells)
+  explicit Free_star_3(const Mesh& mesh, const std::size_t max_number_of_cells = usual_max_number_of_cells)
     : m_mesh(mesh), m_max_number_of_cells(max_number_of_cells)
   {
     m_cells.reserve(max_number_of_cells + 3); // so that nothing throws while cells are marked
@@ -120,9 +123,6 @@ private:
     c->tds_data().mark_in_conflict();
     m_cells.push_back(c);
   }
-
-  // See "Tuning constants" in the manual.
-  static constexpr std::size_t default_max_number_of_cells = 100;
 
   const Mesh& m_mesh;
   const std::size_t m_max_number_of_cells;

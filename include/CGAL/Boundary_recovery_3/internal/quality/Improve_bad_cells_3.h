@@ -17,15 +17,10 @@
 #include <CGAL/Boundary_recovery_3/internal/quality/Bad_cells_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Badness_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Contract_bad_edge_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/Deepen_vertex_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Flip_bad_cell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Improved_mesh_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/Insert_into_bad_cell_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/Insert_into_shell_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/Insert_near_bad_cell_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/Lift_layer_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/Smooth_vertex_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/Vain_attempts_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Insert_vertex_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Move_vertex_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Work_account.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 
@@ -62,11 +57,9 @@ public:
   typedef typename Bad_cells_3<Mesh>::Bad_cell          Bad_cell;
 
   Improve_bad_cells_3(Tr& tr, Domain& domain, const Quality& quality, Recovery_context<Visitor>& context)
-    : m_quality(quality), m_context(context), m_mesh(tr, domain, quality, context.visitor()),
+    : m_context(context), m_mesh(tr, domain, quality, context.visitor()),
       m_bad_cells(m_mesh, [&context] { return context.go_further_after_short_step(); }),
-      m_vain_contractions(m_bad_cells), m_vain_smoothings(m_bad_cells), m_vain_deepenings(m_bad_cells),
-      m_vain_lifts(m_bad_cells), m_flip(m_mesh), m_contract(m_mesh), m_smooth(m_mesh), m_deepen(m_mesh),
-      m_lift(m_mesh), m_insert(m_mesh), m_insert_into_shell(m_mesh), m_insert_near(m_mesh)
+      m_table(m_mesh, m_mesh, m_mesh, m_mesh, m_mesh, m_mesh, m_mesh)
   { }
 
   Mesh& mesh() { return m_mesh; }
@@ -74,28 +67,16 @@ public:
   Quality_improvement_counts& counts() { return m_counts; }
   const Quality_improvement_counts& counts() const { return m_counts; }
 
-  // From now on, this is what is bad.
-  void set_measure_of_badness(const Badness_3& badness)
-  {
-    m_mesh.set_measure_of_badness(badness);
-    m_vain_contractions.clear();
-    m_vain_smoothings.clear();
-    m_vain_deepenings.clear();
-    m_vain_lifts.clear();
-  }
-
-  // From now on, what operations cost is booked, against what they earn. A strict measure of badness and a lenient one
-  // have accounts of their own, since they do not count in the same unit.
+  // From now on, what operations cost is booked, against what they earn.
   void open_accounts(const Improvement_effort effort, const std::size_t number_of_cells)
   {
-    for(Accounts& accounts : m_accounts)
-      for(Work_account& account : accounts)
+    for_each_entry([&](auto& entry)
+    {
+      for(Work_account& account : entry.accounts)
         account.open(effort, number_of_cells);
+      return false;
+    });
   }
-
-  // Nothing is tolerated.
-  void be_strict() { m_is_strict = true; }
-  bool is_strict() const { return m_is_strict; }
 
   // Whether cells where nothing has changed are left out also in the first round.
   void set_visits_only_changed(const bool b) { m_visits_only_changed = b; }
@@ -114,50 +95,57 @@ public:
     improve(m_number_of_visits + max_number_of_visits);
   }
 
-  // Vertices were inserted.
-  template <typename Insertion>
-  void note_insertion(const Insertion& insertion)
+  // Makes the change that the operation has found. Returns false if it cannot be made.
+  template <typename Operation>
+  bool apply(Operation& operation)
   {
-    ++m_counts.number_of_inserted_points;
-    m_counts.number_of_removed_vertices += insertion.number_of_removed_vertices();
-    m_bad_cells.push_changed(insertion.new_cells());
+    if(! operation.apply())
+      return false;
+    operation.count(m_counts);
+    m_bad_cells.push_all(operation.new_cells());
+    return true;
   }
 
   // No more visits are to come.
   void finish() { tell_progress(m_number_of_visits); }
 
 private:
-  // What can be done for a bad cell, and from which round on.
-  struct Operation
+  // What can be done for a bad cell:
+  //
+  //   bool find(Cell_handle c)                        // searches; returns whether that would help
+  //   double gain()                                   // by how much the cells would be less bad
+  //   bool apply()                                    // does it; returns false, and does nothing, if that is not valid
+  //   new_cells()                                     // the cells that have come, or changed
+  //   void count(Quality_improvement_counts& counts)
+  //
+  // from which round on, how often in a row, in the cell and in what comes from it, and what that costs and earns.
+  template <typename Operation, int first_round_, std::size_t max_number_in_a_row_ = 1>
+  struct Entry
   {
-    bool (Improve_bad_cells_3::*apply_at)(Cell_handle);
-    int first_round;
+    static constexpr int first_round = first_round_;
+    static constexpr std::size_t max_number_in_a_row = max_number_in_a_row_;
+
+    Operation operation;
+    std::array<Work_account, 2> accounts; // of a strict and a lenient measure, which do not count in the same unit
+
+    Entry(Mesh& mesh) : operation(mesh) { } // also a conversion
   };
 
-  typedef std::array<Operation, 7> Operations;
-  typedef std::array<Work_account, std::tuple_size<Operations>::value> Accounts;
+  static constexpr int first_expensive_round = 3;
 
   // In the order in which they are tried.
-  static const Operations& operations()
-  {
-    static const Operations table = {{
-      { &Improve_bad_cells_3::flip, 1 },
-      { &Improve_bad_cells_3::contract, 1 },
-      { &Improve_bad_cells_3::smooth, 2 },
-      { &Improve_bad_cells_3::deepen, 2 },
-      { &Improve_bad_cells_3::insert, first_expensive_round },
-      { &Improve_bad_cells_3::insert_into_shell, first_expensive_round },
-      { &Improve_bad_cells_3::insert_near, first_expensive_round } }};
-    return table;
-  }
+  typedef std::tuple<Entry<Flip_bad_cell_3<Mesh>, 1, 50>,
+                     Entry<Contract_bad_edge_3<Mesh>, 1>,
+                     Entry<Smooth_vertex_3<Mesh>, 2, 4>,
+                     Entry<Deepen_vertex_3<Mesh>, 2, 4>,
+                     Entry<Insert_into_bad_cell_3<Mesh>, first_expensive_round>,
+                     Entry<Insert_into_shell_3<Mesh>, first_expensive_round>,
+                     Entry<Insert_near_bad_cell_3<Mesh>, first_expensive_round>> Table;
 
   // See "Tuning constants" in the manual.
-  static constexpr double flat_angle = 0.5;
   static constexpr int max_number_of_rounds = 12;
   static constexpr std::size_t cells_per_block = 4096;
-  static constexpr int first_expensive_round = 3;
   static constexpr double least_progress = 0.1;
-  static constexpr std::size_t max_number_of_flips = 50;
   static constexpr std::size_t visits_per_report = 2048;
   static constexpr std::size_t expected_number_of_visits = 3; // of each cell that is bad at first
 
@@ -167,7 +155,7 @@ private:
   void improve(const std::size_t last_visit)
   {
     double last_badness = 0;
-    m_first_visit = m_bad_cells.visit() + 1;
+    m_begin = m_mesh.time();
     for(m_round = 1; m_round <= max_number_of_rounds && m_number_of_visits < last_visit && m_context.go_further();
         ++m_round)
     {
@@ -206,150 +194,64 @@ private:
   {
     if(++m_number_of_visits % visits_per_report == 0)
       tell_progress((std::max)(m_expected_visits, m_number_of_visits));
-    m_bad_cells.begin_visit();
-    const bool is_as_before = (m_round > 1 || m_visits_only_changed) && ! m_bad_cells.has_changed(c);
-    const bool was_left_out = m_visits_only_changed && c.visit < m_first_visit;
+    const bool is_as_before = (m_round > 1 || m_visits_only_changed) && ! m_mesh.has_changed(c.cell, c.time);
+    const bool was_left_out = m_visits_only_changed && c.time < m_begin;
     if(is_as_before && (m_round > first_expensive_round || was_left_out))
       m_bad_cells.put_back(c);
     else if(! improve(c.cell, is_as_before ? m_round : 1))
-      m_bad_cells.push(c.cell);
+      m_bad_cells.push(c.cell, m_mesh.time());
   }
 
   // By one of the operations from that round on. Returns whether the cell was changed.
   bool improve(const Cell_handle c, const int first_round)
   {
     const Work_account::Kind kind = Work_account::kind(m_mesh.quality(c), m_mesh.enough());
-    auto account = m_accounts[m_mesh.measure_of_badness().is_lenient()].begin();
-    for(const Operation& operation : operations())
+    return for_each_entry([&](auto& entry)
     {
-      if(operation.first_round >= first_round && operation.first_round <= m_round
-         && try_at(c, operation, *account, kind))
-        return true;
-      ++account;
-    }
-    return false;
+      return entry.first_round >= first_round && entry.first_round <= m_round && try_at(c, entry, kind);
+    });
   }
 
-  bool try_at(const Cell_handle c, const Operation& operation, Work_account& account, const Work_account::Kind kind)
+  // Until one returns true. Returns whether one did.
+  template <typename Function>
+  bool for_each_entry(const Function& f)
+  {
+    return std::apply([&](auto&... entry) { return (f(entry) || ...); }, m_table);
+  }
+
+  // As long as that pays.
+  template <typename Entry>
+  bool try_at(const Cell_handle c, Entry& entry, const Work_account::Kind kind)
   {
     if(m_is_attempt)
-      return (this->*operation.apply_at)(c);
+      return apply_at(c, entry) > 0;
+    Work_account& account = entry.accounts[m_mesh.measure_of_badness().is_lenient()];
     if(! account.pays(kind))
       return false;
     const std::size_t price_before = m_mesh.quality().number();
-    const double gain_before = m_mesh.total_gain();
-    const bool is_done = (this->*operation.apply_at)(c);
-    account.book(kind, m_mesh.quality().number() - price_before, m_mesh.total_gain() - gain_before);
+    m_gain = 0;
+    const bool is_done = apply_at(c, entry) > 0;
+    account.book(kind, m_mesh.quality().number() - price_before, m_gain);
     return is_done;
   }
 
-  // Flips what comes from a cell, until that does not help any more.
-  bool flip(const Cell_handle c)
+  // In the cell, and in what comes from it, until that does not help any more. Returns how often.
+  template <typename Entry>
+  std::size_t apply_at(const Cell_handle c, Entry& entry)
   {
     m_stack.assign(1, c);
-    std::size_t number_of_flips = 0;
-    while(! m_stack.empty())
+    std::size_t number = 0;
+    while(! m_stack.empty() && number < entry.max_number_in_a_row)
     {
       const Cell_handle d = m_stack.back();
       m_stack.pop_back();
-      if(! m_bad_cells.contains(d))
+      if(! m_bad_cells.contains(d) || ! entry.operation.find(d) || ! apply(entry.operation))
         continue;
-      if(number_of_flips < max_number_of_flips && m_flip(d))
-      {
-        ++number_of_flips;
-        ++(m_flip.is_edge_removed() ? m_counts.number_of_removed_edges : m_counts.number_of_removed_facets);
-        m_bad_cells.note_change(m_flip.new_cells());
-        m_stack.insert(m_stack.end(), m_flip.new_cells().begin(), m_flip.new_cells().end());
-      }
-      else if(number_of_flips > 0)
-        m_bad_cells.push(d);
+      ++number;
+      m_gain += entry.operation.gain();
+      m_stack.insert(m_stack.end(), entry.operation.new_cells().begin(), entry.operation.new_cells().end());
     }
-    return number_of_flips > 0;
-  }
-
-  // Contracts the edge at a vertex of the cell that helps most.
-  bool contract(const Cell_handle c)
-  {
-    double gain = 0;
-    int best = -1;
-    for(int i = 0; i < 4; ++i)
-    {
-      const Vertex_handle v = c->vertex(i);
-      if(m_vain_contractions.contains(v))
-        continue;
-      if(m_contract.find(v, gain))
-      {
-        gain = m_contract.gain();
-        best = i;
-      }
-      else if(gain == 0)
-        m_vain_contractions.add(v);
-    }
-    if(best < 0 || ! m_contract.find(c->vertex(best), 0) || ! m_contract.apply())
-      return false;
-    ++m_counts.number_of_removed_vertices;
-    m_bad_cells.push_changed(m_contract.new_cells());
-    return true;
-  }
-
-  bool smooth(const Cell_handle c) { return move_vertices(c, m_mesh.enough(), m_smooth, m_vain_smoothings); }
-
-  // Moves the vertices of a nearly flat cell to where they see all around them best, whatever that does to the others.
-  bool deepen(const Cell_handle c)
-  {
-    return ! m_is_strict
-        && (move_vertices(c, m_quality.of_angle(flat_angle), m_deepen, m_vain_deepenings) ||
-            move_vertices(c, Lift_layer_3<Mesh>::flat * m_mesh.enough(), m_lift, m_vain_lifts));
-  }
-
-  // Moves the vertices of the cell, until its quality is `enough`.
-  template <typename Move>
-  bool move_vertices(const Cell_handle c, const double enough, Move& move, Vain_attempts_3<Mesh>& vain_attempts)
-  {
-    bool is_changed = false;
-    for(int i = 0; i < 4 && m_mesh.quality(c) < enough; ++i)
-    {
-      const Vertex_handle v = c->vertex(i);
-      if(vain_attempts.contains(v))
-        continue;
-      if(move(v))
-      {
-        is_changed = true;
-        ++m_counts.number_of_moved_vertices;
-        m_bad_cells.push_changed(move.cells());
-      }
-      else
-        vain_attempts.add(v);
-    }
-    return is_changed;
-  }
-
-  bool insert(const Cell_handle c)
-  {
-    if(! m_insert.find(c) || ! m_insert.apply())
-      return false;
-    note_insertion(m_insert);
-    return true;
-  }
-
-  // If the cell is nearly flat, at a loss.
-  bool insert_into_shell(const Cell_handle c)
-  {
-    const bool is_flat = m_mesh.quality(c) < Insert_into_shell_3<Mesh>::flat * m_mesh.enough();
-    if(m_is_strict || ! is_flat || ! m_insert_into_shell.find(c))
-      return false;
-    m_insert_into_shell.apply();
-    note_insertion(m_insert_into_shell);
-    return true;
-  }
-
-  bool insert_near(const Cell_handle c)
-  {
-    if(! m_insert_near.find(c))
-      return false;
-    m_insert_near.apply();
-    note_insertion(m_insert_near);
-    return true;
+    return number;
   }
 
   // More visits may come to be expected; what was told does not fall for that.
@@ -362,27 +264,17 @@ private:
     m_context.visitor().on_progress(Meshing_phase::quality_improvement, m_number_of_visits, expected_visits);
   }
 
-  const Quality& m_quality;
   Recovery_context<Visitor>& m_context;
   Mesh m_mesh;
   Bad_cells_3<Mesh> m_bad_cells;
-  Vain_attempts_3<Mesh> m_vain_contractions, m_vain_smoothings, m_vain_deepenings, m_vain_lifts;
-  Flip_bad_cell_3<Mesh> m_flip;
-  Contract_bad_edge_3<Mesh> m_contract;
-  Smooth_vertex_3<Mesh> m_smooth;
-  Deepen_vertex_3<Mesh> m_deepen;
-  Lift_layer_3<Mesh> m_lift;
-  Insert_into_bad_cell_3<Mesh> m_insert;
-  Insert_into_shell_3<Mesh> m_insert_into_shell;
-  Insert_near_bad_cell_3<Mesh> m_insert_near;
-  std::array<Accounts, 2> m_accounts; // of a strict and a lenient measure
+  Table m_table;
   Quality_improvement_counts m_counts;
   std::vector<Cell_handle> m_stack;
   int m_round = 0;
-  std::size_t m_first_visit = 0; // of these rounds
+  std::size_t m_begin = 0; // of these rounds, in changes of the mesh
+  double m_gain = 0; // of an operation in a row
   bool m_is_attempt = false;
   bool m_visits_only_changed = false;
-  bool m_is_strict = false;
   std::size_t m_number_of_visits = 0;
   std::size_t m_expected_visits = 0;
   double m_told_share = 0;

@@ -16,8 +16,8 @@
 #include <CGAL/Boundary_recovery_3/internal/geometry/sort_in_space.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Bad_cells_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Badness_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/Center_vertex_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Improve_bad_cells_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Move_vertex_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Search_locally_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 
@@ -69,7 +69,7 @@ public:
   }
 
   // Nothing is tolerated. For a mesh that is improved several times: that would add up.
-  void be_strict() { m_improve.be_strict(); }
+  void be_strict() { m_mesh.be_strict(); }
 
   // No vertices are inserted beyond that number.
   void set_max_number_of_vertices(const std::size_t number) { m_mesh.set_max_number_of_vertices(number); }
@@ -84,7 +84,7 @@ public:
     m_improve.open_accounts(m_effort, m_number_of_cells);
     m_search_locally.open_account(m_effort, m_number_of_cells);
     m_improve();
-    if(m_target > really_bad_angle && ! m_improve.is_strict() && m_context.go_further() && is_any_really_bad())
+    if(m_target > really_bad_angle && ! m_mesh.is_strict() && m_context.go_further() && is_any_really_bad())
       improve_really_bad_cells();
     if(m_target > 0 && m_context.go_further())
       center_vertices();
@@ -122,7 +122,7 @@ private:
     }
   }
 
-  void set_enough(const double degrees) { m_improve.set_measure_of_badness(m_quality.of_angle(degrees)); }
+  void set_enough(const double degrees) { m_mesh.set_enough(m_quality.of_angle(degrees)); }
 
   bool is_any_really_bad()
   {
@@ -132,14 +132,14 @@ private:
 
   void improve_really_bad_cells()
   {
-    const std::size_t last_visit = m_bad_cells.visit();
+    const std::size_t end_of_first_pass = m_mesh.time();
     set_enough(really_bad_angle);
     m_improve();
     improve_leniently();
     m_improve.set_visits_only_changed(true);
     m_search_locally(really_bad_angle);
     set_enough(m_target);
-    for_each_cell([&](const Cell_handle c) { m_bad_cells.push(c, last_visit + 1); });
+    for_each_cell([&](const Cell_handle c) { m_bad_cells.push(c, end_of_first_pass); });
     m_improve();
   }
 
@@ -149,7 +149,7 @@ private:
     const std::vector<Bad_cell>& cells = m_bad_cells.worst_first();
     if(cells.empty())
       return;
-    m_improve.set_measure_of_badness(Badness_3(m_mesh.enough(), cells.front().quality));
+    m_mesh.set_measure_of_badness(Badness_3(m_mesh.enough(), cells.front().quality));
     m_improve();
   }
 
@@ -157,6 +157,7 @@ private:
   void center_vertices()
   {
     m_mesh.set_enough((std::max)(m_quality.of_angle(m_target), m_worst));
+    m_mesh.note_no_more_changes();
     const auto all = m_mesh.triangulation().finite_vertex_handles();
     std::vector<Vertex_handle> vertices(all.begin(), all.end());
     internal::sort_in_space(vertices, &Mesh::coordinates, [this] { return m_context.go_further_after_short_step(); });

@@ -20,9 +20,9 @@
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_indices.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Allowed_lengths_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Badness_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/sure_roundness.h>
 #include <CGAL/Boundary_recovery_3/internal/util/bare_point.h>
 
+#include <CGAL/Unique_hash_map.h>
 #include <CGAL/enum.h>
 
 #include <algorithm>
@@ -83,7 +83,7 @@ public:
 
   Improved_mesh_3(Tr& tr, Domain& domain, const Quality_& quality, Visitor& visitor)
     : m_tr(tr), m_domain(domain), m_uncounted_quality(quality), m_quality(quality), m_domain_keeper(domain, visitor),
-      m_editor(tr, m_domain_keeper), m_orientation(tr.geom_traits().orientation_3_object()), m_lengths(tr)
+      m_editor(tr, m_domain_keeper), m_orientation(tr.geom_traits().orientation_3_object()), m_lengths(tr), m_times(0)
   { }
 
   Tr& triangulation() { return m_tr; }
@@ -93,6 +93,7 @@ public:
   static Coordinates_3 coordinates(const Vertex_handle v) { return internal::coordinates_of(v->point()); }
 
   const Quality& quality() const { return m_quality; }
+  const Quality_& uncounted_quality() const { return m_uncounted_quality; }
 
   double quality(const Corners& corners) const { return m_quality(corners); }
   double quality(const Cell_handle c) const { return m_quality(internal::corners(c)); }
@@ -125,18 +126,21 @@ public:
   void set_measure_of_badness(const Badness_3& badness)
   {
     m_badness = badness;
-    m_enough_roundness = internal::sure_roundness(m_uncounted_quality, enough());
+    m_time_of_measure = ++m_time;
   }
   const Badness_3& measure_of_badness() const { return m_badness; }
 
-  // What Volume_length_quality_3 says of cells from this number on makes them good enough.
-  double enough_roundness() const { return m_enough_roundness; }
+  // Whether nothing is tolerated: no cell gets worse than the worst one of those that go, however flat that is.
+  void be_strict() { m_is_strict = true; }
+  bool is_strict() const { return m_is_strict; }
 
-  // How bad a cell of this quality is: from 0, good enough, to 1, flat. The sum over all cells never rises.
+  // How bad a cell of this quality is: from 0, good enough, to 1, flat.
   double badness(const double quality) const { return m_badness.of_quality(quality); }
 
   // The quality that new cells have at least, if that is the one of the worst cell that goes.
   double least_quality(const double worst) const { return m_badness.least_quality(worst); }
+
+  bool is_nearly_flat(const double quality) const { return quality < nearly_flat * enough(); }
 
   // Whether this quality, instead of that of the worst cell, which is nearly flat, is worth that others get worse.
   static bool is_far_better(const double quality, const double worst)
@@ -159,6 +163,20 @@ public:
     for(const auto& c : cells)
     {
       const double q = quality(c);
+      account.worst = (std::min)(account.worst, q);
+      account.badness += badness(q);
+    }
+    return account;
+  }
+
+  // Those of faces, seen from inside, and a point.
+  template <typename FaceRange>
+  Account account_of_star(const FaceRange& faces, const Coordinates_3& p) const
+  {
+    Account account;
+    for(const auto& f : faces)
+    {
+      const double q = quality(f, p);
       account.worst = (std::min)(account.worst, q);
       account.badness += badness(q);
     }
@@ -214,6 +232,31 @@ public:
   // Whether that was denied once.
   bool was_full() const { return m_was_full; }
 
+  // --- changes ------------------------------------------------------------------------------------------------------
+
+  // How many changes there were until now.
+  std::size_t time() const { return m_time; }
+
+  // From now on, nobody asks for them.
+  void note_no_more_changes() { m_are_changes_noted = false; }
+
+  // When it was said last what is bad.
+  std::size_t time_of_measure() const { return m_time_of_measure; }
+
+  // Whether a cell around a vertex, or of those at a cell, has changed since.
+  bool has_changed(const Vertex_handle v, const std::size_t time) const
+  {
+    return m_times.is_defined(v) && m_times[v] > time;
+  }
+
+  bool has_changed(const Cell_handle c, const std::size_t time) const
+  {
+    for(int i = 0; i < 4; ++i)
+      if(has_changed(c->vertex(i), time))
+        return true;
+    return false;
+  }
+
   // Moves the vertex of the star of these cells and faces, if all of the cells are oriented positively then.
   template <typename CellRange, typename FaceRange>
   bool move(const Vertex_handle v, const Coordinates_3& to, const CellRange& cells, const FaceRange& faces)
@@ -222,40 +265,12 @@ public:
     for(const auto& f : faces)
       if(! is_positive(point(f[0]), point(f[1]), point(f[2]), p))
         return false;
-    will_change(cells);
+    before_change(cells);
     m_editor.move(v, typename Tr::Point(p));
     for(const Cell_handle c : cells)
       internal::forget_shape(*c);
-    has_changed(cells);
+    after_change(cells);
     return true;
-  }
-
-  // Moves several vertices, if all of these cells, the ones that have any of them, are oriented positively then.
-  template <typename VertexRange, typename PlaceRange, typename CellRange>
-  bool move_together(const VertexRange& vertices, const PlaceRange& places, const CellRange& cells)
-  {
-    std::vector<typename Tr::Point> before;
-    before.reserve(vertices.size());
-    will_change(cells);
-    auto place = places.begin();
-    for(const Vertex_handle v : vertices)
-    {
-      before.push_back(v->point());
-      m_editor.move(v, typename Tr::Point(Point_3((*place)[0], (*place)[1], (*place)[2])));
-      ++place;
-    }
-    const bool is_valid = std::all_of(cells.begin(), cells.end(), [&](const Cell_handle c)
-    {
-      return is_positive(c->vertex(0), c->vertex(1), c->vertex(2), c->vertex(3));
-    });
-    auto point = before.begin();
-    if(! is_valid)
-      for(const Vertex_handle v : vertices)
-        v->set_point(*point++);
-    for(const Cell_handle c : cells)
-      internal::forget_shape(*c);
-    has_changed(cells);
-    return is_valid;
   }
 
   // Exchanges cells of a region for the star of a new vertex at p, which has this size, and edges that may have the
@@ -287,19 +302,16 @@ public:
     if(m_editor.journal().is_active())
       for(const Vertex_handle v : dropped)
         m_dropped_vertices.push_back({ v, m_lengths.of_constraints(v) });
-    will_change(old_cells);
+    before_change(old_cells);
     try {
       m_editor.replace(old_cells, tetrahedra, dropped);
     } catch(...) {
       m_domain_keeper.after_failure(old_cells);
       throw;
     }
-    has_changed(m_editor.new_cells());
+    after_change(m_editor.new_cells());
     return m_editor.new_cells();
   }
-
-  // By how much cells have become less bad since the beginning, all changes together but those of attempts.
-  double total_gain() const { return m_total_gain; }
 
   // --- attempts -----------------------------------------------------------------------------------------------------
 
@@ -330,13 +342,16 @@ public:
       m_tr.tds().incident_cells(v, std::back_inserter(cells));
     for(const Cell_handle c : cells)
       internal::forget_shape(*c);
+    note_change(cells);
     return cells;
   }
 
 private:
   typedef typename Allowed_lengths_3<Tr>::Range Range;
 
-  static constexpr double least_factor = 2; // see "Tuning constants" in the manual
+  // See "Tuning constants" in the manual.
+  static constexpr double nearly_flat = 0.02;
+  static constexpr double least_factor = 2;
 
   struct Dropped_vertex
   {
@@ -358,24 +373,41 @@ private:
     }
   };
 
-  // --- what changes earn --------------------------------------------------------------------------------------------
+  // --- changes ------------------------------------------------------------------------------------------------------
 
   template <typename CellRange>
-  void will_change(const CellRange& cells) { add_gain(1, cells); }
-
-  template <typename CellRange>
-  void has_changed(const CellRange& cells) { add_gain(-1, cells); }
-
-  // An attempt counts otherwise, and may be taken back: what it earns is not known before its end.
-  template <typename CellRange>
-  void add_gain(const double sign, const CellRange& cells)
+  void before_change(const CellRange& cells)
   {
-    const bool is_attempt = m_editor.journal().is_active();
+    if(m_editor.journal().is_active())
+      m_gain += weight(cells);
+  }
+
+  template <typename CellRange>
+  void after_change(const CellRange& cells)
+  {
+    if(m_editor.journal().is_active())
+      m_gain -= weight(cells);
+    note_change(cells);
+  }
+
+  template <typename CellRange>
+  double weight(const CellRange& cells) const
+  {
+    double sum = 0;
     for(const Cell_handle c : cells)
-    {
-      const double q = m_uncounted_quality(internal::corners(c));
-      (is_attempt ? m_gain : m_total_gain) += sign * (is_attempt ? m_badness.weight(q) : badness(q));
-    }
+      sum += m_badness.weight(m_uncounted_quality(internal::corners(c)));
+    return sum;
+  }
+
+  template <typename CellRange>
+  void note_change(const CellRange& cells)
+  {
+    if(! m_are_changes_noted)
+      return;
+    ++m_time;
+    for(const Cell_handle c : cells)
+      for(int i = 0; i < 4; ++i)
+        m_times[c->vertex(i)] = m_time;
   }
 
   // The first one that had the handle: others got the room that it had left.
@@ -416,11 +448,14 @@ private:
   typename Tr::Geom_traits::Orientation_3 m_orientation;
   std::vector<Tetrahedron> m_star;
   Badness_3 m_badness = 1;
-  double m_enough_roundness = std::numeric_limits<double>::infinity();
+  bool m_is_strict = false;
   Allowed_lengths_3<Tr> m_lengths;
   std::vector<Dropped_vertex> m_dropped_vertices; // by the attempt, in order
   double m_gain = 0; // by an attempt
-  double m_total_gain = 0;
+  bool m_are_changes_noted = true;
+  std::size_t m_time = 1;
+  std::size_t m_time_of_measure = 1;
+  Unique_hash_map<Vertex_handle, std::size_t> m_times; // of the last change, by vertex; for looking up only
   std::size_t m_max_number_of_vertices = (std::numeric_limits<std::size_t>::max)();
   bool m_was_full = false;
 };

@@ -60,6 +60,9 @@ public:
     return m_places;
   }
 
+  // Those that were found last.
+  const std::vector<Coordinates_3>& places() const { return m_places; }
+
 private:
   // See "Tuning constants" in the manual.
   static constexpr double distance_in_shortest_edges = 2;

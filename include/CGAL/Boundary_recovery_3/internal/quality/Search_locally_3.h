@@ -15,11 +15,12 @@
 #include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Bad_cells_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Improve_bad_cells_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/Insert_near_bad_cell_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/Move_at_random_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Insert_vertex_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Move_vertex_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Walls_at_edge_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Work_account.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
+#include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 
 #include <CGAL/Random.h>
 
@@ -42,6 +43,7 @@ public:
   typedef Improve_bad_cells_3<Tr, Domain, Quality, Visitor> Improve_bad_cells;
   typedef typename Improve_bad_cells::Mesh                  Mesh;
   typedef typename Improve_bad_cells::Bad_cell              Bad_cell;
+  typedef typename Tr::Vertex_handle                        Vertex_handle;
   typedef typename Tr::Cell_handle                          Cell_handle;
 
   Search_locally_3(Improve_bad_cells& improve, const Domain& domain, Recovery_context<Visitor>& context)
@@ -88,6 +90,7 @@ private:
   static constexpr int max_number_of_searches = 60; // through all bad cells
   static constexpr std::size_t max_number_of_visits = 25; // in an attempt
   static constexpr double share_of_insertions = 0.25; // of the attempts
+  static constexpr int max_number_of_places = 6; // of the others
   static constexpr double tolerated_loss = 3;
   static constexpr double least_gain = 1e-6;
 
@@ -99,7 +102,6 @@ private:
   {
     const std::size_t price_before = m_mesh.quality().number();
     const Quality_improvement_counts counts = m_improve.counts();
-    m_bad_cells.begin_visit();
     m_mesh.begin_attempt();
     const bool is_perturbed = perturb_near(c);
     push_if_bad(c);
@@ -112,7 +114,7 @@ private:
     else
     {
       m_bad_cells.take();
-      m_bad_cells.push_changed(m_mesh.undo_attempt());
+      m_bad_cells.push_all(m_mesh.undo_attempt());
       push_if_bad(c);
       m_improve.counts() = counts;
     }
@@ -129,20 +131,30 @@ private:
   bool perturb_near(const Cell_handle c)
   {
     if(m_random.get_double() < share_of_insertions)
-    {
-      if(! m_insert_near.find_any(c, tolerated_loss, m_random))
-        return false;
-      m_insert_near.apply();
-      m_improve.note_insertion(m_insert_near);
-    }
-    else
-    {
-      if(! m_move_at_random(c, m_random))
-        return false;
-      ++m_improve.counts().number_of_moved_vertices;
-      m_bad_cells.push_changed(m_move_at_random.cells());
-    }
-    return true;
+      return m_insert_near.find_any(c, tolerated_loss, m_random) && m_improve.apply(m_insert_near);
+    set_vertices(c);
+    for(int k = 0; k < max_number_of_places; ++k)
+      if(m_move_at_random.find(m_vertices[m_random.uniform_int<std::size_t>(0, m_vertices.size() - 1)])
+         && m_improve.apply(m_move_at_random))
+        return true;
+    return false;
+  }
+
+  // Those of the cell, and of its neighbors.
+  void set_vertices(const Cell_handle c)
+  {
+    m_vertices.clear();
+    for(int i = 0; i < 4; ++i)
+      add_vertex(c->vertex(i));
+    for(int i = 0; i < 4; ++i)
+      if(! m_mesh.domain().is_wall(c, i))
+        add_vertex(c->neighbor(i)->vertex(c->neighbor(i)->index(c)));
+  }
+
+  void add_vertex(const Vertex_handle v)
+  {
+    if(! internal::contains(m_vertices, v))
+      m_vertices.push_back(v);
   }
 
   Improve_bad_cells& m_improve;
@@ -152,6 +164,7 @@ private:
   Walls_at_edge_3<Tr, Domain> m_walls_at_edge;
   Insert_near_bad_cell_3<Mesh> m_insert_near;
   Move_at_random_3<Mesh> m_move_at_random;
+  std::vector<Vertex_handle> m_vertices; // near the cell
   Work_account m_account;
   CGAL::Random m_random = CGAL::Random(0); // always the same numbers
 };

@@ -12,8 +12,6 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/internal/quality/Bad_cells_3.h>
-
 #include <CGAL/Unique_hash_map.h>
 
 #include <cstddef>
@@ -32,26 +30,22 @@ class Vain_attempts_3
 public:
   typedef typename Mesh::Vertex_handle Vertex_handle;
 
-  explicit Vain_attempts_3(const Bad_cells_3<Mesh>& bad_cells) : m_bad_cells(bad_cells), m_visits(never) { }
+  explicit Vain_attempts_3(const Mesh& mesh) : m_mesh(mesh), m_times(0) { }
 
-  // The operation has just failed.
-  void add(const Vertex_handle v) { m_visits[v] = m_bad_cells.visit(); }
+  // The operation has just failed, or done what it can.
+  void add(const Vertex_handle v) { m_times[v] = m_mesh.time(); }
 
+  // Also something else may count as good enough since.
   bool contains(const Vertex_handle v) const
   {
-    const auto& visits = m_visits;
-    const std::size_t visit = visits[v];
-    return visit != never && ! m_bad_cells.has_changed(v, visit);
+    const auto& times = m_times;
+    const std::size_t time = times[v];
+    return time >= m_mesh.time_of_measure() && ! m_mesh.has_changed(v, time);
   }
 
-  // Something else counts as good enough from now on.
-  void clear() { m_visits.clear(never); }
-
 private:
-  static constexpr std::size_t never = 0; // visits are counted from 1 on
-
-  const Bad_cells_3<Mesh>& m_bad_cells;
-  Unique_hash_map<Vertex_handle, std::size_t> m_visits; // for looking up only
+  const Mesh& m_mesh;
+  Unique_hash_map<Vertex_handle, std::size_t> m_times; // in changes of the mesh; for looking up only
 };
 
 } // namespace internal
