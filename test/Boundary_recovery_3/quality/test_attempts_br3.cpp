@@ -185,7 +185,8 @@ void test_random_moves(const unsigned seed, int& number)
   internal::Move_at_random_3<Moves::Mesh> move(t.mesh);
   CGAL::Random random(seed);
   number += br3_test::try_on_all_cells(t.scene, t.mesh, Lengths_slack::none, [&](const Moves::Cell_handle c)
-                                       { return move(c->vertex(random.get_int(0, 4))); }, std::numeric_limits<double>::infinity());
+                                       { return move(c->vertex(random.get_int(0, 4))); },
+                                       std::numeric_limits<double>::infinity());
 }
 
 int main()

@@ -19,7 +19,9 @@
 #include <CGAL/Boundary_recovery_3/internal/quality/Free_star_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Insert_vertex_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Move_vertex_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Places_in_star_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Places_near_cell_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Seeds_at_cell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Star_cavity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Vain_attempts_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -130,7 +132,10 @@ void test_insertion_anywhere_near_cells(Improvement& t, const double size, Inser
   const double tolerated_loss = 0.5;
   CGAL::Random random(7);
   internal::Insert_near_bad_cell_3<Mesh> insert(t.mesh);
-  const auto attempt = [&](const Cell_handle c) { return insert.find_any(c, tolerated_loss, random) && insert.apply(); };
+  const auto attempt = [&](const Cell_handle c)
+  {
+    return insert.find_any(c, tolerated_loss, random) && insert.apply();
+  };
   test_insertion(t, insert, attempt, size, insertions, tolerated_loss);
 }
 

@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Boundary_recovery_3 {
 namespace internal {
 
-// Vertices of more cells are left alone by what is tried of each neighbor with each cell, which would take too long. See
+// Vertices of more cells are left alone where each neighbor is tried with each cell, which would take too long. See
 // "Tuning constants" in the manual.
 constexpr std::size_t usual_max_number_of_cells = 100;
 

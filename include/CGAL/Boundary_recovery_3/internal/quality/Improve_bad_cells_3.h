@@ -143,7 +143,6 @@ private:
                      Entry<Insert_near_bad_cell_3<Mesh>, first_expensive_round>> Table;
 
   // See "Tuning constants" in the manual.
-  static constexpr int max_number_of_rounds = 12;
   static constexpr std::size_t cells_per_block = 4096;
   static constexpr double least_progress = 0.1;
   static constexpr std::size_t visits_per_report = 2048;
@@ -156,8 +155,7 @@ private:
   {
     double last_badness = 0;
     m_begin = m_mesh.time();
-    for(m_round = 1; m_round <= max_number_of_rounds && m_number_of_visits < last_visit && m_context.go_further();
-        ++m_round)
+    for(m_round = 1; m_number_of_visits < last_visit && m_context.go_further(); ++m_round)
     {
       const std::vector<Bad_cell> cells = m_bad_cells.next_round_in_blocks(cells_per_block);
       const bool is_slow = m_bad_cells.badness() > (1 - least_progress) * last_badness;

@@ -67,15 +67,11 @@ public:
     return best < number && m_seeds.grow(best, m_cavity);
   }
 
-  // The same for a few seeds at random, where the cells may be worse by less than `tolerated_loss`: the first one that
-  // will do is taken.
+  // The same for one seed at random, where the cells may be worse by less than `tolerated_loss`.
   bool find_any(const Cell_handle c, const double tolerated_loss, CGAL::Random& random)
   {
     const std::size_t number = m_mesh.has_room() ? m_seeds.start(c, tolerated_loss) : 0;
-    for(int k = 0; k < max_number_of_random_seeds && number > 0; ++k)
-      if(m_seeds.grow(random.uniform_int<std::size_t>(0, number - 1), m_cavity))
-        return true;
-    return false;
+    return number > 0 && m_seeds.grow(random.uniform_int<std::size_t>(0, number - 1), m_cavity);
   }
 
   double gain() const { return m_cavity.gain(); }
@@ -96,9 +92,6 @@ public:
   }
 
 private:
-  // See "Tuning constants" in the manual.
-  static constexpr int max_number_of_random_seeds = 4;
-
   Mesh& m_mesh;
   Star_cavity_3<Mesh> m_cavity;
   Seeds m_seeds;

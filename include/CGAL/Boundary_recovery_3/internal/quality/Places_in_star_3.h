@@ -247,7 +247,7 @@ private:
 };
 
 /*
- * A random place in the star of a vertex. Mostly, that makes cells worse; but none gets worse than what the mesh
+ * A random place in a random cell of a star. Mostly, that makes cells worse; but none gets worse than what the mesh
  * tolerates.
  */
 template <typename Mesh>
@@ -265,8 +265,7 @@ public:
 
   bool find(const Vertex_handle v, const Free_star_3<Mesh>& star)
   {
-    const auto& face = star.faces()[m_random.uniform_int<std::size_t>(0, star.faces().size() - 1)];
-    m_point = internal::point_between(Mesh::coordinates(v), random_point(face), m_random.get_double(0, largest_step));
+    m_point = random_point(star.cells()[m_random.uniform_int<std::size_t>(0, star.cells().size() - 1)]);
     m_places.assign(m_mesh.allowed_lengths(), v, star.neighbors());
     return m_places(m_point) && are_tolerated(star);
   }
@@ -275,20 +274,16 @@ public:
   double gain() const { return 0; } // is asked of nobody: it is a loss
 
 private:
-  // See "Tuning constants" in the manual.
-  static constexpr double largest_step = 0.5; // as a part of the way to a face of the star
-  static constexpr double least_weight = 0.01; // so that their sum is not 0
-
-  Coordinates_3 random_point(const std::array<Vertex_handle, 3>& face)
+  Coordinates_3 random_point(const Cell_handle c)
   {
-    std::array<double, 3> weights;
+    std::array<double, 4> weights;
     double sum = 0;
     for(double& w : weights)
-      sum += w = m_random.get_double(least_weight, 1);
+      sum += w = 1 - m_random.get_double(); // not 0
     Coordinates_3 p = {{ 0, 0, 0 }};
-    for(int i = 0; i < 3; ++i)
+    for(int i = 0; i < 4; ++i)
       for(int j = 0; j < 3; ++j)
-        p[j] += weights[i] / sum * Mesh::coordinates(face[i])[j];
+        p[j] += weights[i] / sum * Mesh::coordinates(c->vertex(i))[j];
     return p;
   }
 

@@ -90,7 +90,7 @@ private:
   static constexpr int max_number_of_searches = 60; // through all bad cells
   static constexpr std::size_t max_number_of_visits = 25; // in an attempt
   static constexpr double share_of_insertions = 0.25; // of the attempts
-  static constexpr int max_number_of_places = 6; // of the others
+  static constexpr int max_number_of_tries = 5; // of an insertion, or a move
   static constexpr double tolerated_loss = 3;
   static constexpr double least_gain = 1e-6;
 
@@ -130,14 +130,23 @@ private:
   // At random.
   bool perturb_near(const Cell_handle c)
   {
-    if(m_random.get_double() < share_of_insertions)
-      return m_insert_near.find_any(c, tolerated_loss, m_random) && m_improve.apply(m_insert_near);
     set_vertices(c);
-    for(int k = 0; k < max_number_of_places; ++k)
-      if(m_move_at_random.find(m_vertices[m_random.uniform_int<std::size_t>(0, m_vertices.size() - 1)])
-         && m_improve.apply(m_move_at_random))
+    const bool is_inserted = m_random.get_double() < share_of_insertions;
+    for(int k = 0; k < max_number_of_tries; ++k)
+      if(is_inserted ? insert_near(c) : move_any_vertex())
         return true;
     return false;
+  }
+
+  bool insert_near(const Cell_handle c)
+  {
+    return m_insert_near.find_any(c, tolerated_loss, m_random) && m_improve.apply(m_insert_near);
+  }
+
+  bool move_any_vertex()
+  {
+    const Vertex_handle v = m_vertices[m_random.uniform_int<std::size_t>(0, m_vertices.size() - 1)];
+    return m_move_at_random.find(v) && m_improve.apply(m_move_at_random);
   }
 
   // Those of the cell, and of its neighbors.

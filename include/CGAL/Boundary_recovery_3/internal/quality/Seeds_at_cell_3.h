@@ -56,24 +56,21 @@ public:
   std::size_t start(const Cell_handle c, double /* tolerated_loss */)
   {
     m_cell = c;
-    return m_mesh.quality(c) < flat_share * m_mesh.enough() ? 2 : 1;
+    return m_mesh.is_nearly_flat(m_mesh.quality(c)) ? 2 : 1;
   }
 
   bool grow(const std::size_t k, Cavity& cavity) const
   {
     cavity.start(m_cell, internal::centroid(internal::corners(m_cell)));
-    double quality = cavity.worst_quality();
-    for(int turn = 0; turn < max_number_of_turns; ++turn)
+    double quality;
+    do
     {
-      const bool has_grown = grow(cavity, k == 0);
-      if(turn > 0 && ! has_grown)
-        break;
+      grow(cavity, k == 0);
       if(! cavity.has_only_free_vertices_inside())
         return false;
       quality = cavity.move_point();
-      if(quality >= m_mesh.enough())
-        break;
     }
+    while(quality < m_mesh.enough() && is_to_grow(cavity, k == 0));
     return quality > m_mesh.least_quality(cavity.worst_quality()) && cavity.gain() > 0 && cavity.is_in_size()
         && cavity.is_star();
   }
@@ -81,32 +78,31 @@ public:
 private:
   typedef typename Cavity::Face Face;
 
-  // See "Tuning constants" in the manual.
-  static constexpr int max_number_of_turns = 3;
-  static constexpr std::size_t max_number_of_cells = 30;
-  static constexpr double flat_share = 0.1;
-
-  // Takes in the cell behind the worst face, again and again, until that is a wall, or all are good enough. If walls
-  // are not minded, that is done at the other faces. Returns whether there was a cell.
-  bool grow(Cavity& cavity, const bool minds_walls) const
+  // Takes in the cell behind the worst face, again and again, until that is a wall, or all are good enough.
+  void grow(Cavity& cavity, const bool minds_walls) const
   {
-    bool has_grown = false;
-    while(cavity.cells().size() < max_number_of_cells)
-    {
-      double worst = m_mesh.enough();
-      const Face* face = nullptr;
-      for(const Face& f : cavity.faces())
-        if(f.quality < worst && (minds_walls || ! cavity.is_wall(f)))
-        {
-          worst = f.quality;
-          face = &f;
-        }
-      if(face == nullptr || cavity.is_wall(*face))
-        break;
+    while(const Face* const face = worst_face(cavity, minds_walls))
       cavity.take_in(face->cell->neighbor(face->index));
-      has_grown = true;
-    }
-    return has_grown;
+  }
+
+  bool is_to_grow(const Cavity& cavity, const bool minds_walls) const
+  {
+    return worst_face(cavity, minds_walls) != nullptr;
+  }
+
+  // None if there is nothing behind it, or nothing bad, or the cavity is large. If walls are not minded, the worst one
+  // of the other faces.
+  const Face* worst_face(const Cavity& cavity, const bool minds_walls) const
+  {
+    double worst = m_mesh.enough();
+    const Face* face = nullptr;
+    for(const Face& f : cavity.faces())
+      if(f.quality < worst && (minds_walls || ! cavity.is_wall(f)))
+      {
+        worst = f.quality;
+        face = &f;
+      }
+    return face == nullptr || cavity.is_large() || cavity.is_wall(*face) ? nullptr : face;
   }
 
   const Mesh& m_mesh;
@@ -118,8 +114,8 @@ private:
  * have their other vertices near its short edge, or beside its long ones, and that is far from the center of any cell
  * there.
  *
- * The cavity is made of the cells on the way to the place, and grows where its star has the worst cell. Of all states on
- * the way, the one that helps most is taken; then the point is moved to where the cells are less bad.
+ * The cavity is made of the cells on the way to the place, and grows where its star has the worst cell. Of all states
+ * on the way, the one that helps most is taken; then the point is moved to where the cells are less bad.
  */
 template <typename Mesh>
 class Seeds_near_cell_3
@@ -151,11 +147,10 @@ public:
 private:
   typedef typename Cavity::Face Face;
 
-  // See "Tuning constants" in the manual.
-  static constexpr int max_number_of_steps = 20;
-  static constexpr std::size_t max_number_of_cells = 30;
+  static constexpr int max_number_of_steps = 20; // see "Tuning constants" in the manual
 
-  // The cells at the walls of the bad cell stay whatever the cavity grows to, so nothing is worth while if they are too bad.
+  // The cells at the walls of the bad cell stay whatever the cavity grows to, so nothing is worth while if they are too
+  // bad.
   bool are_walls_good_with(const Coordinates_3& p) const
   {
     for(int i = 0; i < 4; ++i)
@@ -165,8 +160,8 @@ private:
     return true;
   }
 
-  // Collects the cells from the bad one to the one that the point is in, none of them twice. Returns false if there is a wall
-  // before, or it is far.
+  // Collects the cells from the bad one to the one that the point is in, none of them twice. Returns false if there is a
+  // wall before, or it is far.
   bool walk(const Coordinates_3& p)
   {
     Cell_handle c = m_cell;
@@ -214,7 +209,7 @@ private:
         best_gain = gain;
         best = cavity.cells().size();
       }
-      if(m_face == nullptr || m_worst_at_wall < least || cavity.cells().size() >= max_number_of_cells)
+      if(m_face == nullptr || m_worst_at_wall < least || cavity.is_large())
         break;
       cavity.take_in(m_face->cell->neighbor(m_face->index));
     }
@@ -259,8 +254,8 @@ private:
 };
 
 /*
- * The deepest point of the visibility kernel of the shell of an edge of a nearly flat cell, among those of the edges with
- * obtuse angles.
+ * The deepest point of the visibility kernel of the shell of an edge of a nearly flat cell, at which the cell has an
+ * obtuse angle.
  *
  * That is the way out where the cell fills the angle of nearly 180 degrees between two walls: it stays as long as the
  * edge opposite to theirs does, and all points of the cell are in the plane of the walls, so no cavity grows from them.
@@ -285,7 +280,7 @@ public:
     const Cell_angles_3 angles(internal::corners(c));
     m_edges.clear();
     for(int k = 0; k < 6; ++k)
-      if(angles[k] > least_angle)
+      if(angles[k] > 90)
         m_edges.push_back(k);
     return m_edges.size();
   }
@@ -303,13 +298,11 @@ private:
   typedef std::array<typename Mesh::Vertex_handle, 3> Vertex_triple;
 
   // See "Tuning constants" in the manual.
-  static constexpr double least_angle = 120;
-  static constexpr std::size_t max_number_of_cells = 100;
   static constexpr double tolerated_loss = 2;
   static constexpr double numerically_flat = 1e-9;
 
-  // Takes the shell of the edge k of the cell, with the new vertex at p. Returns false if a wall is at the edge, or the shell is too
-  // large.
+  // Takes the shell of the edge k of the cell, with the new vertex at p. Returns false if a wall is at the edge, or the
+  // shell is too large.
   bool take_shell(Cavity& cavity, const int k, const Coordinates_3& p) const
   {
     cavity.start(m_cell, p);
@@ -319,7 +312,7 @@ private:
       ++walk;
       if(walk.cell() == m_cell)
         return true;
-      if(cavity.cells().size() == max_number_of_cells)
+      if(cavity.cells().size() == usual_max_number_of_cells)
         return false;
       cavity.take_in(walk.cell());
     }

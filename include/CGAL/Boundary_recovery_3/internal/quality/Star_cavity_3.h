@@ -83,6 +83,9 @@ public:
   const std::vector<Cell_handle>& cells() const { return m_cells; }
   const std::vector<Face>& faces() const { return m_faces; }
 
+  // Whether it should not grow any more.
+  bool is_large() const { return m_cells.size() >= max_number_of_cells; }
+
   // Moves the vertex to the best place. Returns the quality of the worst new cell.
   double move_point()
   {
@@ -168,6 +171,8 @@ public:
   std::size_t number_of_vertices_inside() const { return m_vertices_inside.size(); }
 
 private:
+  static constexpr std::size_t max_number_of_cells = 30; // see "Tuning constants" in the manual
+
   // With those of its facets that the cavity ends at.
   void add(const Cell_handle c)
   {
