@@ -247,8 +247,8 @@ private:
 };
 
 /*
- * A random place in a random cell of a star. Mostly, that makes cells worse; but none gets worse than what the mesh
- * tolerates.
+ * Half of the way to a random place in a random cell of a star. Mostly, that makes cells worse; but none gets worse
+ * than what the mesh tolerates.
  */
 template <typename Mesh>
 class Random_place_3
@@ -265,7 +265,8 @@ public:
 
   bool find(const Vertex_handle v, const Free_star_3<Mesh>& star)
   {
-    m_point = random_point(star.cells()[m_random.uniform_int<std::size_t>(0, star.cells().size() - 1)]);
+    const Cell_handle c = star.cells()[m_random.uniform_int<std::size_t>(0, star.cells().size() - 1)];
+    m_point = internal::midpoint(Mesh::coordinates(v), random_point(c));
     m_places.assign(m_mesh.allowed_lengths(), v, star.neighbors());
     return m_places(m_point) && are_tolerated(star);
   }

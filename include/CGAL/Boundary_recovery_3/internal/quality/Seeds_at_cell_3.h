@@ -160,8 +160,8 @@ private:
     return true;
   }
 
-  // Collects the cells from the bad one to the one that the point is in, none of them twice. Returns false if there is a
-  // wall before, or it is far.
+  // Collects the cells from the bad one to the one that the point is in, none of them twice. Returns false if there is
+  // a wall before, or it is far.
   bool walk(const Coordinates_3& p)
   {
     Cell_handle c = m_cell;
