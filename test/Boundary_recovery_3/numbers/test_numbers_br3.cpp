@@ -7,10 +7,12 @@
 //
 // Author(s)     : The Boundary_recovery_3 authors
 
-// The exact number types, and the small tools for numbers: powers of two, nearest integers and nearest numbers.
+// The exact number types, and the small tools for numbers: powers of two, nearest integers and nearest numbers, and
+// pairs of numbers.
 
 #undef NDEBUG
 
+#include <CGAL/Boundary_recovery_3/internal/numbers/Double_pair.h>
 #include <CGAL/Boundary_recovery_3/internal/numbers/binary_scale.h>
 #include <CGAL/Boundary_recovery_3/internal/numbers/exact_numbers.h>
 #include <CGAL/Boundary_recovery_3/internal/numbers/nearest_integer.h>
@@ -131,8 +133,43 @@ void test_scales_of_axes()
   assert((largest == Triple{{ 3, 0, 2 }}));
 }
 
+void check_pair(const internal::Double_pair& pair, const double first, const double second)
+{
+  assert(pair[0] == first && std::signbit(pair[0]) == std::signbit(first));
+  assert(pair[1] == second && std::signbit(pair[1]) == std::signbit(second));
+}
+
+// What is done with a pair is done with both of its numbers.
+void test_pairs()
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  const double numbers[] = { 0., -0., 1., -1., 0.1, -3.7, 1e-310, 1e200, -1e300, infinity };
+  for(const double a : numbers)
+    for(const double b : numbers)
+    {
+      const internal::Double_pair x = { a, 0.3 }, y = { b, 7. };
+      check_pair(- x, - a, -0.3);
+      check_pair(2.5 * x, 2.5 * a, 2.5 * 0.3);
+      check_pair(internal::smaller(x, y), internal::smaller(a, b), 0.3);
+      check_pair(internal::smaller(y, x), internal::smaller(b, a), 0.3);
+      check_pair(internal::if_negative(x, 2, 3), internal::if_negative(a, 2, 3), 3);
+      check_pair(internal::if_negative(- x, 2, 3), internal::if_negative(- a, 2, 3), 2);
+      if(std::isfinite(a) && std::isfinite(b))
+      {
+        check_pair(x + y, a + b, 0.3 + 7.);
+        check_pair(x - y, a - b, 0.3 - 7.);
+        check_pair(x * y, a * b, 0.3 * 7.);
+        if(b != 0)
+          check_pair(x / y, a / b, 0.3 / 7.);
+      }
+      if(a >= 0)
+        check_pair(internal::square_root(x), internal::square_root(a), std::sqrt(0.3));
+    }
+}
+
 int main()
 {
+  test_pairs();
   test_scales_of_axes();
   test_rational_numbers();
   test_exact_floats();
