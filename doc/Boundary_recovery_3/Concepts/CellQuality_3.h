@@ -9,7 +9,9 @@ A quality is a number, and larger is better. It is computed from the coordinates
 numbers, since it does not decide which meshes are valid: orientations are decided by exact predicates, whatever the
 quality of a cell is.
 
-The members are called millions of times for large meshes.
+The members are called millions of times for large meshes. If a model can compute the qualities of two cells in less
+time together than one by one, it may have a member `of_two_cells()` for that, as `Dihedral_angle_quality_3` has; it is
+used where it exists. The qualities must be the very same.
 
 \cgalRefines{CopyConstructible}
 

@@ -9,15 +9,18 @@
 #include <CGAL/Boundary_recovery_3/internal/quality/Cell_angles_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Cell_shape_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/sure_roundness.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/visit_qualities.h>
 
 #include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <cstddef>
 #include <iostream>
 #include <limits>
 #include <random>
 #include <utility>
+#include <vector>
 
 namespace BR3 = CGAL::Boundary_recovery_3;
 using br3_test::Corners;
@@ -166,6 +169,74 @@ void test_extreme_cells()
     assert(is_near(dihedral(p), 0, 1e-12) && is_near(volume_length(p), 0, 1e-12));
 }
 
+// One that knows nothing of two cells at once.
+struct Plain_quality
+{
+  double operator()(const Corners& p) const { return br3_test::distance(p[0], p[1]); }
+};
+
+// Also whether the result is negative zero.
+bool is_same(const double a, const double b) { return a == b && std::signbit(a) == std::signbit(b); }
+
+template <typename Quality>
+void check_pair(const Quality& quality, const Corners& p, const Corners& q)
+{
+  const std::array<double, 2> qualities = BR3::internal::qualities_of_two_cells(quality, p, q);
+  assert(is_same(qualities[0], quality(p)) && is_same(qualities[1], quality(q)));
+}
+
+// Random, mostly of an ordinary size; or tiny, huge, inverted, without a volume, or without an area.
+Corners random_extreme_corners(std::mt19937& rng)
+{
+  static const int exponents[] = { -200, -20, 0, 0, 0, 0, 20, 150 };
+  Corners p = scaled(random_corners(rng), std::pow(10., exponents[br3_test::random_int(rng, 8)]));
+  switch(br3_test::random_int(rng, 8))
+  {
+  case 0: p[3] = p[2]; break;
+  case 1: p[1] = p[2] = p[3]; break;
+  case 2: for(auto& q : p) q[2] = 0; break;
+  case 3: std::swap(p[0], p[1]); break;
+  }
+  return p;
+}
+
+void test_two_cells()
+{
+  using BR3::internal::Has_quality_of_two_cells;
+  static_assert(Has_quality_of_two_cells<BR3::Dihedral_angle_quality_3>::value, "two cells at once");
+  static_assert(! Has_quality_of_two_cells<Plain_quality>::value, "one after the other");
+  std::mt19937 rng(5);
+  for(int k = 0; k < 50000; ++k)
+  {
+    const Corners p = random_extreme_corners(rng), q = random_extreme_corners(rng);
+    for(const double factor : { 0., 0.6, 1. })
+      check_pair(BR3::Dihedral_angle_quality_3(factor), p, q);
+    check_pair(BR3::Volume_length_quality_3(), p, q);
+    check_pair(Plain_quality(), p, q);
+  }
+}
+
+// All are visited in order, those of an odd number, too, until the visitor has enough.
+void test_visits()
+{
+  const BR3::Dihedral_angle_quality_3 quality;
+  std::mt19937 rng(6);
+  std::vector<Corners> cells;
+  for(std::size_t number = 0; number < 6; ++number, cells.push_back(random_corners(rng)))
+    for(std::size_t last = 1; last <= number + 1; ++last)
+    {
+      std::size_t k = 0;
+      const auto visit = [&](const Corners& p, const double q)
+      {
+        assert(&p == &cells[k] && q == quality(p));
+        return ++k != last;
+      };
+      const auto corners = [](const Corners& p) { return p; };
+      const bool is_complete = BR3::internal::visit_qualities(quality, cells, corners, visit);
+      assert(is_complete == (last > number) && k == (std::min)(last, number));
+    }
+}
+
 void test_angles()
 {
   std::mt19937 rng(3);
@@ -196,6 +267,8 @@ int main()
   test_bounds();
   test_sure_roundness();
   test_extreme_cells();
+  test_two_cells();
+  test_visits();
   test_angles();
   std::cout << "qualities are right" << std::endl;
 }

@@ -13,6 +13,7 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/filling/Unit_frame_3.h>
+#include <CGAL/Boundary_recovery_3/internal/numbers/Double_pair.h>
 #include <CGAL/Boundary_recovery_3/internal/numbers/binary_scale.h>
 
 #include <CGAL/double.h>
@@ -26,20 +27,34 @@ namespace internal {
 
 typedef std::array<Coordinates_3, 4> Cell_corners_3;
 
+// Of two cells at once.
+typedef std::array<std::array<Double_pair, 3>, 4> Cell_corners_pair_3;
+
+inline Cell_corners_pair_3 paired(const Cell_corners_3& p, const Cell_corners_3& q)
+{
+  Cell_corners_pair_3 pair;
+  for(int i = 0; i < 4; ++i)
+    for(int j = 0; j < 3; ++j)
+      pair[i][j] = Double_pair{ p[i][j], q[i][j] };
+  return pair;
+}
+
 // The two vertices of each edge of a cell. Its facets at the edge k are opposite to the vertices of the edge 5 - k.
 constexpr int edges_of_cell[6][2] = {{ 0, 1 }, { 0, 2 }, { 0, 3 }, { 1, 2 }, { 1, 3 }, { 2, 3 }};
 
 /*
  * What angles of a tetrahedron are made of, in floating point numbers, and without a root: vectors along its edges, and
- * its normals, which are as long as twice the areas of the facets and point inwards if it is oriented positively.
+ * its normals, which are as long as twice the areas of the facets and point inwards if it is oriented positively. Of
+ * one cell, where `Number` is `double`, or of two at once.
  */
-struct Cell_shape_3
+template <typename Number>
+struct Basic_cell_shape_3
 {
-  std::array<Coordinates_3, 6> edges; // in the order of `edges_of_cell`
-  std::array<Coordinates_3, 4> normals;
-  double volume_times_6;
+  std::array<std::array<Number, 3>, 6> edges; // in the order of `edges_of_cell`
+  std::array<std::array<Number, 3>, 4> normals;
+  Number volume_times_6;
 
-  explicit Cell_shape_3(const Cell_corners_3& p)
+  explicit Basic_cell_shape_3(const std::array<std::array<Number, 3>, 4>& p)
     : edges({{ difference(p[1], p[0]), difference(p[2], p[0]), difference(p[3], p[0]),
                difference(p[2], p[1]), difference(p[3], p[1]), difference(p[3], p[2]) }})
     , normals({{ cross_product(edges[4], edges[3]), cross_product(edges[1], edges[2]),
@@ -48,11 +63,13 @@ struct Cell_shape_3
   { }
 
   // The cosine of the dihedral angle at the edge k, times the lengths of both normals.
-  double scaled_cosine(const int k) const
+  Number scaled_cosine(const int k) const
   {
     return - dot_product(normals[edges_of_cell[5 - k][0]], normals[edges_of_cell[5 - k][1]]);
   }
 };
+
+typedef Basic_cell_shape_3<double> Cell_shape_3;
 
 inline Cell_corners_3 multiplied(Cell_corners_3 p, const double factor)
 {

@@ -34,17 +34,21 @@ Coordinates_3 coordinates_of(const Point& p)
   return {{ CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()) }};
 }
 
-inline Coordinates_3 difference(const Coordinates_3& p, const Coordinates_3& q)
+// The numbers of vectors are of one type: `double`, or pairs of them, for two vectors at once.
+template <typename Number>
+std::array<Number, 3> difference(const std::array<Number, 3>& p, const std::array<Number, 3>& q)
 {
   return {{ p[0] - q[0], p[1] - q[1], p[2] - q[2] }};
 }
 
-inline double dot_product(const Coordinates_3& u, const Coordinates_3& v)
+template <typename Number>
+Number dot_product(const std::array<Number, 3>& u, const std::array<Number, 3>& v)
 {
   return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
 }
 
-inline Coordinates_3 cross_product(const Coordinates_3& u, const Coordinates_3& v)
+template <typename Number>
+std::array<Number, 3> cross_product(const std::array<Number, 3>& u, const std::array<Number, 3>& v)
 {
   return {{ u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0] }};
 }
