@@ -12,9 +12,11 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <CGAL/Boundary_recovery_3/internal/filling/Cell_shape_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/distances_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Badness_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/visit_qualities.h>
 
 #include <algorithm>
 #include <array>
@@ -95,24 +97,35 @@ private:
   static constexpr int max_number_of_halvings = 5;
   static constexpr double least_progress = 0.005;
 
-  double quality(const std::size_t k, const Coordinates_3& p) const
+  // Of the quality of the cell of a face, when the point moves along an axis.
+  struct Difference
   {
-    const Face& f = m_faces[k];
-    return m_quality({{ f[0], f[1], f[2], p }});
+    std::size_t face;
+    int axis;
+  };
+
+  // Visits the qualities of the cells of the faces and p, see `visit_qualities()`.
+  template <typename Visit>
+  bool visit_cells(const Coordinates_3& p, const Visit& visit) const
+  {
+    const auto corners = [&](const Face& f) { return Cell_corners_3{{ f[0], f[1], f[2], p }}; };
+    const auto visit_face = [&](const Face&, const double q) { return visit(q); };
+    return internal::visit_qualities(m_quality, m_faces, corners, visit_face);
   }
 
   // Returns how bad the cells are.
   double set_qualities(const Coordinates_3& p)
   {
-    m_qualities.resize(m_faces.size());
+    m_qualities.clear();
     double badness = 0;
     double worst = 2;
-    for(std::size_t k = 0; k < m_faces.size(); ++k)
+    visit_cells(p, [&](const double q)
     {
-      m_qualities[k] = quality(k, p);
-      worst = (std::min)(worst, m_qualities[k]);
-      badness += m_badness.of_lack(lack(m_qualities[k]));
-    }
+      m_qualities.push_back(q);
+      worst = (std::min)(worst, q);
+      badness += m_badness.of_lack(lack(q));
+      return true;
+    });
     m_least = (std::max)(m_least, m_badness.least_quality(worst));
     return badness;
   }
@@ -122,14 +135,11 @@ private:
   bool is_better(const Coordinates_3& p, const double badness) const
   {
     double sum = 0;
-    for(std::size_t k = 0; k < m_faces.size(); ++k)
+    return visit_cells(p, [&](const double q)
     {
-      const double q = quality(k, p);
       sum += m_badness.of_lack(lack(q));
-      if(q < m_least || ! (sum < badness))
-        return false;
-    }
-    return true;
+      return q >= m_least && sum < badness;
+    });
   }
 
   double typical_length(const Coordinates_3& p) const
@@ -160,35 +170,42 @@ private:
     return false;
   }
 
-  Coordinates_3 gradient(const std::size_t k, const Coordinates_3& p, const double h) const
+  // The direction in which the cells get less bad.
+  Coordinates_3 descent(const Coordinates_3& p, const double h)
   {
-    Coordinates_3 g;
-    for(int i = 0; i < 3; ++i)
+    set_differences();
+    Coordinates_3 sum = {{ 0, 0, 0 }};
+    const auto corners = [&](const Difference& d) { return moved_corners(d, p, h); };
+    internal::visit_qualities(m_quality, m_differences, corners, [&](const Difference& d, const double q)
     {
-      Coordinates_3 q = p;
-      q[i] += h;
-      g[i] = (quality(k, q) - m_qualities[k]) / h;
-    }
-    return g;
+      const double before = m_qualities[d.face];
+      sum[d.axis] += m_badness.slope(lack(before)) * ((q - before) / h);
+      return true;
+    });
+    return sum;
   }
 
-  // The direction in which the cells get less bad.
-  Coordinates_3 descent(const Coordinates_3& p, const double h) const
+  // Only bad cells are to get better.
+  void set_differences()
   {
-    Coordinates_3 sum = {{ 0, 0, 0 }};
+    m_differences.clear();
     for(std::size_t k = 0; k < m_faces.size(); ++k)
       if(m_qualities[k] < m_badness.enough())
-      {
-        const Coordinates_3 g = gradient(k, p, h);
         for(int i = 0; i < 3; ++i)
-          sum[i] += m_badness.slope(lack(m_qualities[k])) * g[i];
-      }
-    return sum;
+          m_differences.push_back(Difference{ k, i });
+  }
+
+  Cell_corners_3 moved_corners(const Difference& d, Coordinates_3 p, const double h) const
+  {
+    p[d.axis] += h;
+    const Face& f = m_faces[d.face];
+    return {{ f[0], f[1], f[2], p }};
   }
 
   const Quality& m_quality;
   std::vector<Face> m_faces;
   std::vector<double> m_qualities;
+  std::vector<Difference> m_differences;
   Badness_3 m_badness = 1;
   double m_least = 0; // what qualities are to be
   double m_gain = 0;

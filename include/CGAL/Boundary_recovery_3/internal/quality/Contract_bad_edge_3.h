@@ -16,6 +16,7 @@
 #include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Free_star_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Vain_attempts_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/visit_qualities.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 
 #include <algorithm>
@@ -99,24 +100,33 @@ public:
   void count(Quality_improvement_counts& counts) const { ++counts.number_of_removed_vertices; }
 
 private:
-  typedef typename Mesh::Tetrahedron Tetrahedron;
+  typedef typename Mesh::Tetrahedron       Tetrahedron;
+  typedef typename Free_star_3<Mesh>::Face Face;
 
   void look_at(const Vertex_handle u)
   {
-    const Coordinates_3 p = Mesh::coordinates(u);
-    double badness = 0;
-    for(const auto& f : m_star.faces())
-      if(! internal::contains(f, u))
-      {
-        const double q = m_mesh.quality(f, p);
-        badness += m_mesh.badness(q);
-        if(q < m_worst || ! (badness < m_least))
-          return;
-      }
-    if(! are_edges_in_size(u))
+    const double badness = badness_with(u);
+    if(! (badness < m_least) || ! are_edges_in_size(u))
       return;
     m_least = badness;
     m_to = u;
+  }
+
+  // That of the cells that are left, or something not less than what is asked for.
+  double badness_with(const Vertex_handle u)
+  {
+    m_faces.clear();
+    for(const Face& f : m_star.faces())
+      if(! internal::contains(f, u))
+        m_faces.push_back(&f);
+    double badness = 0;
+    const auto corners = [p = Mesh::coordinates(u)](const Face* const f) { return Mesh::corners(*f, p); };
+    const bool is_good = internal::visit_qualities(m_mesh.quality(), m_faces, corners, [&](const Face*, const double q)
+    {
+      badness += m_mesh.badness(q);
+      return q >= m_worst && badness < m_least;
+    });
+    return is_good ? badness : m_least;
   }
 
   // Whether the edges that u gets would be.
@@ -152,6 +162,7 @@ private:
   double m_worst = 0; // what qualities are to be at least
   double m_least = 0; // badness
   double m_gain = 0;
+  std::vector<const Face*> m_faces; // that stay
   std::vector<Tetrahedron> m_tetrahedra;
   const Cells* m_new_cells = nullptr;
 };

@@ -20,6 +20,7 @@
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_indices.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Allowed_lengths_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Badness_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/visit_qualities.h>
 #include <CGAL/Boundary_recovery_3/internal/util/bare_point.h>
 
 #include <CGAL/Unique_hash_map.h>
@@ -69,6 +70,12 @@ public:
       return m_quality(corners);
     }
 
+    std::array<double, 2> of_two_cells(const Corners& p, const Corners& q) const
+    {
+      m_number += 2;
+      return internal::qualities_of_two_cells(m_quality, p, q);
+    }
+
     std::size_t number() const { return m_number; }
 
   private:
@@ -101,7 +108,12 @@ public:
   // That of the cell of a face, seen from inside, and a point.
   double quality(const std::array<Vertex_handle, 3>& face, const Coordinates_3& p) const
   {
-    return m_quality({{ coordinates(face[0]), coordinates(face[1]), coordinates(face[2]), p }});
+    return m_quality(corners(face, p));
+  }
+
+  static Corners corners(const std::array<Vertex_handle, 3>& face, const Coordinates_3& p)
+  {
+    return {{ coordinates(face[0]), coordinates(face[1]), coordinates(face[2]), p }};
   }
 
   double quality(const Tetrahedron& t) const
@@ -159,28 +171,14 @@ public:
   template <typename CellRange>
   Account account_of(const CellRange& cells) const
   {
-    Account account;
-    for(const auto& c : cells)
-    {
-      const double q = quality(c);
-      account.worst = (std::min)(account.worst, q);
-      account.badness += badness(q);
-    }
-    return account;
+    return account(cells, [](const auto& c) { return corners_of(c); });
   }
 
   // Those of faces, seen from inside, and a point.
   template <typename FaceRange>
   Account account_of_star(const FaceRange& faces, const Coordinates_3& p) const
   {
-    Account account;
-    for(const auto& f : faces)
-    {
-      const double q = quality(f, p);
-      account.worst = (std::min)(account.worst, q);
-      account.badness += badness(q);
-    }
-    return account;
+    return account(faces, [&p](const auto& f) { return corners(f, p); });
   }
 
   bool is_positive(const Vertex_handle p, const Vertex_handle q, const Vertex_handle r, const Vertex_handle s) const
@@ -372,6 +370,24 @@ private:
       domain_keeper.after_cells_return(coming);
     }
   };
+
+  template <typename Range, typename Corners_of>
+  Account account(const Range& items, const Corners_of& corners_of) const
+  {
+    Account account;
+    internal::visit_qualities(m_quality, items, corners_of, [&](const auto&, const double q)
+    {
+      account.worst = (std::min)(account.worst, q);
+      account.badness += badness(q);
+      return true;
+    });
+    return account;
+  }
+
+  static const Corners& corners_of(const Corners& corners) { return corners; }
+
+  template <typename Cell>
+  static Corners corners_of(const Cell& c) { return internal::corners(c); }
 
   // --- changes ------------------------------------------------------------------------------------------------------
 

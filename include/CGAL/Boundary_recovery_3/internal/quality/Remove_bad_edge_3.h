@@ -135,13 +135,10 @@ private:
 
   void look_at_triangle(const int i, const int k, const int j, double badness, const double worst)
   {
-    const double q = m_mesh.quality({{ m_corners[i], m_corners[k], m_corners[j], m_at_b }});
-    badness += m_mesh.badness(q);
-    if(q < worst || ! (badness < m_least[i][j]))
-      return;
-    const double r = m_mesh.quality({{ m_corners[i], m_corners[j], m_corners[k], m_at_a }});
-    badness += m_mesh.badness(r);
-    if(r < worst || ! (badness < m_least[i][j]))
+    const auto [q, r] = m_mesh.quality().of_two_cells({{ m_corners[i], m_corners[k], m_corners[j], m_at_b }},
+                                                      {{ m_corners[i], m_corners[j], m_corners[k], m_at_a }});
+    badness += m_mesh.badness(q) + m_mesh.badness(r);
+    if(q < worst || r < worst || ! (badness < m_least[i][j]))
       return;
     m_least[i][j] = badness;
     m_middle[i][j] = k;

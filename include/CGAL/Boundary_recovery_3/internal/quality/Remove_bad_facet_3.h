@@ -57,9 +57,8 @@ public:
       return false;
     m_cells.clear();
     m_tetrahedra.clear();
-    m_worst = m_mesh.least_quality((std::min)(m_mesh.quality(c), m_mesh.quality(n)));
     m_gain = 0;
-    add(c, n);
+    m_worst = m_mesh.least_quality(add(c, n));
     const auto f = internal::facet_vertices(c, i);
     for(int k = 0; k < 3; ++k)
       m_open_edges.push_back(Open_edge{ f[k], f[(k + 1) % 3], c, n });
@@ -101,11 +100,14 @@ private:
     Cell_handle at_p, at_q;
   };
 
-  void add(const Cell_handle at_p, const Cell_handle at_q)
+  // Returns the quality of the worse one.
+  double add(const Cell_handle at_p, const Cell_handle at_q)
   {
-    m_gain += m_mesh.badness(m_mesh.quality(at_p)) + m_mesh.badness(m_mesh.quality(at_q));
+    const auto [p, q] = m_mesh.quality().of_two_cells(internal::corners(at_p), internal::corners(at_q));
+    m_gain += m_mesh.badness(p) + m_mesh.badness(q);
     m_cells.push_back(at_p);
     m_cells.push_back(at_q);
+    return (std::min)(p, q);
   }
 
   // The edge stays: it gets a cell with the new edge.

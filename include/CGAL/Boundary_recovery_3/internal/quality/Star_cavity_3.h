@@ -16,7 +16,10 @@
 #include <CGAL/Boundary_recovery_3/internal/filling/distances_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Best_point_in_star_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/visit_qualities.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
+
+#include <boost/container/static_vector.hpp>
 
 #include <algorithm>
 #include <array>
@@ -176,16 +179,38 @@ private:
   // With those of its facets that the cavity ends at.
   void add(const Cell_handle c)
   {
-    const double quality = m_mesh.quality(c);
-    m_worst = (std::min)(m_worst, quality);
-    m_badness += m_mesh.badness(quality);
     m_cells.push_back(c);
+    const std::size_t number_before = m_faces.size();
     for(int i = 0; i < 4; ++i)
       if(! internal::contains(m_cells, c->neighbor(i)))
-      {
-        const auto vertices = internal::facet_vertices(c, i);
-        m_faces.push_back(Face{ vertices, c, i, m_mesh.quality(vertices, m_point) });
-      }
+        m_faces.push_back(Face{ internal::facet_vertices(c, i), c, i, 0 });
+    look_at_qualities(c, number_before);
+  }
+
+  // Those of a cell that goes, the item without a face, and of the new cells at its faces, the last ones.
+  void look_at_qualities(const Cell_handle c, const std::size_t first_face)
+  {
+    boost::container::static_vector<Face*, 5> items(1, nullptr);
+    for(std::size_t k = first_face; k < m_faces.size(); ++k)
+      items.push_back(&m_faces[k]);
+    const auto corners = [&](const Face* const f)
+    {
+      return f == nullptr ? internal::corners(c) : Mesh::corners(f->vertices, m_point);
+    };
+    internal::visit_qualities(m_mesh.quality(), items, corners, [&](Face* const f, const double q)
+    {
+      if(f != nullptr)
+        f->quality = q;
+      else
+        count_old_cell(q);
+      return true;
+    });
+  }
+
+  void count_old_cell(const double quality)
+  {
+    m_worst = (std::min)(m_worst, quality);
+    m_badness += m_mesh.badness(quality);
   }
 
   void set_vertices_of_faces()
