@@ -31,6 +31,7 @@
 #include <cstddef>
 #include <iostream>
 #include <limits>
+#include <memory>
 #include <random>
 #include <set>
 #include <utility>
@@ -306,6 +307,35 @@ void test_triangulation()
   test_grading(size, .1);
 }
 
+// The same sizes, bit for bit, wherever the cells are in memory.
+template <typename Tr>
+void test_addresses()
+{
+  typedef typename Tr::Geom_traits::Point_3 Point_3;
+  std::vector<std::unique_ptr<char[]> > memory;
+  std::vector<double> sizes;
+  for(unsigned seed = 0; seed < 6; ++seed)
+  {
+    std::mt19937 rng(seed);
+    for(int k = 0; k < 500; ++k)
+      memory.push_back(std::make_unique<char[]>(rng() % 100000));
+    std::shuffle(memory.begin(), memory.end(), rng);
+    memory.resize(memory.size() / 2); // so there are gaps
+    Tr tr;
+    rng.seed(12);
+    for(int i = 0; i < 1000; ++i)
+      tr.insert(Point_3(random_number(rng), random_number(rng), random_number(rng)));
+    for(const auto c : tr.finite_cell_handles())
+      c->set_subdomain_index(c->vertex(0)->point().x() < .5 ? 1 : 2);
+    const CGAL::Boundary_recovery_3::Surface_sizing_field_3<Tr> field(tr, .1);
+    std::vector<double> found;
+    for(const auto v : tr.finite_vertex_handles())
+      found.push_back(CGAL::to_double(field(v->point())));
+    assert(sizes.empty() || found == sizes);
+    sizes = found;
+  }
+}
+
 // A square of 2 n^2 equal triangles. At `vertex` it is cut by a fan of eight tiny triangles, as isosurfaces are where
 // they pass a vertex of their grid.
 template <typename Point_3>
@@ -458,6 +488,7 @@ int main()
   test_triangulation<CGAL::Boundary_constrained_mesh_triangulation_3<Epick>::type>();
   test_triangulation<CGAL::Boundary_constrained_mesh_triangulation_3<Epeck>::type>();
   test_triangulation<CGAL::Tetrahedral_remeshing::Remeshing_triangulation_3<Epick> >();
+  test_addresses<CGAL::Boundary_constrained_mesh_triangulation_3<Epick>::type>();
   test_tiny_triangles();
   test_scales();
   test_nothing<CGAL::Boundary_constrained_mesh_triangulation_3<Epick>::type>();

@@ -15,6 +15,7 @@
 #include <CGAL/Boundary_recovery_3/internal/filling/Cone_minimum_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Unit_frame_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 
 #include <CGAL/Unique_hash_map.h>
 
@@ -86,17 +87,15 @@ Sized_surface_3 sized_surface_and(const Tr& tr, const VertexPairRange& edges)
     }
     return numbers[v];
   };
+  // from both sides: which one CGAL's iterator over facets takes depends on addresses
   if(tr.dimension() == 3)
-    for(const auto& f : tr.finite_facets())
-    {
-      const typename Tr::Cell_handle c = f.first, d = c->neighbor(f.second);
-      if(! c->is_facet_on_surface(f.second) && region_of(tr, c) == region_of(tr, d))
-        continue;
-      std::array<std::size_t, 3> triangle;
-      for(int i = 0; i < 3; ++i)
-        triangle[i] = number(c->vertex(Tr::vertex_triple_index(f.second, i)));
-      surface.add_triangle(triangle);
-    }
+    for(const auto c : tr.finite_cell_handles())
+      for(int i = 0; i < 4; ++i)
+        if(c->is_facet_on_surface(i) || region_of(tr, c) != region_of(tr, c->neighbor(i)))
+        {
+          const auto f = internal::facet_vertices(c, i);
+          surface.add_triangle({{ number(f[0]), number(f[1]), number(f[2]) }});
+        }
   for(const auto& edge : edges)
   {
     const std::size_t first = number(edge[0]), second = number(edge[1]);
