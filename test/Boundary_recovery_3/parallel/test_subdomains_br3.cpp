@@ -23,7 +23,7 @@
 #include <CGAL/Boundary_recovery_3/internal/parallel/Work_on_part_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/for_each_task.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/partition_graph.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/sum_of_qualities.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Measure_quality_3.h>
 #include <CGAL/Boundary_recovery_3/mesh_quality.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

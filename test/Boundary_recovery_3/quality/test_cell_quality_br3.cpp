@@ -167,6 +167,12 @@ void test_extreme_cells()
   }
   for(const Corners& p : { flat, line, point })
     assert(is_near(dihedral(p), 0, 1e-12) && is_near(volume_length(p), 0, 1e-12));
+  const BR3::internal::Cell_angles_3 of_flat(flat);
+  assert(of_flat.smallest() == 0 && of_flat.largest() == 180 && of_flat.radius_ratio() == 0);
+  const double infinity = (std::numeric_limits<double>::infinity)();
+  assert(of_flat.square_of_largest_cotangent() == infinity && of_flat.square_of_smallest_cotangent() == - infinity);
+  for(const Corners& p : { line, point })
+    assert(! (BR3::internal::Cell_angles_3(p).square_of_largest_cotangent() <= infinity)); // no number
 }
 
 // One that knows nothing of two cells at once.
@@ -246,14 +252,17 @@ void test_angles()
     const BR3::internal::Cell_angles_3 angles(p);
     const std::array<double, 6> expected = br3_test::dihedral_angles(p);
     for(int i = 0; i < 6; ++i)
-    {
       assert(is_near(angles[i], expected[i], 1e-7));
-      assert(is_near(angles.part_of_turn(i), expected[i] / 360, 2e-8));
-    }
     assert(is_near(angles.smallest(), br3_test::smallest(expected), 1e-7));
     assert(is_near(angles.largest(), br3_test::largest(expected), 1e-7));
     assert(angles.smallest() == angles[angles.edge_of_smallest()]);
     assert(angles.largest() == angles[angles.edge_of_largest()]);
+    for(const double degrees : { 0., 1e-3, 5., 30., 60., 90., 135., 179., 180. })
+    {
+      const double square = BR3::internal::signed_square_of_cotangent(degrees);
+      assert((angles.square_of_largest_cotangent() > square) == (angles.smallest() < degrees));
+      assert((angles.square_of_smallest_cotangent() < square) == (angles.largest() > degrees));
+    }
     assert(is_near(angles.radius_ratio(), br3_test::radius_ratio(p), 1e-9));
     const std::array<std::array<double, 3>, 3> triangle = {{ p[0], p[1], p[2] }};
     assert(is_near(BR3::internal::smallest_plane_angle(triangle), br3_test::smallest_plane_angle(triangle), 1e-7));

@@ -13,6 +13,7 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_result_3.h>
+#include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Field_point_insertion_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Decomposition_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Fill_background_3.h>
@@ -28,7 +29,6 @@
 #include <CGAL/Boundary_recovery_3/internal/quality/Explain_bad_cells_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Measure_quality_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Quality_improvement_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/sum_of_qualities.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 
 #include <CGAL/tags.h>
@@ -44,6 +44,17 @@
 namespace CGAL {
 namespace Boundary_recovery_3 {
 namespace internal {
+
+// What was changed elsewhere at the same time: there are as many rounds as where there are most.
+inline void add_counts(Quality_improvement_counts& sum, const Quality_improvement_counts& counts)
+{
+  sum.number_of_rounds = (std::max)(sum.number_of_rounds, counts.number_of_rounds);
+  sum.number_of_removed_edges += counts.number_of_removed_edges;
+  sum.number_of_removed_facets += counts.number_of_removed_facets;
+  sum.number_of_moved_vertices += counts.number_of_moved_vertices;
+  sum.number_of_inserted_points += counts.number_of_inserted_points;
+  sum.number_of_removed_vertices += counts.number_of_removed_vertices;
+}
 
 /*
  * Steps 6 and 7 in sub-domains [CZZ+17, Section 5.2.2]: a coarse background mesh is divided into parts, which are

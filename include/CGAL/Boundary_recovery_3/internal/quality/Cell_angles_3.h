@@ -25,9 +25,22 @@ namespace CGAL {
 namespace Boundary_recovery_3 {
 namespace internal {
 
+// Decides like the cotangent of an angle, but needs no root: its square, with its sign. It falls from infinity to minus
+// infinity while the angle grows from 0 to 180 degrees.
+inline double signed_square(const double cotangent) { return cotangent * std::abs(cotangent); }
+
+inline double signed_square_of_cotangent(const double degrees)
+{
+  const double angle = (std::max)(0., (std::min)(180., degrees)) * (CGAL_PI / 180);
+  return internal::signed_square(std::cos(angle) / std::sin(angle));
+}
+
 /*
  * The dihedral angles of a tetrahedron, in degrees, and what else tells how good it is. For reports: what decides while
  * a mesh is improved is faster.
+ *
+ * An angle is found when it is asked for. Whoever compares the extreme ones with thresholds had better ask for the
+ * squares of their cotangents.
  */
 class Cell_angles_3
 {
@@ -35,26 +48,28 @@ public:
   explicit Cell_angles_3(const Cell_corners_3& corners)
     : m_shape(is_ordinary(corners) ? corners : internal::scaled_corners(corners))
   {
-    // without branches, since nobody can predict them
-    double least = cotangent(0), most = least;
-    for(int k = 1; k < 6; ++k)
+    for(int k = 0; k < 6; ++k)
+      m_squares[k] = internal::signed_square(m_shape.scaled_cosine(k)) / squared_length(m_shape.edges[k]);
+    m_largest_square = m_smallest_square = m_squares[0];
+    for(int k = 1; k < 6; ++k) // without branches, since nobody can predict them
     {
-      const double value = cotangent(k);
-      m_smallest = value > most ? k : m_smallest;
-      m_largest = value < least ? k : m_largest;
-      most = (std::max)(most, value);
-      least = (std::min)(least, value);
+      m_largest_square = (std::max)(m_largest_square, m_squares[k]);
+      m_smallest_square = (std::min)(m_smallest_square, m_squares[k]);
     }
-    for(int i = 0; i < 4; ++i)
-      m_lengths[i] = std::sqrt(squared_length(m_shape.normals[i]));
   }
 
-  // The edges with the extreme angles, in the order of `edges_of_cell`.
-  int edge_of_smallest() const { return m_smallest; }
-  int edge_of_largest() const { return m_largest; }
+  const Cell_shape_3& shape() const { return m_shape; }
 
-  double smallest() const { return (*this)[m_smallest]; }
-  double largest() const { return (*this)[m_largest]; }
+  // Those of the extreme angles. If the cell has no volume, they are infinite or not a number.
+  double square_of_largest_cotangent() const { return m_largest_square / square_of_volume(); }
+  double square_of_smallest_cotangent() const { return m_smallest_square / square_of_volume(); }
+
+  // The edges with the extreme angles, in the order of `edges_of_cell`.
+  int edge_of_smallest() const { return edge_of(m_largest_square); }
+  int edge_of_largest() const { return edge_of(m_smallest_square); }
+
+  double smallest() const { return (*this)[edge_of_smallest()]; }
+  double largest() const { return (*this)[edge_of_largest()]; }
 
   // The angle at the edge k, well-conditioned also near 0 and 180.
   double operator[](const int k) const
@@ -63,24 +78,13 @@ public:
     return std::atan2(sine, m_shape.scaled_cosine(k)) * (180 / CGAL_PI);
   }
 
-  // The angle at the edge k as a part of a full turn, much faster, with an error below 1e-8: Formula 4.4.46 of
-  // Abramowitz and Stegun, "Handbook of Mathematical Functions", for the inverse of the cosine.
-  double part_of_turn(const int k) const
-  {
-    const int* const facets = edges_of_cell[5 - k];
-    const double cosine = m_shape.scaled_cosine(k) / (m_lengths[facets[0]] * m_lengths[facets[1]]);
-    const double x = (std::min)(1., std::abs(cosine));
-    const double polynomial = 1.5707963050 + x * (-0.2145988016 + x * (0.0889789874 + x * (-0.0501743046 + x * (
-      0.0308918810 + x * (-0.0170881256 + x * (0.0066700901 - x * 0.0012624911))))));
-    const double part = std::sqrt(1 - x) * polynomial * (0.5 / CGAL_PI);
-    return cosine < 0 ? 0.5 - part : part;
-  }
-
   // 3 times the radius of the inscribed sphere, over that of the circumscribed one: 3 (6 V / sum of |n|) / R, where
   // 12 V R is the length of a sum of normals.
   double radius_ratio() const
   {
-    const double sum_of_lengths = m_lengths[0] + m_lengths[1] + m_lengths[2] + m_lengths[3];
+    double sum_of_lengths = 0;
+    for(const Coordinates_3& normal : m_shape.normals)
+      sum_of_lengths += std::sqrt(squared_length(normal));
     std::array<double, 3> squares;
     for(int i = 0; i < 3; ++i)
       squares[i] = squared_length(m_shape.edges[i]);
@@ -102,18 +106,19 @@ private:
     return square > 1e-40 && square < 1e40;
   }
 
-  // The square of the cotangent, with its sign, up to a factor that all six angles have in common: it falls while the
-  // angle grows.
-  double cotangent(const int k) const
+  double square_of_volume() const { return m_shape.volume_times_6 * m_shape.volume_times_6; }
+
+  // The first one where none compares equal, as numbers are missing.
+  int edge_of(const double square) const
   {
-    const double cosine = m_shape.scaled_cosine(k);
-    return cosine * std::abs(cosine) / squared_length(m_shape.edges[k]);
+    const auto k = std::find(m_squares.begin(), m_squares.end(), square);
+    return k == m_squares.end() ? 0 : static_cast<int>(k - m_squares.begin());
   }
 
   Cell_shape_3 m_shape;
-  std::array<double, 4> m_lengths; // of the normals
-  int m_smallest = 0;
-  int m_largest = 0;
+  std::array<double, 6> m_squares; // of the cotangents, with their sign, times the square of 6 times the volume
+  double m_largest_square;
+  double m_smallest_square;
 };
 
 // The smallest angle of a triangle, in degrees.

@@ -181,7 +181,8 @@ public:
   typedef Bad_cell_3<Tr>               Bad_cell;
 
   Explain_bad_cells_3(const Tr& tr, const Domain& domain, const double min_dihedral_angle)
-    : m_tr(tr), m_domain(domain), m_walls_at_edge(domain)
+    : m_tr(tr), m_domain(domain), m_surely_good(internal::signed_square_of_cotangent(min_dihedral_angle + slack)),
+      m_walls_at_edge(domain)
   {
     m_certificate.min_dihedral_angle = min_dihedral_angle;
   }
@@ -189,7 +190,7 @@ public:
   // Lists the cell if it is bad.
   void add(const Cell_handle c, const Cell_angles_3& angles)
   {
-    if(! (angles.smallest() < target()))
+    if(angles.square_of_largest_cotangent() < m_surely_good || ! (angles.smallest() < target()))
       return;
     const int* const ends = edges_of_cell[angles.edge_of_smallest()];
     Bad_cell bad;
@@ -224,6 +225,7 @@ private:
   // See "Tuning constants" in the manual.
   static constexpr double thinner_than_needle = 0.5;
   static constexpr int max_number_of_cells = 100;
+  static constexpr double slack = 1e-6; // degrees
 
   double target() const { return m_certificate.min_dihedral_angle; }
 
@@ -398,6 +400,7 @@ private:
 
   const Tr& m_tr;
   const Domain& m_domain;
+  const double m_surely_good; // if the largest cotangent is less, no angle need be found
   Walls_at_edge_3<Tr, Domain> m_walls_at_edge;
   Certificate m_certificate;
   CGAL::Unique_hash_map<Vertex_handle, Needle> m_needles; // of those that were asked for

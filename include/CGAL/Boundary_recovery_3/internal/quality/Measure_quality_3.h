@@ -13,12 +13,15 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/Mesh_quality_3.h>
+#include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Cell_shape_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Vertex_sizes_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/distances_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Unit_frame_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Edge_walk_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/numbers/binary_scale.h>
+#include <CGAL/Boundary_recovery_3/internal/numbers/exact_numbers.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Cell_angles_3.h>
 
 #include <CGAL/number_utils.h>
@@ -27,14 +30,31 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
+#include <limits>
+#include <numeric>
 #include <optional>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Boundary_recovery_3 {
 namespace internal {
 
+// The angles 5, 10, ..., 85 degrees as the squares of their cotangents. Fixed, so that cells with angles like 45
+// degrees are counted the same way by all machines.
+constexpr double squares_of_cotangents[17] = {
+  130.6460956438599, 32.16343747752636, 13.928203230275509, 7.548632170413031, 4.59890993211339, 3,
+  2.039606729161475, 1.4202766254612063, 1, 0.7040881910418474, 0.4902905965657022, 1. / 3,
+  0.21744283205399903, 0.13247433143179424, 0.07179676972449082, 0.03109120412576338, 0.007654266245552346
+};
+
 /*
  * The figures of the cells of a domain, in one pass over them.
+ *
+ * An edge is counted in one of its cells, which is found without looking at the others: there is a fixed direction, and
+ * exactly one cell around the edge is that way from it. That is the cell both of whose facets at the edge face there.
  */
 template <typename Tr, typename Domain>
 class Measure_quality_3
@@ -57,7 +77,7 @@ public:
   std::optional<Mesh_quality_3> operator()(const Examine& examine, const Question& goes_on)
   {
     if(m_tr.dimension() == 3)
-      for(const Cell_handle c : m_tr.finite_cell_handles())
+      for(const Cell_handle c : m_tr.all_cell_handles())
       {
         if(! goes_on())
           return std::nullopt;
@@ -69,103 +89,222 @@ public:
   }
 
 private:
+  typedef std::decay_t<decltype(std::declval<typename Tr::Point>().x())>                    FT;
+  typedef std::conditional_t<std::is_floating_point<FT>::value, internal::Exact_float, FT>  Exact;
+
   template <typename Examine>
   void measure(const Cell_handle c, const Examine& examine)
   {
     const Cell_corners_3 corners = internal::corners(c);
     const Cell_angles_3 angles(corners);
-    add_cell(angles);
+    add_angles(angles);
+    add_radius_ratio(angles.radius_ratio());
     if constexpr(Has_meshing_info<typename Tr::Vertex>::value)
-      add_edges(c, corners, angles);
+      add_edges(c, corners, angles.shape());
     examine(c, angles);
   }
 
-  void add_cell(const Cell_angles_3& angles)
+  // No angles are found but those that are extreme so far, and those of cells without volume. Figures that do not exist
+  // yet are not numbers, and give way.
+  void add_angles(const Cell_angles_3& angles)
   {
-    const double smallest = angles.smallest(), largest = angles.largest(), ratio = angles.radius_ratio();
-    for(int i = 0; i < 4; ++i)
-      m_quality.numbers_of_cells_below[i] += smallest < 5 * (i + 1);
+    const double largest = angles.square_of_largest_cotangent(), smallest = angles.square_of_smallest_cotangent();
+    int bin = 0;
+    for(const double square : squares_of_cotangents)
+      bin += largest <= square;
+    ++m_quality.histogram[bin];
     for(int i = 0; i < 3; ++i)
-      m_quality.numbers_of_cells_above[i] += largest > 150 + 10 * i;
-    ++m_quality.histogram[(std::min)(17, static_cast<int>(smallest / 5))];
-    if(m_quality.number_of_cells++ == 0)
-    {
-      m_quality.min_dihedral_angle = smallest;
-      m_quality.max_dihedral_angle = largest;
-      m_quality.min_radius_ratio = ratio;
-    }
-    m_quality.min_dihedral_angle = (std::min)(m_quality.min_dihedral_angle, smallest);
-    m_quality.max_dihedral_angle = (std::max)(m_quality.max_dihedral_angle, largest);
-    m_quality.min_radius_ratio = (std::min)(m_quality.min_radius_ratio, ratio);
-    m_sum_of_radius_ratios += ratio;
+      m_quality.numbers_of_cells_above[i] += smallest < - squares_of_cotangents[5 - 2 * i];
+    if(! (largest <= m_largest_square))
+      m_quality.min_dihedral_angle = (std::min)(angles.smallest(), m_quality.min_dihedral_angle);
+    if(! (smallest >= m_smallest_square))
+      m_quality.max_dihedral_angle = (std::max)(angles.largest(), m_quality.max_dihedral_angle);
+    m_largest_square = (std::max)(m_largest_square, largest);
+    m_smallest_square = (std::min)(m_smallest_square, smallest);
   }
 
-  void add_edges(const Cell_handle c, const Cell_corners_3& corners, const Cell_angles_3& angles)
+  void add_radius_ratio(const double ratio)
   {
-    const double factor = 1 / internal::binary_scale(size(c->vertex(0))); // squares would leave their range
-    const Cell_corners_3 places = internal::multiplied(corners, factor);
-    const std::array<double, 4> sizes = {{ factor * size(c->vertex(0)), factor * size(c->vertex(1)),
-                                           factor * size(c->vertex(2)), factor * size(c->vertex(3)) }};
+    m_quality.min_radius_ratio = (std::min)(ratio, m_quality.min_radius_ratio);
+    m_sum_of_radius_ratios += ratio;
+    ++m_quality.number_of_cells;
+  }
+
+  void add_edges(const Cell_handle c, const Cell_corners_3& corners, const Cell_shape_3& shape)
+  {
+    const std::array<bool, 4> faces = facets_that_face(c, shape);
     for(int k = 0; k < 6; ++k)
-    {
-      const int u = edges_of_cell[k][0], v = edges_of_cell[k][1];
-      if(! (sizes[u] > 0 && sizes[v] > 0))
-        continue;
-      const double part = part_of_inner_edge(c, k, angles);
-      const double sum = sizes[u] + sizes[v], square = internal::squared_distance(places[u], places[v]);
-      const double square_of_mean = sum * sum / 4;
-      m_number_of_edges += part;
-      m_number_of_edges_in_size += square >= 0.5 * square_of_mean && square <= 2 * square_of_mean ? part : 0;
-    }
+      if(faces[edges_of_cell[5 - k][0]] && faces[edges_of_cell[5 - k][1]])
+        add_edge(c, k, corners);
+  }
+
+  void add_edge(const Cell_handle c, const int k, const Cell_corners_3& corners)
+  {
+    const int u = edges_of_cell[k][0], v = edges_of_cell[k][1];
+    const double size_u = size(c->vertex(u)), size_v = size(c->vertex(v));
+    if(! (size_u > 0 && size_v > 0 && is_inner_edge(c, k)))
+      return;
+    ++m_quality.number_of_sized_edges;
+    m_number_of_edges_in_size += is_in_size(difference(corners[u], corners[v]), size_u, size_v);
   }
 
   // 0 if it is not known. The filling keeps marks in the sign.
   static double size(const Vertex_handle v) { return std::abs(CGAL::to_double(v->meshing_info())); }
 
-  // Parts that sum up to 1 over the cells around an edge, to 0 if it is in a wall. The dihedral angles around an inner
-  // edge are a full turn together, so most cells need not look at their neighbors, which are far away in memory.
-  double part_of_inner_edge(const Cell_handle c, const int k, const Cell_angles_3& angles) const
+  static bool is_in_size(Coordinates_3 edge, const double size_u, const double size_v)
+  {
+    const bool is_ordinary = size_u > 1e-100 && size_u < 1e100; // else squares would leave their range
+    const double factor = is_ordinary ? 1 : 1 / internal::binary_scale(size_u);
+    for(double& x : edge)
+      x *= factor;
+    const double sum = factor * size_u + factor * size_v, square = dot_product(edge, edge);
+    return 8 * square >= sum * sum && 2 * square <= sum * sum; // the mean is half of the sum
+  }
+
+  // Whether an edge is in no wall. Most cells need not look at their neighbors, which are far away in memory.
+  bool is_inner_edge(const Cell_handle c, const int k) const
   {
     if constexpr(! Domain::has_selection)
       if(c->vertex(edges_of_cell[k][0])->in_dimension() == 3 || c->vertex(edges_of_cell[k][1])->in_dimension() == 3)
-        return angles.part_of_turn(k);
-    return is_first_at_inner_edge(c, k) ? 1 : 0;
-  }
-
-  // Whether the edge k of a cell is in no wall, and no other cell at it has a lesser address. Which cell that is does
-  // not matter for the number. As the search goes both ways, the steps from all n cells at an edge are some n log n at
-  // most, whatever the order of the addresses is.
-  bool is_first_at_inner_edge(const Cell_handle c, const int k) const
-  {
-    const int* const others = edges_of_cell[5 - k];
-    Edge_walk_3<Tr> there(c, others[0], others[1]), back(c, others[1], others[0]);
+        return true;
+    Edge_walk_3<Tr> walk(c, edges_of_cell[5 - k][0], edges_of_cell[5 - k][1]);
     do
     {
-      if(m_domain.is_wall(there.cell(), there.next_facet()) || m_domain.is_wall(back.cell(), back.next_facet()))
+      if(m_domain.is_wall(walk.cell(), walk.next_facet()))
         return false;
-      ++there;
-      ++back;
+      ++walk;
     }
-    while(c < there.cell() && c < back.cell());
-    return there.cell() == c;
+    while(walk.cell() != c);
+    return true;
+  }
+
+  // The one that facets may face: it is parallel to hardly any plane in a mesh.
+  static constexpr double direction[3] = { 1, 1.4142135623730951, 1.7320508075688772 };
+
+  // Whether the insides of the facets of a cell face the direction. Both cells at a facet must agree, so the answer is
+  // exact; rounding errors hardly ever leave it open.
+  static std::array<bool, 4> facets_that_face(const Cell_handle c, const Cell_shape_3& shape)
+  {
+    // The error is below 2^-48 times the square of the longest edge, which is at most twice as long as one of these.
+    const double bound = 4e-14 * (dot_product(shape.edges[0], shape.edges[0]) +
+                                  dot_product(shape.edges[1], shape.edges[1]) +
+                                  dot_product(shape.edges[2], shape.edges[2]));
+    std::array<bool, 4> result;
+    for(int i = 0; i < 4; ++i)
+    {
+      const Coordinates_3& n = shape.normals[i];
+      const double x = n[0] * direction[0] + n[1] * direction[1] + n[2] * direction[2];
+      result[i] = std::is_floating_point<FT>::value && std::abs(x) > bound ? x > 0 : faces_exactly(c, i);
+    }
+    return result;
+  }
+
+  // If it is parallel to the direction, one beside it decides.
+  static bool faces_exactly(const Cell_handle c, const int i)
+  {
+    const std::array<Vertex_handle, 3> v = internal::facet_vertices(c, i);
+    const std::array<Exact, 3> p = exact_vector(v[0], v[1]), q = exact_vector(v[0], v[2]);
+    std::array<Exact, 3> normal;
+    for(int j = 0; j < 3; ++j)
+      normal[j] = p[(j + 1) % 3] * q[(j + 2) % 3] - p[(j + 2) % 3] * q[(j + 1) % 3];
+    const Exact x = normal[0] * Exact(direction[0]) + normal[1] * Exact(direction[1]) +
+                    normal[2] * Exact(direction[2]);
+    for(const Exact& y : { x, normal[0], normal[1], normal[2] })
+      if(! CGAL::is_zero(y))
+        return CGAL::is_positive(y);
+    return false;
+  }
+
+  static std::array<Exact, 3> exact_vector(const Vertex_handle u, const Vertex_handle v)
+  {
+    const auto& p = u->point();
+    const auto& q = v->point();
+    return {{ Exact(q.x()) - Exact(p.x()), Exact(q.y()) - Exact(p.y()), Exact(q.z()) - Exact(p.z()) }};
   }
 
   void finish()
   {
+    std::partial_sum(m_quality.histogram.begin(), m_quality.histogram.begin() + 4,
+                     m_quality.numbers_of_cells_below.begin());
     if(m_quality.number_of_cells > 0)
       m_quality.mean_radius_ratio = m_sum_of_radius_ratios / static_cast<double>(m_quality.number_of_cells);
-    m_quality.number_of_sized_edges = static_cast<std::size_t>(std::llround(m_number_of_edges));
     if(m_quality.number_of_sized_edges > 0)
-      m_quality.share_of_edges_in_size = m_number_of_edges_in_size / m_number_of_edges;
+      m_quality.share_of_edges_in_size = static_cast<double>(m_number_of_edges_in_size) /
+                                         static_cast<double>(m_quality.number_of_sized_edges);
   }
 
   const Tr& m_tr;
   const Domain& m_domain;
   Mesh_quality_3 m_quality;
+  double m_largest_square = - std::numeric_limits<double>::infinity(); // of the cotangents of all cells
+  double m_smallest_square = std::numeric_limits<double>::infinity();
   double m_sum_of_radius_ratios = 0;
-  double m_number_of_edges = 0; // of inner edges with known sizes
-  double m_number_of_edges_in_size = 0;
+  std::size_t m_number_of_edges_in_size = 0; // of the inner edges with known sizes
 };
+
+/*
+ * The figures of a mesh whose cells are those of several meshes together. An edge that is in walls of these is an inner
+ * one of none of them.
+ */
+class Sum_of_qualities_3
+{
+public:
+  void add(const Mesh_quality_3& q)
+  {
+    if(q.number_of_cells == 0)
+      return;
+    // figures that do not exist yet are not numbers, and give way
+    m_sum.min_dihedral_angle = (std::min)(q.min_dihedral_angle, m_sum.min_dihedral_angle);
+    m_sum.max_dihedral_angle = (std::max)(q.max_dihedral_angle, m_sum.max_dihedral_angle);
+    m_sum.min_radius_ratio = (std::min)(q.min_radius_ratio, m_sum.min_radius_ratio);
+    m_sum.number_of_cells += q.number_of_cells;
+    m_sum.number_of_sized_edges += q.number_of_sized_edges;
+    add(m_sum.numbers_of_cells_below, q.numbers_of_cells_below);
+    add(m_sum.numbers_of_cells_above, q.numbers_of_cells_above);
+    add(m_sum.histogram, q.histogram);
+    m_radius_ratios += q.mean_radius_ratio * static_cast<double>(q.number_of_cells);
+    if(q.number_of_sized_edges > 0)
+      m_edges_in_size += q.share_of_edges_in_size * static_cast<double>(q.number_of_sized_edges);
+  }
+
+  Mesh_quality_3 quality() const
+  {
+    Mesh_quality_3 sum = m_sum;
+    if(sum.number_of_cells > 0)
+      sum.mean_radius_ratio = m_radius_ratios / static_cast<double>(sum.number_of_cells);
+    if(sum.number_of_sized_edges > 0)
+      sum.share_of_edges_in_size = m_edges_in_size / static_cast<double>(sum.number_of_sized_edges);
+    return sum;
+  }
+
+private:
+  template <std::size_t n>
+  static void add(std::array<std::size_t, n>& sum, const std::array<std::size_t, n>& numbers)
+  {
+    std::transform(sum.begin(), sum.end(), numbers.begin(), sum.begin(), std::plus<std::size_t>());
+  }
+
+  Mesh_quality_3 m_sum;
+  double m_radius_ratios = 0;
+  double m_edges_in_size = 0;
+};
+
+inline Mesh_quality_3 sum_of_qualities(const std::vector<Mesh_quality_3>& qualities)
+{
+  Sum_of_qualities_3 sum;
+  for(const Mesh_quality_3& q : qualities)
+    sum.add(q);
+  return sum.quality();
+}
+
+// If there was no time for them, the result says so.
+template <typename Tr>
+void set_last_figures(Quality_improvement_result_3<Tr>& result, const std::optional<Mesh_quality_3>& figures)
+{
+  result.is_measured = bool(figures);
+  if(figures)
+    result.after = *figures;
+}
 
 } // namespace internal
 } // namespace Boundary_recovery_3

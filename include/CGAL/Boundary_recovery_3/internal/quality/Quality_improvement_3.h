@@ -19,7 +19,6 @@
 #include <CGAL/Boundary_recovery_3/internal/quality/Explain_bad_cells_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Improve_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Measure_quality_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/sum_of_qualities.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 
 #include <cstddef>
