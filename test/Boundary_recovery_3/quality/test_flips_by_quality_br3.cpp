@@ -10,6 +10,8 @@
 #include <CGAL/Boundary_recovery_3/internal/quality/Flip_bad_cell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Remove_bad_edge_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Remove_bad_facet_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Retriangulate_facets_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Skirt_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
@@ -42,12 +44,20 @@ struct Quality
   int kind = 0;
   std::vector<std::array<double, 3> > ring = {}; // of the edge on the axis, whose ends are at x = y = 0
   double of_ring_cells = 1;
+  double shift = 0; // for other random qualities
 
   double operator()(const Corners& corners) const
   {
     return kind == 0 ? BR3::Dihedral_angle_quality_3()(corners)
          : kind == 1 ? BR3::Volume_length_quality_3()(corners)
-         : kind == 2 ? br3_test::random_quality(corners) : wish(corners);
+         : kind == 2 ? br3_test::random_quality(shifted(corners)) : wish(corners);
+  }
+
+  Corners shifted(Corners corners) const
+  {
+    for(auto& p : corners)
+      p[0] += shift;
+    return corners;
   }
 
   double wish(const Corners& corners) const
@@ -80,12 +90,12 @@ struct Improvement
 };
 
 // All steps on random meshes. Returns how many there were of each kind.
-std::array<int, 3> test_all_steps(const unsigned seed)
+std::array<int, 4> test_all_steps(const unsigned seed)
 {
   Improvement_options options;
   options.is_grid = seed % 4 == 0;
   options.size = seed % 3 == 0 ? 0.06 : seed % 3 == 1 ? 0.4 : 0;
-  std::array<int, 3> number = {{ 0, 0, 0 }};
+  std::array<int, 4> number = {{ 0, 0, 0, 0 }};
   const int kind = seed / 2 % 3;
   const double degrees = 10 + seed % 5 * 10;
   {
@@ -108,6 +118,12 @@ std::array<int, 3> test_all_steps(const unsigned seed)
     internal::Flip_bad_cell_3<Mesh> flip(t.mesh);
     number[2] = try_on_all_cells(t.scene, t.mesh, Lengths_slack::edges_that_go,
                                  [&](const Cell_handle c) { return flip.find(c) && flip.apply(); });
+  }
+  {
+    Improvement t(seed, options, kind, degrees);
+    internal::Retriangulate_facets_3<Mesh> retriangulate(t.mesh);
+    number[3] = try_on_all_cells(t.scene, t.mesh, Lengths_slack::edges_that_go,
+                                 [&](const Cell_handle c) { return retriangulate.find(c) && retriangulate.apply(); });
   }
   return number;
 }
@@ -362,17 +378,85 @@ void test_inverse(const int n)
   assert(remove_facet.new_cells().size() == static_cast<std::size_t>(n));
 }
 
+// ------------------------------------------------ facets between two vertices, by brute force
+
+// By how much the cells between a polygon and two vertices could be less bad; all cells are there.
+double best_gain(const Improvement& t, const std::vector<Vertex_handle>& ring, const Vertex_handle a,
+                 const Vertex_handle b)
+{
+  double worst_before = 2;
+  for(const Cell_handle c : t.scene.tr.finite_cell_handles())
+    worst_before = (std::min)(worst_before, t.mesh.quality(c));
+  double least = badness_of_all(t);
+  for(const Triangles& triangles : triangulations(0, static_cast<int>(ring.size()) - 1))
+  {
+    double sum = 0, worst = 2;
+    for(const auto& f : triangles)
+      sum += badness(t.mesh, ring[f[0]], ring[f[1]], ring[f[2]], b, worst) +
+             badness(t.mesh, ring[f[0]], ring[f[2]], ring[f[1]], a, worst);
+    if(worst >= worst_before)
+      least = (std::min)(least, sum);
+  }
+  return badness_of_all(t) - least;
+}
+
+// When the edge on the axis is gone, qualities become random ones: of all triangulations of the polygon around it, the
+// best one is found from any of the cells, unless something else is even better. Returns whether that was one at all.
+bool test_best_retriangulation(const unsigned seed)
+{
+  Improvement t(seed, Improvement_options(), 3, 30);
+  insert_ring(t, 5 + static_cast<int>(seed % 5));
+  t.mesh.set_enough(1);
+  Tr& tr = t.scene.tr;
+  internal::Remove_bad_edge_3<Mesh> remove_edge(t.mesh);
+  t.quality.of_ring_cells = 0.2;
+  for(const Cell_handle c : t.scene.cells())
+  {
+    const auto ends = ends_on_axis(c);
+    if(ends[0] < 0 || ends[1] < 0)
+      continue;
+    const Vertex_handle a = c->vertex(ends[0]), b = c->vertex(ends[1]);
+    const auto ring = ring_of(t, a, b);
+    const bool is_removed = remove_edge.find(c, ends[0], ends[1], 0) && remove_edge.apply();
+    assert(is_removed);
+    t.quality.kind = 2;
+    t.quality.shift = seed / 4096.;
+    t.mesh.set_enough(0.9);
+    const double gain = best_gain(t, ring, a, b), before = badness_of_all(t);
+    internal::Retriangulate_facets_3<Mesh> retriangulate(t.mesh);
+    for(const Cell_handle d : t.scene.cells())
+    {
+      const bool is_found = retriangulate.find(d);
+      assert(is_found ? retriangulate.gain() > gain - 1e-12 : gain < 1e-9);
+    }
+    if(gain < 1e-9)
+      return false;
+    const Cell_handle d = tr.finite_cells_begin();
+    const bool is_best = retriangulate.find(d) && std::abs(retriangulate.gain() - gain) < 1e-12;
+    if(! is_best || ! retriangulate.apply()) // random qualities may be best where cells are not positively oriented
+      return false;
+    assert(tr.tds().is_valid() && std::abs(before - badness_of_all(t) - gain) < 1e-12);
+    return true;
+  }
+  return false;
+}
+
 int main()
 {
-  std::array<int, 3> number = {{ 0, 0, 0 }};
+  std::array<int, 4> number = {{ 0, 0, 0, 0 }};
   for(unsigned seed = 0; seed < 16; ++seed)
   {
     const auto more = test_all_steps(seed);
-    for(int i = 0; i < 3; ++i)
+    for(int i = 0; i < 4; ++i)
       number[i] += more[i];
   }
-  std::cout << number[0] << " edges, " << number[1] << " facets, " << number[2] << " of either" << std::endl;
-  assert(number[0] > 100 && number[1] > 100 && number[2] > 100);
+  int number_of_best_ones = 0;
+  for(unsigned seed = 0; seed < 1000; ++seed)
+    number_of_best_ones += test_best_retriangulation(seed);
+  std::cout << number[0] << " edges, " << number[1] << " facets, " << number[2] << " of either; " << number[3]
+            << " retriangulations; " << number_of_best_ones << " of the whole mesh" << std::endl;
+  assert(number[0] > 100 && number[1] > 100 && number[2] > 100 && number[3] > 100);
+  assert(number_of_best_ones > 20);
   test_best_removal_of_edge();
   test_best_flip();
   for(int n = 3; n <= 12; ++n)

@@ -35,7 +35,7 @@ public:
   // Searches which one that is. Returns false if none helps.
   bool find(const Cell_handle c)
   {
-    double gain = least_gain;
+    double gain = Mesh::least_gain;
     int i = -1, j = -1; // the edge from vertex i to vertex j, or, if j is negative, the facet opposite to vertex i
     for(int k = 0; k < 4; ++k)
       for(int l = k + 1; l < 4; ++l)
@@ -69,9 +69,6 @@ public:
   }
 
 private:
-  // Less may be rounding: in a grid, flips would go on in circles.
-  static constexpr double least_gain = 1e-10;
-
   Remove_bad_edge_3<Mesh> m_remove_edge;
   Remove_bad_facet_3<Mesh> m_remove_facet;
   bool m_is_edge_removed = false;

@@ -21,6 +21,7 @@
 #include <CGAL/Boundary_recovery_3/internal/quality/Improved_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Insert_vertex_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Move_vertex_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Retriangulate_facets_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Work_account.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 
@@ -59,7 +60,7 @@ public:
   Improve_bad_cells_3(Tr& tr, Domain& domain, const Quality& quality, Recovery_context<Visitor>& context)
     : m_context(context), m_mesh(tr, domain, quality, context.visitor()),
       m_bad_cells(m_mesh, [&context] { return context.go_further_after_short_step(); }),
-      m_table(m_mesh, m_mesh, m_mesh, m_mesh, m_mesh, m_mesh, m_mesh)
+      m_table(m_mesh)
   { }
 
   Mesh& mesh() { return m_mesh; }
@@ -131,16 +132,30 @@ private:
     Entry(Mesh& mesh) : operation(mesh) { } // also a conversion
   };
 
+  // Each of them for the same mesh.
+  template <typename... Entries>
+  struct Table_of
+  {
+    template <typename>
+    using Mesh_for = Mesh&;
+
+    std::tuple<Entries...> entries;
+
+    explicit Table_of(Mesh& mesh) : entries(static_cast<Mesh_for<Entries> >(mesh)...) { }
+  };
+
   static constexpr int first_expensive_round = 3;
 
   // In the order in which they are tried.
-  typedef std::tuple<Entry<Flip_bad_cell_3<Mesh>, 1, 50>,
-                     Entry<Contract_bad_edge_3<Mesh>, 1>,
-                     Entry<Smooth_vertex_3<Mesh>, 2, 4>,
-                     Entry<Deepen_vertex_3<Mesh>, 2, 4>,
-                     Entry<Insert_into_bad_cell_3<Mesh>, first_expensive_round>,
-                     Entry<Insert_into_shell_3<Mesh>, first_expensive_round>,
-                     Entry<Insert_near_bad_cell_3<Mesh>, first_expensive_round>> Table;
+  typedef Table_of<
+    Entry<Flip_bad_cell_3<Mesh>, 1, 50>,
+    Entry<Retriangulate_facets_3<Mesh>, 1, 50>,
+    Entry<Contract_bad_edge_3<Mesh>, 1>,
+    Entry<Smooth_vertex_3<Mesh>, 2, 4>,
+    Entry<Deepen_vertex_3<Mesh>, 2, 4>,
+    Entry<Insert_into_bad_cell_3<Mesh>, first_expensive_round>,
+    Entry<Insert_into_shell_3<Mesh>, first_expensive_round>,
+    Entry<Insert_near_bad_cell_3<Mesh>, first_expensive_round> > Table;
 
   // See "Tuning constants" in the manual.
   static constexpr std::size_t cells_per_block = 4096;
@@ -214,7 +229,7 @@ private:
   template <typename Function>
   bool for_each_entry(const Function& f)
   {
-    return std::apply([&](auto&... entry) { return (f(entry) || ...); }, m_table);
+    return std::apply([&](auto&... entry) { return (f(entry) || ...); }, m_table.entries);
   }
 
   // As long as that pays.

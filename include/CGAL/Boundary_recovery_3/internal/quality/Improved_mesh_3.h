@@ -154,6 +154,10 @@ public:
 
   bool is_nearly_flat(const double quality) const { return quality < nearly_flat * enough(); }
 
+  // By how much cells have to become less bad for flips: less may be rounding, and in a grid, they would go on in
+  // circles. See "Tuning constants" in the manual.
+  static constexpr double least_gain = 1e-10;
+
   // Whether this quality, instead of that of the worst cell, which is nearly flat, is worth that others get worse.
   static bool is_far_better(const double quality, const double worst)
   {
