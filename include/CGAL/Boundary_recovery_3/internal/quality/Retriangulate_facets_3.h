@@ -28,10 +28,9 @@ namespace Boundary_recovery_3 {
 namespace internal {
 
 /*
- * Multi-face retriangulation, by M. K. Misztal, J. A. Baerentzen, F. Anton and K. Erleben, "Tetrahedral mesh
- * improvement using multi-face retriangulation", 2009: facets that are side by side and all between the same two
- * vertices are exchanged for the best triangulation of the polygon that they fill. It does at once what takes the
- * removal of all of them, and then that of the new edge, where the cells in between would be too bad.
+ * *Multi-face retriangulation* [MBA+09]: facets that are side by side and all between the same two vertices are
+ * exchanged for the best triangulation of the polygon that they fill. It does at once what takes the removal of all of
+ * them, and then that of the new edge, where the cells in between would be too bad.
  */
 template <typename Mesh>
 class Retriangulate_facets_3
