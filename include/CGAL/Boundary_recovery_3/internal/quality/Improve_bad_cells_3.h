@@ -136,12 +136,12 @@ private:
   template <typename... Entries>
   struct Table_of
   {
-    template <typename>
-    using Mesh_for = Mesh&;
-
     std::tuple<Entries...> entries;
 
-    explicit Table_of(Mesh& mesh) : entries(static_cast<Mesh_for<Entries> >(mesh)...) { }
+    explicit Table_of(Mesh& mesh) : entries(mesh_for<Entries>(mesh)...) { }
+
+    template <typename>
+    static Mesh& mesh_for(Mesh& mesh) { return mesh; }
   };
 
   static constexpr int first_expensive_round = 3;
