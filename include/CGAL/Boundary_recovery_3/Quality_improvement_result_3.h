@@ -38,7 +38,7 @@ struct Quality_improvement_counts
 {
   std::size_t number_of_rounds = 0;               ///< number of times that all bad cells were looked at
   std::size_t number_of_removed_edges = 0;        ///< number of edges that shell transformations removed
-  std::size_t number_of_removed_facets = 0;       ///< number of facets that were removed
+  std::size_t number_of_removed_facets = 0;       ///< number of times that facets were removed, or others put there
   std::size_t number_of_moved_vertices = 0;       ///< number of times that a vertex was moved
   std::size_t number_of_inserted_points = 0;      ///< number of vertices that were inserted
   std::size_t number_of_removed_vertices = 0;     ///< number of vertices that were removed

@@ -297,7 +297,8 @@ void test_best_flip()
       const double before = badness_of_all(t);
       const bool is_done = flip.find(c);
       assert(! is_done || std::abs(flip.gain() - gain) < 1e-12);
-      assert(! is_done || flip.apply());
+      const bool is_applied = is_done && flip.apply();
+      assert(is_applied == is_done);
       assert(is_done == (gain > 1e-10));
       assert(std::abs(before - badness_of_all(t) - gain) < 1e-9);
       number += is_done;

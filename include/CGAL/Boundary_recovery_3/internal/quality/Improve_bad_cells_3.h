@@ -15,7 +15,6 @@
 #include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_result_3.h>
 #include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Bad_cells_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/Badness_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Contract_bad_edge_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Flip_bad_cell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Improved_mesh_3.h>
@@ -46,14 +45,13 @@ namespace internal {
  *
  * No operation leaves a cell that is worse than the worst one of those that it changes, or than the measure of badness
  * tolerates, and each makes the sum of the badness of the cells smaller, or the worst one better by far, where that is
- * nearly flat. So the work ends, and the worst cell of the mesh does not get worse.
+ * nearly flat. So the worst cell of the mesh does not get worse. Rounds end when they take too little badness away.
  */
 template <typename Tr, typename Domain, typename Quality, typename Visitor>
 class Improve_bad_cells_3
 {
 public:
   typedef Improved_mesh_3<Tr, Domain, Quality, Visitor> Mesh;
-  typedef typename Tr::Vertex_handle                    Vertex_handle;
   typedef typename Tr::Cell_handle                      Cell_handle;
   typedef typename Bad_cells_3<Mesh>::Bad_cell          Bad_cell;
 
@@ -173,7 +171,7 @@ private:
     for(m_round = 1; m_number_of_visits < last_visit && m_context.go_further(); ++m_round)
     {
       const std::vector<Bad_cell> cells = m_bad_cells.next_round_in_blocks(cells_per_block);
-      const bool is_slow = m_bad_cells.badness() > (1 - least_progress) * last_badness;
+      const bool is_slow = ! (m_bad_cells.badness() < (1 - least_progress) * last_badness);
       if(cells.empty())
         break;
       if(m_round > first_expensive_round && is_slow)
@@ -233,8 +231,8 @@ private:
   }
 
   // As long as that pays.
-  template <typename Entry>
-  bool try_at(const Cell_handle c, Entry& entry, const Work_account::Kind kind)
+  template <typename Entry_>
+  bool try_at(const Cell_handle c, Entry_& entry, const Work_account::Kind kind)
   {
     if(m_is_attempt)
       return apply_at(c, entry) > 0;
@@ -249,8 +247,8 @@ private:
   }
 
   // In the cell, and in what comes from it, until that does not help any more. Returns how often.
-  template <typename Entry>
-  std::size_t apply_at(const Cell_handle c, Entry& entry)
+  template <typename Entry_>
+  std::size_t apply_at(const Cell_handle c, Entry_& entry)
   {
     m_stack.assign(1, c);
     std::size_t number = 0;

@@ -80,14 +80,8 @@ public:
   // Improves the mesh until all cells are good, or nothing helps, or the context says stop.
   void operator()()
   {
-    m_mesh.spread_lengths([this] { return m_context.go_further_after_short_step(); });
-    m_improve.open_accounts(m_effort, m_number_of_cells);
-    m_search_locally.open_account(m_effort, m_number_of_cells);
-    m_improve();
-    if(m_target > really_bad_angle && ! m_mesh.is_strict() && m_context.go_further() && is_any_really_bad())
-      improve_really_bad_cells();
-    if(m_target > 0 && m_context.go_further())
-      center_vertices();
+    if(m_target > 0) // else nothing is bad
+      improve();
     m_improve.finish();
   }
 
@@ -122,6 +116,18 @@ private:
     }
   }
 
+  void improve()
+  {
+    m_mesh.spread_lengths([this] { return m_context.go_further_after_short_step(); });
+    m_improve.open_accounts(m_effort, m_number_of_cells);
+    m_search_locally.open_account(m_effort, m_number_of_cells);
+    m_improve();
+    if(m_target > really_bad_angle && ! m_mesh.is_strict() && m_context.go_further() && is_any_really_bad())
+      improve_really_bad_cells();
+    if(m_context.go_further())
+      center_vertices();
+  }
+
   void set_enough(const double degrees) { m_mesh.set_enough(m_quality.of_angle(degrees)); }
 
   bool is_any_really_bad()
@@ -139,6 +145,7 @@ private:
     m_improve.set_visits_only_changed(true);
     m_search_locally(really_bad_angle);
     set_enough(m_target);
+    m_bad_cells.take(); // they were visited with another measure
     for_each_cell([&](const Cell_handle c) { m_bad_cells.push(c, end_of_first_pass); });
     m_improve();
   }

@@ -236,7 +236,7 @@ public:
 
   // --- changes ------------------------------------------------------------------------------------------------------
 
-  // How many changes there were until now.
+  // Grows with each change, and with each new measure of badness; never 0.
   std::size_t time() const { return m_time; }
 
   // From now on, nobody asks for them.

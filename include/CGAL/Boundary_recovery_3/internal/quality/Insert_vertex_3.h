@@ -33,7 +33,7 @@ namespace internal {
  *   bool grow(std::size_t k, Star_cavity_3<Mesh>& cavity)     // whether a cavity around one of them will do
  *
  * and whether the first one that will do is taken, or the one that helps most. Nothing is changed before the whole star
- * is known to be better.
+ * is known.
  */
 template <typename Mesh, typename Seeds>
 class Insert_vertex_3
@@ -45,7 +45,7 @@ public:
   explicit Insert_vertex_3(Mesh& mesh) : m_mesh(mesh), m_cavity(mesh), m_seeds(mesh) { }
 
   // Searches for a cavity and a place. Returns whether the cells would be less bad then, and none worse than the worst
-  // one now, or, if the mesh has it so, than what is tolerated.
+  // one now, or, if the mesh has it so, than what is tolerated; or as the seeds say, if those are for flat cells.
   bool find(const Cell_handle c)
   {
     if(! m_seeds.is_for(c) || ! m_mesh.has_room())

@@ -26,12 +26,13 @@ namespace internal {
 /*
  * Moves a free vertex to a place in its star. `Place` searches it:
  *
- *   bool is_for(Cell_handle c)                   // whether it helps cells that are as bad as c
- *   bool find(Vertex_handle v, const Star& star) // whether there is a better place than that of v
- *   Coordinates_3 point()                        // the place that was found,
- *   double gain()                                // and by how much the cells are less bad if v is there
+ *   bool find(Vertex_handle v, const Star& star) // whether there is a place that will do
+ *   Coordinates_3 point()                        // the one that was found
  *
- * and tells how many cells the star may have.
+ * and tells how many cells the star may have. If it is for bad cells, it also has
+ *
+ *   bool is_for(Cell_handle c)                   // whether it helps cells that are as bad as c
+ *   double gain()                                // by how much the cells are less bad if the vertex is there
  */
 template <typename Mesh, typename Place>
 class Move_vertex_3

@@ -112,11 +112,11 @@ public:
     const auto deepest = internal::deepest_point(m_mesh.triangulation(), star.faces(), before);
     if(! deepest)
       return false;
-    m_account = m_mesh.account_of_star(star.faces(), before);
-    if(! Mesh::is_far_better(m_mesh.account_of_star(star.faces(), *deepest).worst, m_account.worst))
+    const auto account = m_mesh.account_of_star(star.faces(), before);
+    if(! Mesh::is_far_better(m_mesh.account_of_star(star.faces(), *deepest).worst, account.worst))
       return false;
     m_least_bad_place.improve(v, star, *deepest, Badness_3(m_mesh.enough()));
-    m_gain = m_account.badness - m_mesh.account_of_star(star.faces(), point()).badness;
+    m_gain = account.badness - m_mesh.account_of_star(star.faces(), point()).badness;
     return true;
   }
 
@@ -126,7 +126,6 @@ public:
 private:
   const Mesh& m_mesh;
   Least_bad_place_3<Mesh> m_least_bad_place;
-  typename Mesh::Account m_account;
   double m_gain = 0;
 };
 
@@ -148,8 +147,6 @@ public:
 
   explicit Central_place_3(const Mesh& mesh) : m_mesh(mesh) { }
 
-  bool is_for(Cell_handle) const { return true; }
-
   bool find(const Vertex_handle v, const Free_star_3<Mesh>& star)
   {
     set_corners(v, star);
@@ -167,7 +164,6 @@ public:
   }
 
   const Coordinates_3& point() const { return m_point; }
-  double gain() const { return 0; } // of badness, hardly any
 
 private:
   // The vertex is the last corner of each cell.
@@ -261,8 +257,6 @@ public:
 
   explicit Random_place_3(const Mesh& mesh) : m_mesh(mesh) { }
 
-  bool is_for(Cell_handle) const { return true; }
-
   bool find(const Vertex_handle v, const Free_star_3<Mesh>& star)
   {
     const Cell_handle c = star.cells()[m_random.uniform_int<std::size_t>(0, star.cells().size() - 1)];
@@ -272,7 +266,6 @@ public:
   }
 
   const Coordinates_3& point() const { return m_point; }
-  double gain() const { return 0; } // is asked of nobody: it is a loss
 
 private:
   Coordinates_3 random_point(const Cell_handle c)

@@ -12,8 +12,7 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/distances_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Unit_frame_3.h>
 
 #include <boost/container/static_vector.hpp>
 
@@ -67,7 +66,7 @@ public:
   void add_cell(const Cell_handle c) { m_cells.push_back(c); }
 
   // Searches for the best triangulation. Returns whether the cells would be less bad then, by more than `least_gain`.
-  // New edges may be as long as one that goes.
+  // New edges may be as long, or as short, as one that goes.
   bool find(const double least_gain, const double length_before)
   {
     const auto account = m_mesh.account_of(m_cells);

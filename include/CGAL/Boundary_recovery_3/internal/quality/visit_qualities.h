@@ -56,7 +56,7 @@ bool visit_qualities(const Quality& quality, Range&& items, const Corners& corne
   {
     auto& first = *it++;
     auto& second = *it++;
-    const std::array<double, 2> qualities = qualities_of_two_cells(quality, corners(first), corners(second));
+    const std::array<double, 2> qualities = internal::qualities_of_two_cells(quality, corners(first), corners(second));
     if(! visit(first, qualities[0]) || ! visit(second, qualities[1]))
       return false;
   }
