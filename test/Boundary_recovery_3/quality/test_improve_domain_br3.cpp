@@ -4,6 +4,7 @@
 #undef NDEBUG // the checks are assertions, also in a Release build
 
 #include "improvement_judge_br3.h"
+#include "mesh_validity_br3.h"
 
 #include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/Cell_quality_3.h>
@@ -19,9 +20,11 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <iostream>
+#include <limits>
 #include <map>
 #include <set>
 #include <tuple>
@@ -462,6 +465,38 @@ void test_number_of_vertices()
     improve(limit);
 }
 
+// Whatever the cells are, and the target.
+struct Same_quality
+{
+  double of_cells, of_target;
+
+  double operator()(const std::array<std::array<double, 3>, 4>&) const { return of_cells; }
+  double of_angle(double) const { return of_target; }
+};
+
+// The work ends also where cells are bad, and their badness, 0 or infinite, does not fall.
+void test_badness_that_stays()
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  std::vector<Same_quality> qualities = { { -infinity, 0.4 }, { -1, 0 }, { -infinity, 0 }, { 0, 0.4 } };
+  for(int k = 1; k < 1000; ++k) // those where a cell below the target lacks nothing, as it is rounded
+  {
+    const double target = k / 1000., quality = std::nextafter(target, 0.);
+    if(1 - quality * (1 / target) == 0)
+      qualities.push_back({ quality, target });
+  }
+  std::cout << qualities.size() << " qualities that stay" << std::endl;
+  assert(qualities.size() > 20);
+  qualities.resize(20);
+  for(const Same_quality& quality : qualities)
+  {
+    Improvement<K> t(2, options_of(2));
+    const auto result = CGAL::improve_mesh_quality(t.scene.tr, parameters::cell_quality(quality),
+                                                   parameters::min_dihedral_angle(quality.of_target == 0 ? 0. : 25.));
+    assert(result && br3_test::is_valid_mesh(t.scene.tr));
+  }
+}
+
 // An account pays until its credit is spent; what it earns lengthens that, at the rate that is asked for. More effort
 // means more credit, and a lower rate; more cells, more credit; each kind of cell has its own.
 void test_work_account()
@@ -530,4 +565,5 @@ int main()
   test_interruptions(3);
   test_function();
   test_number_of_vertices();
+  test_badness_that_stays();
 }
