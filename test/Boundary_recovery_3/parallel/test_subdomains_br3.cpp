@@ -198,8 +198,8 @@ void test_numbers()
   }
 }
 
-// The same sizes as without sub-domains, and hardly a larger share of bad cells: what walls of parts did is mended. A
-// few more are beside large triangles, which not all parts know of.
+// Hardly a larger share of bad cells than without sub-domains: what walls of parts did is mended. That is done with
+// high effort, so there are more vertices beside large triangles, and fewer edges in size.
 void test_quality()
 {
   Scene<K> one(boxes()), many(boxes());
@@ -215,7 +215,7 @@ void test_quality()
     assert(share(found, i) <= 1.1 * share(expected, i) + .0005);
   std::cout << "share of edges in size: " << expected.share_of_edges_in_size << ", in sub-domains "
             << found.share_of_edges_in_size << std::endl;
-  assert(found.share_of_edges_in_size > expected.share_of_edges_in_size - .03);
+  assert(found.share_of_edges_in_size > expected.share_of_edges_in_size - .05);
   assert(found.mean_radius_ratio > expected.mean_radius_ratio - .01);
 }
 
