@@ -86,14 +86,12 @@ public:
     m_tetrahedra.clear();
     for(const auto& f : m_star.faces())
       if(! internal::contains(f, m_to))
-      {
-        if(! m_mesh.is_positive(f[0], f[1], f[2], m_to))
-        {
-          m_vain_attempts.add(m_v);
-          return false;
-        }
         m_tetrahedra.push_back(Tetrahedron{{ f[0], f[1], f[2], m_to }});
-      }
+    if(! m_mesh.are_positive(m_tetrahedra))
+    {
+      m_vain_attempts.add(m_v);
+      return false;
+    }
     m_new_cells = &m_mesh.replace(m_star.cells(), m_tetrahedra, std::array<Vertex_handle, 1>{{ m_v }});
     return true;
   }

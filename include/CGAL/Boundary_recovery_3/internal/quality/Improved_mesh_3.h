@@ -190,6 +190,13 @@ public:
     return is_positive(point(p), point(q), point(r), point(s));
   }
 
+  template <typename TetrahedronRange>
+  bool are_positive(const TetrahedronRange& tetrahedra) const
+  {
+    return std::all_of(tetrahedra.begin(), tetrahedra.end(),
+                       [&](const Tetrahedron& t) { return is_positive(t[0], t[1], t[2], t[3]); });
+  }
+
   bool is_positive(const Point_3& p, const Point_3& q, const Point_3& r, const Point_3& s) const
   {
     return m_orientation(p, q, r, s) == POSITIVE;

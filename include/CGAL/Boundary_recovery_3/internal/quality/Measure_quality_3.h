@@ -13,11 +13,10 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/Mesh_quality_3.h>
-#include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Cell_shape_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Unit_frame_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Vertex_sizes_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/Unit_frame_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Edge_walk_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/numbers/binary_scale.h>
@@ -295,15 +294,6 @@ inline Mesh_quality_3 sum_of_qualities(const std::vector<Mesh_quality_3>& qualit
   for(const Mesh_quality_3& q : qualities)
     sum.add(q);
   return sum.quality();
-}
-
-// If there was no time for them, the result says so.
-template <typename Tr>
-void set_last_figures(Quality_improvement_result_3<Tr>& result, const std::optional<Mesh_quality_3>& figures)
-{
-  result.is_measured = bool(figures);
-  if(figures)
-    result.after = *figures;
 }
 
 } // namespace internal

@@ -22,12 +22,12 @@
 #include <CGAL/Boundary_recovery_3/internal/quality/Best_point_in_star_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Free_star_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/deepest_point.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/sure_roundness.h>
 
 #include <CGAL/Random.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -130,6 +130,33 @@ private:
   double m_gain = 0;
 };
 
+// The volume over the lengths of the edges that a cell with this dihedral angle, in radians, has at most, see
+// Volume_length_quality_3::of_angle().
+inline double largest_roundness(const double angle)
+{
+  return std::sqrt(8.) * std::sin(angle) / (3 - std::cos(angle));
+}
+
+// Cells of this volume over their edges, see Volume_length_quality_3, are sure to have the other quality, too: nothing
+// is known of qualities in general.
+template <typename Quality>
+double sure_roundness(const Quality&, const double)
+{
+  return (std::numeric_limits<double>::infinity)();
+}
+
+// None of the angles can be so small, or so large, that the quality would be less.
+inline double sure_roundness(const Dihedral_angle_quality_3& quality, const double least)
+{
+  const double sine = least * std::sin(largest_min_dihedral_angle); // the quality of this angle is 1
+  const double sine_if_obtuse = sine / quality.obtuse_factor();
+  if(! (sine < 1 && sine_if_obtuse < 1))
+    return (std::numeric_limits<double>::infinity)();
+  const double rounding = 1 + 1e-9;
+  return rounding * (std::max)(largest_roundness(std::asin(sine)),
+                               largest_roundness(CGAL_PI - std::asin(sine_if_obtuse)));
+}
+
 /*
  * The mean of the neighbors of a vertex, or a place on the way there, if the cells are rounder then: smart Laplacian
  * smoothing, as in L. A. Freitag, "On combining Laplacian and optimization-based mesh smoothing techniques", 1997.
@@ -170,10 +197,9 @@ private:
   // The vertex is the last corner of each cell.
   void set_corners(const Vertex_handle v, const Free_star_3<Mesh>& star)
   {
-    const Coordinates_3 p = Mesh::coordinates(v);
     m_corners.clear();
     for(const auto& f : star.faces())
-      m_corners.push_back({{ Mesh::coordinates(f[0]), Mesh::coordinates(f[1]), Mesh::coordinates(f[2]), p }});
+      m_corners.push_back(Mesh::corners(f, Mesh::coordinates(v)));
   }
 
   double sum_of_roundness()

@@ -37,6 +37,15 @@ constexpr double largest_possible_target = 70.53;
 
 inline bool is_possible_target(const double degrees) { return degrees >= 0 && degrees <= largest_possible_target; }
 
+// If there was no time for them, the result says so.
+template <typename Tr>
+void set_last_figures(Quality_improvement_result_3<Tr>& result, const std::optional<Mesh_quality_3>& figures)
+{
+  result.is_measured = bool(figures);
+  if(figures)
+    result.after = *figures;
+}
+
 /*
  * The work behind improve_mesh_quality(): the improvement between two measurements, the second of which also explains
  * what is still bad. If the work is stopped, there may be no time for them; if that is before the first change, the

@@ -25,6 +25,30 @@ namespace CGAL {
 namespace Boundary_recovery_3 {
 namespace internal {
 
+// Facets that are between the same two vertices, p and another one, are told by their cells at p. Returns that of the
+// one beyond the edge uv of a facet; none if that is not between the two, or the edge or the facet has to stay.
+template <typename Mesh>
+typename Mesh::Cell_handle cell_beyond_edge(const Mesh& mesh, const typename Mesh::Cell_handle at_p,
+                                            const typename Mesh::Vertex_handle p, const typename Mesh::Vertex_handle u,
+                                            const typename Mesh::Vertex_handle v)
+{
+  typedef typename Mesh::Cell_handle Cell_handle;
+  const Cell_handle at_q = at_p->neighbor(at_p->index(p));
+  const int q = at_q->index(at_p);
+  const int i = 6 - at_p->index(u) - at_p->index(v) - at_p->index(p); // the index of the third vertex of the facet
+  const int j = 6 - at_q->index(u) - at_q->index(v) - q;
+  if(mesh.domain().is_wall(at_p, i) || mesh.domain().is_wall(at_q, j))
+    return Cell_handle();
+  const Cell_handle next = at_p->neighbor(i);
+  const int k = next->index(p);
+  if(next->neighbor(k) != at_q->neighbor(j) || mesh.domain().is_wall(next, k))
+    return Cell_handle();
+  if constexpr(Mesh::Domain::has_constrained_edges)
+    if(mesh.domain().is_constrained_edge(u, v))
+      return Cell_handle();
+  return next;
+}
+
 /*
  * Multi-face removal: facets that are side by side and all between the same two vertices p and q go, and the edge pq
  * comes; the inverse of the removal of an edge. With one facet it is the 2-3 flip.
@@ -61,7 +85,7 @@ public:
     m_worst = m_mesh.least_quality(add(c, n));
     const auto f = internal::facet_vertices(c, i);
     for(int k = 0; k < 3; ++k)
-      m_open_edges.push_back(Open_edge{ f[k], f[(k + 1) % 3], c, n });
+      m_open_edges.push_back(Open_edge{ f[k], f[(k + 1) % 3], c });
     while(! m_open_edges.empty())
     {
       const Open_edge e = m_open_edges.back();
@@ -81,9 +105,8 @@ public:
   // Removes the facets. Returns false, and does nothing, if a new cell is not positively oriented.
   bool apply()
   {
-    for(const auto& t : m_tetrahedra)
-      if(! m_mesh.is_positive(t[0], t[1], t[2], t[3]))
-        return false;
+    if(! m_mesh.are_positive(m_tetrahedra))
+      return false;
     m_new_cells = &m_mesh.replace(m_cells, m_tetrahedra);
     return true;
   }
@@ -93,11 +116,11 @@ public:
 private:
   typedef typename Mesh::Tetrahedron Tetrahedron;
 
-  // An edge of a facet that goes, along which the facet is on the left, seen from p; with the cells on both sides.
+  // An edge of a facet that goes, along which the facet is on the left, seen from p; with the cell there.
   struct Open_edge
   {
     Vertex_handle u, v;
-    Cell_handle at_p, at_q;
+    Cell_handle at_p;
   };
 
   // Returns the quality of the worse one.
@@ -126,27 +149,14 @@ private:
   {
     if(static_cast<int>(m_cells.size()) >= 2 * max_number_of_facets)
       return false;
-    const int i = opposite(e.at_p, e.u, e.v, m_p), j = opposite(e.at_q, e.u, e.v, m_q);
-    if(m_mesh.domain().is_wall(e.at_p, i) || m_mesh.domain().is_wall(e.at_q, j))
+    const Cell_handle at_p = internal::cell_beyond_edge(m_mesh, e.at_p, m_p, e.u, e.v);
+    if(at_p == Cell_handle() || internal::contains(m_cells, at_p))
       return false;
-    const Cell_handle at_p = e.at_p->neighbor(i), at_q = e.at_q->neighbor(j);
-    const int k = at_p->index(m_p);
-    if(at_p->neighbor(k) != at_q || m_mesh.domain().is_wall(at_p, k) || internal::contains(m_cells, at_p))
-      return false;
-    if constexpr(Mesh::Domain::has_constrained_edges)
-      if(m_mesh.domain().is_constrained_edge(e.u, e.v))
-        return false;
     const Vertex_handle w = at_p->vertex(at_p->index(e.at_p));
-    add(at_p, at_q);
-    m_open_edges.push_back(Open_edge{ e.u, w, at_p, at_q });
-    m_open_edges.push_back(Open_edge{ w, e.v, at_p, at_q });
+    add(at_p, at_p->neighbor(at_p->index(m_p)));
+    m_open_edges.push_back(Open_edge{ e.u, w, at_p });
+    m_open_edges.push_back(Open_edge{ w, e.v, at_p });
     return true;
-  }
-
-  // The index of the vertex of a cell that is none of the others.
-  static int opposite(const Cell_handle c, const Vertex_handle u, const Vertex_handle v, const Vertex_handle w)
-  {
-    return 6 - c->index(u) - c->index(v) - c->index(w);
   }
 
   Mesh& m_mesh;

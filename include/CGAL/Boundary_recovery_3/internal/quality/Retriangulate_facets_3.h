@@ -15,6 +15,7 @@
 #include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Remove_bad_facet_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Skirt_triangulation_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 
@@ -105,17 +106,9 @@ private:
   // stay.
   bool extend(const Edge& e)
   {
-    const Cell_handle below = e.above->neighbor(e.above->index(m_above));
-    const int i = opposite(e.above, e.u, e.v, m_above), j = opposite(below, e.u, e.v, m_below);
-    if(m_mesh.domain().is_wall(e.above, i) || m_mesh.domain().is_wall(below, j))
+    const Cell_handle next = internal::cell_beyond_edge(m_mesh, e.above, m_above, e.u, e.v);
+    if(next == Cell_handle())
       return false;
-    const Cell_handle next = e.above->neighbor(i);
-    const int k = next->index(m_above);
-    if(next->neighbor(k) != below->neighbor(j) || m_mesh.domain().is_wall(next, k))
-      return false;
-    if constexpr(Mesh::Domain::has_constrained_edges)
-      if(m_mesh.domain().is_constrained_edge(e.u, e.v))
-        return false;
     m_length = (std::max)(m_length, internal::distance(Mesh::coordinates(e.u), Mesh::coordinates(e.v)));
     if(internal::contains(m_cells_above, next))
       return true;
@@ -145,12 +138,6 @@ private:
       edge = std::find_if(m_polygon.begin(), m_polygon.end(), [&](const Edge& e) { return e.u == next; });
     }
     return edge == m_polygon.begin();
-  }
-
-  // The index of the vertex of a cell that is none of the others.
-  static int opposite(const Cell_handle c, const Vertex_handle u, const Vertex_handle v, const Vertex_handle w)
-  {
-    return 6 - c->index(u) - c->index(v) - c->index(w);
   }
 
   Mesh& m_mesh;

@@ -64,15 +64,15 @@ public:
   bool grow(const std::size_t k, Cavity& cavity) const
   {
     cavity.start(m_cell, internal::centroid(internal::corners(m_cell)));
+    grow(cavity, k == 0);
     double quality;
     do
     {
-      grow(cavity, k == 0);
       if(! cavity.has_only_free_vertices_inside())
         return false;
       quality = cavity.move_point();
     }
-    while(quality < m_mesh.enough() && is_to_grow(cavity, k == 0));
+    while(quality < m_mesh.enough() && grow(cavity, k == 0));
     return quality > m_mesh.least_quality(cavity.worst_quality()) && cavity.gain() > 0 && cavity.is_in_size()
         && cavity.is_star();
   }
@@ -80,16 +80,14 @@ public:
 private:
   typedef typename Cavity::Face Face;
 
-  // Takes in the cell behind the worst face, again and again, until that is a wall, or all are good enough.
-  void grow(Cavity& cavity, const bool minds_walls) const
+  // Takes in the cell behind the worst face, again and again, until that is a wall, or all are good enough. Returns
+  // whether there was one.
+  bool grow(Cavity& cavity, const bool minds_walls) const
   {
+    const std::size_t number = cavity.cells().size();
     while(const Face* const face = worst_face(cavity, minds_walls))
       cavity.take_in(face->cell->neighbor(face->index));
-  }
-
-  bool is_to_grow(const Cavity& cavity, const bool minds_walls) const
-  {
-    return worst_face(cavity, minds_walls) != nullptr;
+    return cavity.cells().size() > number;
   }
 
   // None if there is nothing behind it, or nothing bad, or the cavity is large. If walls are not minded, the worst one

@@ -91,9 +91,8 @@ public:
   {
     m_tetrahedra.clear();
     collect_tetrahedra(0, degree() - 1);
-    for(const auto& t : m_tetrahedra)
-      if(! m_mesh.is_positive(t[0], t[1], t[2], t[3]))
-        return false;
+    if(! m_mesh.are_positive(m_tetrahedra))
+      return false;
     m_new_cells = &m_mesh.replace(m_cells, m_tetrahedra);
     return true;
   }
