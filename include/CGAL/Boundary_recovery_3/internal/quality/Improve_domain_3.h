@@ -102,6 +102,7 @@ private:
 
   // See "Tuning constants" in the manual.
   static constexpr double really_bad_angle = 12;
+  static constexpr double nearly_flat_angle = 0.1;
 
   // Of the domain, unless the context says stop.
   template <typename Function>
@@ -119,36 +120,55 @@ private:
   void improve()
   {
     m_mesh.spread_lengths([this] { return m_context.go_further_after_short_step(); });
-    m_improve.open_accounts(m_effort, m_number_of_cells);
-    m_search_locally.open_account(m_effort, m_number_of_cells);
+    open_accounts(m_effort);
     m_improve();
-    if(m_target > really_bad_angle && ! m_mesh.is_strict() && m_context.go_further() && is_any_really_bad())
-      improve_really_bad_cells();
+    if(m_target > really_bad_angle && ! m_mesh.is_strict() && m_context.go_further())
+      improve_worst_cells();
     if(m_context.go_further())
       center_vertices();
   }
 
-  void set_enough(const double degrees) { m_mesh.set_enough(m_quality.of_angle(degrees)); }
-
-  bool is_any_really_bad()
+  void open_accounts(const Improvement_effort effort)
   {
-    const std::vector<Bad_cell>& cells = m_bad_cells.worst_first();
-    return ! cells.empty() && cells.front().quality < m_quality.of_angle(really_bad_angle);
+    m_improve.open_accounts(effort, m_number_of_cells);
+    m_search_locally.open_account(effort, m_number_of_cells);
   }
 
-  void improve_really_bad_cells()
+  // The mesh is as good as its worst cell, so nearly flat ones are worth any effort. They are few.
+  void improve_worst_cells()
   {
     const std::size_t end_of_first_pass = m_mesh.time();
-    set_enough(really_bad_angle);
+    improve_cells_below(nearly_flat_angle, Improvement_effort::high);
+    improve_cells_below(really_bad_angle, m_effort);
+    if(m_mesh.time() == end_of_first_pass)
+      return;
+    measure_by_angle(m_target, end_of_first_pass);
+    m_improve();
+  }
+
+  // Only these count, in degrees.
+  void improve_cells_below(const double angle, const Improvement_effort effort)
+  {
+    measure_by_angle(angle);
+    if(m_bad_cells.worst_first().empty())
+      return;
+    open_accounts(effort);
+    m_improve.set_visits_only_changed(false);
     m_improve();
     improve_leniently();
     m_improve.set_visits_only_changed(true);
-    m_search_locally(really_bad_angle);
-    set_enough(m_target);
-    m_bad_cells.take(); // they were visited with another measure
-    for_each_cell([&](const Cell_handle c) { m_bad_cells.push(c, end_of_first_pass); });
-    m_improve();
+    m_search_locally(angle);
   }
+
+  // From now on, what is below that angle is bad. All such cells are in the list, as visited at that time.
+  void measure_by_angle(const double degrees, const std::size_t time = 0)
+  {
+    m_bad_cells.take();
+    set_enough(degrees);
+    for_each_cell([&](const Cell_handle c) { m_bad_cells.push(c, time); });
+  }
+
+  void set_enough(const double degrees) { m_mesh.set_enough(m_quality.of_angle(degrees)); }
 
   // No cell gets worse than the worst one is.
   void improve_leniently()

@@ -68,12 +68,12 @@ private:
   // See "Tuning constants" in the manual.
   static constexpr double very_bad = 0.2;
   static constexpr double half_bad = 0.5;
-  static constexpr double credit_per_cell = 10;
+  static constexpr double credit_per_cell = 5;
   static constexpr std::size_t least_number_of_cells = 1000;
   static constexpr double least_rate = 2e-4; // flat cells that become good, per quality that is asked for
   static constexpr std::size_t price_of_any_try = 10;
   static constexpr double low_factor = 0.25;
-  static constexpr double high_factor = 20;
+  static constexpr double high_factor = 40;
 
   static double factor_of(const Improvement_effort effort)
   {
