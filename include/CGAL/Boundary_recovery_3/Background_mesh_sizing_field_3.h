@@ -13,9 +13,9 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/Background_mesh_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/Mesh_interpolation_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/Unit_frame_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/graded_sizes.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/Unit_frame_3.h>
+#include <CGAL/Boundary_recovery_3/internal/sizing/Mesh_interpolation_3.h>
+#include <CGAL/Boundary_recovery_3/internal/sizing/graded_sizes.h>
 
 #include <limits>
 #include <vector>

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/internal/filling/Size_query_3.h>
+#include <CGAL/Boundary_recovery_3/internal/sizing/Size_query_3.h>
 
 #include <algorithm>
 

@@ -12,8 +12,8 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/internal/filling/Cell_shape_3.h>
 #include <CGAL/Boundary_recovery_3/internal/numbers/Double_pair.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/Cell_shape_3.h>
 
 #include <CGAL/number_utils.h>
 

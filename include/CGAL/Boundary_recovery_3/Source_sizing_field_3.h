@@ -13,8 +13,8 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/Size_source_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/Source_minimum_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/Unit_frame_3.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/Unit_frame_3.h>
+#include <CGAL/Boundary_recovery_3/internal/sizing/Source_minimum_3.h>
 
 #include <algorithm>
 #include <limits>

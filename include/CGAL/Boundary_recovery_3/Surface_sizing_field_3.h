@@ -12,8 +12,8 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/internal/filling/Cone_minimum_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/surface_sizes.h>
+#include <CGAL/Boundary_recovery_3/internal/sizing/Cone_minimum_3.h>
+#include <CGAL/Boundary_recovery_3/internal/sizing/surface_sizes.h>
 
 #include <CGAL/assertions.h>
 

@@ -14,11 +14,11 @@
 
 #include <CGAL/Boundary_recovery_3/Mesh_quality_3.h>
 #include <CGAL/Boundary_recovery_3/Quality_certificate_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/Selected_domain_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Cell_angles_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Explain_bad_cells_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Measure_quality_3.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/circumsphere.h>
 
 #include <CGAL/Named_function_parameters.h>
 

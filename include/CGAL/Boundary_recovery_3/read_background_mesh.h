@@ -13,7 +13,7 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/Background_mesh_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/Read_background_mesh_files.h>
+#include <CGAL/Boundary_recovery_3/internal/sizing/Read_background_mesh_files.h>
 
 #include <algorithm>
 #include <fstream>

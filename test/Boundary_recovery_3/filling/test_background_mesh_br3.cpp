@@ -14,10 +14,10 @@
 
 #include <CGAL/Boundary_recovery_3/Background_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/Background_mesh_sizing_field_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/Mesh_interpolation_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/Read_background_mesh_files.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/Read_numbers.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/graded_sizes.h>
+#include <CGAL/Boundary_recovery_3/internal/sizing/Mesh_interpolation_3.h>
+#include <CGAL/Boundary_recovery_3/internal/sizing/Read_background_mesh_files.h>
+#include <CGAL/Boundary_recovery_3/internal/sizing/Read_numbers.h>
+#include <CGAL/Boundary_recovery_3/internal/sizing/graded_sizes.h>
 #include <CGAL/Boundary_recovery_3/read_background_mesh.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>

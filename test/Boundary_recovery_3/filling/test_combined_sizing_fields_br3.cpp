@@ -17,7 +17,7 @@
 #include <CGAL/Boundary_recovery_3/Minimum_sizing_field_3.h>
 #include <CGAL/Boundary_recovery_3/Region_sizing_field_3.h>
 #include <CGAL/Boundary_recovery_3/Source_sizing_field_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/Size_query_3.h>
+#include <CGAL/Boundary_recovery_3/internal/sizing/Size_query_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Mesh_constant_domain_field_3.h>

@@ -6,11 +6,11 @@
 #include "random_numbers_br3.h"
 
 #include <CGAL/Boundary_constrained_mesh_triangulation_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/Forecast_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Local_vertices.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/Region_sizes_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/Vertex_sizes_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/circumsphere.h>
+#include <CGAL/Boundary_recovery_3/internal/sizing/Forecast_3.h>
+#include <CGAL/Boundary_recovery_3/internal/sizing/Region_sizes_3.h>
+#include <CGAL/Boundary_recovery_3/internal/sizing/Vertex_sizes_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/available_memory.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -9,9 +9,9 @@
 
 #include <CGAL/Boundary_constrained_mesh_triangulation_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Remove_long_edge_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/Selected_domain_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/tetrahedron_edges.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/tetrahedron_edges.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/insert_field_points.h>
 #include <CGAL/mark_domain.h>

@@ -7,7 +7,7 @@
 #include "box_soup_br3.h"
 #include "mesh_validity_br3.h"
 
-#include <CGAL/Boundary_recovery_3/internal/filling/Ordinary_scale_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Ordinary_scale_3.h>
 #include <CGAL/Boundary_recovery_3/internal/meshing/Boundary_constrained_meshing_3.h>
 #include <CGAL/Boundary_recovery_3/internal/meshing/Hold_recovered_vertices_3.h>
 #include <CGAL/Boundary_recovery_3/mesh_quality.h>

@@ -8,9 +8,9 @@
 
 #include <CGAL/Boundary_constrained_mesh_triangulation_3.h>
 #include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_visitor_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/Selected_domain_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/Unit_frame_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Improved_mesh_3.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/Unit_frame_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/bare_point.h>
 
 #include <boost/property_map/property_map.hpp>

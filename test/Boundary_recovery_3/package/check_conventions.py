@@ -33,7 +33,8 @@ FLOORS = [
     "Boundary_recovery_3/Shell_3.h",
     "util",         # ranges, hashing, bits, the context of a run
     "numbers",      # exact numbers, and floating point numbers near them
-    "mesh",         # simplices of cells, constraints, replacement of cells and its undo, regions
+    "shape",        # coordinates, circumspheres, distances, angles of tetrahedra, boxes
+    "mesh",         # simplices of cells, constraints, replacement of cells and its undo, walls and regions
     "Boundary_recovery_3/Mesh_indices_keeper_3.h",
     "Boundary_recovery_3/label_regions.h",
     "mark_domain.h",
@@ -53,7 +54,7 @@ FLOORS = [
     "recover_boundary.h",
     "Boundary_recovery_3/Background_mesh_3.h",
     "Boundary_recovery_3/Size_source_3.h",
-    "filling",      # size fields
+    "sizing",       # size fields, what is asked of them, whose size a vertex has
     "Boundary_recovery_3/Surface_sizing_field_3.h",
     "Boundary_recovery_3/Source_sizing_field_3.h",
     "Boundary_recovery_3/read_size_sources.h",
@@ -62,6 +63,7 @@ FLOORS = [
     "Boundary_recovery_3/Minimum_sizing_field_3.h",
     "Boundary_recovery_3/Bounded_sizing_field_3.h",
     "Boundary_recovery_3/Region_sizing_field_3.h",
+    "filling",      # field points [CZZ+17, Section 4.1, step 6]
     "insert_field_points.h",
     "Boundary_recovery_3/Cell_quality_3.h",
     "quality",      # angles of cells, their improvement, and what is to be said about those that stay bad

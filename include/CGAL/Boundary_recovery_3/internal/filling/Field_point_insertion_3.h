@@ -14,11 +14,11 @@
 
 #include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_result_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Fill_domain_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/Forecast_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/Ordinary_scale_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/Region_sizes_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/Wall_sizes_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Ordinary_scale_3.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/circumsphere.h>
+#include <CGAL/Boundary_recovery_3/internal/sizing/Forecast_3.h>
+#include <CGAL/Boundary_recovery_3/internal/sizing/Region_sizes_3.h>
+#include <CGAL/Boundary_recovery_3/internal/sizing/Wall_sizes_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 #include <CGAL/Boundary_recovery_3/internal/util/available_memory.h>
 

@@ -16,9 +16,9 @@
 #include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/Constrained_edge_map_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Field_point_insertion_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/Selected_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Hole_surface_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Label_hole_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Quality_improvement_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
 #include <CGAL/Boundary_recovery_3/parameters.h>

@@ -13,13 +13,13 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/Hole_remeshing_result_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/Box_hierarchy_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/Cell_shape_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/Unit_frame_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Hole_cells_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Moved_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Tetrahedra_incidences_3.h>
 #include <CGAL/Boundary_recovery_3/internal/numbers/exact_numbers.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/Box_hierarchy_3.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/Cell_shape_3.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/Unit_frame_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 
 #include <CGAL/NT_converter.h>

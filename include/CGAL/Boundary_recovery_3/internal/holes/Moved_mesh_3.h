@@ -13,8 +13,8 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/Unit_frame_3.h>
 #include <CGAL/Boundary_recovery_3/internal/input/Indexed_input_3.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/Unit_frame_3.h>
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/enum.h>

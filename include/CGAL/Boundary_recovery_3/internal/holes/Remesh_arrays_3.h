@@ -13,12 +13,12 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/Hole_remeshing_result_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/Size_query_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Hole_remeshing_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Hole_remeshing_recorder_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Moved_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/internal/input/input_conversion.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Quality_improvement_3.h>
+#include <CGAL/Boundary_recovery_3/internal/sizing/Size_query_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/visitor_of.h>
 #include <CGAL/Boundary_recovery_3/parameters.h>
 

@@ -12,14 +12,14 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/internal/filling/Cell_shape_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/Region_sizes_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Cell_replacement.h>
 #include <CGAL/Boundary_recovery_3/internal/numbers/binary_scale.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Mesh_part_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Split_part_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/partition_graph.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/Cell_shape_3.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/circumsphere.h>
+#include <CGAL/Boundary_recovery_3/internal/sizing/Region_sizes_3.h>
 
 #include <CGAL/Unique_hash_map.h>
 

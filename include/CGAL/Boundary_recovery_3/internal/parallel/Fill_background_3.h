@@ -13,7 +13,7 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/filling/Field_point_insertion_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/Size_query_3.h>
+#include <CGAL/Boundary_recovery_3/internal/sizing/Size_query_3.h>
 
 #include <algorithm>
 #include <cmath>

@@ -13,7 +13,7 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/Constrained_edge_map_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/Selected_domain_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
 
 #include <CGAL/property_map.h>
 

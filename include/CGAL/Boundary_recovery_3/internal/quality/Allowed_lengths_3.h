@@ -12,10 +12,10 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/internal/filling/Vertex_sizes_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/distances_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_indices.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/circumsphere.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/distances_3.h>
+#include <CGAL/Boundary_recovery_3/internal/sizing/Vertex_sizes_3.h>
 
 #include <CGAL/Unique_hash_map.h>
 #include <CGAL/number_utils.h>

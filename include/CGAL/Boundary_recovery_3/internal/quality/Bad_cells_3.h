@@ -12,8 +12,8 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/sort_in_space.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/circumsphere.h>
 
 #include <CGAL/Unique_hash_map.h>
 

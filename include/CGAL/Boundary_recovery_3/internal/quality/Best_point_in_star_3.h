@@ -12,11 +12,11 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/internal/filling/Cell_shape_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/distances_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Badness_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/visit_qualities.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/Cell_shape_3.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/circumsphere.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/distances_3.h>
 
 #include <algorithm>
 #include <array>

@@ -134,38 +134,37 @@ private:
     m_search_locally.open_account(effort, m_number_of_cells);
   }
 
-  // The mesh is as good as its worst cell, so nearly flat ones are worth any effort. They are few.
+  // A mesh is as good as its worst cell, so nearly flat ones are worth any effort. There are few of them.
   void improve_worst_cells()
   {
     const std::size_t end_of_first_pass = m_mesh.time();
-    improve_cells_below(nearly_flat_angle, Improvement_effort::high);
-    improve_cells_below(really_bad_angle, m_effort);
-    if(m_mesh.time() == end_of_first_pass)
-      return;
-    measure_by_angle(m_target, end_of_first_pass);
-    m_improve();
+    improve_cells_below(nearly_flat_angle, Improvement_effort::high, end_of_first_pass);
+    improve_cells_below(really_bad_angle, m_effort, end_of_first_pass);
+    if(m_mesh.time() != end_of_first_pass)
+      m_improve();
   }
 
-  // Only these count, in degrees.
-  void improve_cells_below(const double angle, const Improvement_effort effort)
+  // As if all other cells were good. Afterwards, those below the target are in the list, as visited at that time.
+  void improve_cells_below(const double angle, const Improvement_effort effort, const std::size_t time)
   {
-    measure_by_angle(angle);
-    if(m_bad_cells.worst_first().empty())
+    if(! is_any_below(angle))
       return;
     open_accounts(effort);
+    set_enough(angle);
     m_improve.set_visits_only_changed(false);
     m_improve();
     improve_leniently();
     m_improve.set_visits_only_changed(true);
     m_search_locally(angle);
+    set_enough(m_target);
+    m_bad_cells.take(); // they were visited with another measure
+    for_each_cell([&](const Cell_handle c) { m_bad_cells.push(c, time); });
   }
 
-  // From now on, what is below that angle is bad. All such cells are in the list, as visited at that time.
-  void measure_by_angle(const double degrees, const std::size_t time = 0)
+  bool is_any_below(const double angle)
   {
-    m_bad_cells.take();
-    set_enough(degrees);
-    for_each_cell([&](const Cell_handle c) { m_bad_cells.push(c, time); });
+    const std::vector<Bad_cell>& cells = m_bad_cells.worst_first();
+    return ! cells.empty() && cells.front().quality < m_quality.of_angle(angle);
   }
 
   void set_enough(const double degrees) { m_mesh.set_enough(m_quality.of_angle(degrees)); }

@@ -12,11 +12,11 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/internal/filling/Cell_shape_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/Unit_frame_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/distances_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/tetrahedron_edges.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/Cell_shape_3.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/Unit_frame_3.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/circumsphere.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/distances_3.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/tetrahedron_edges.h>
 
 #include <CGAL/Triangulation_utils_3.h>
 

@@ -14,7 +14,7 @@
 
 #include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_result_3.h>
 #include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/Ordinary_scale_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Ordinary_scale_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Cell_angles_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Explain_bad_cells_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Improve_domain_3.h>

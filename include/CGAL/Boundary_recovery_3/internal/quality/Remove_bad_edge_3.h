@@ -12,8 +12,8 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Skirt_triangulation_3.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/circumsphere.h>
 
 namespace CGAL {
 namespace Boundary_recovery_3 {

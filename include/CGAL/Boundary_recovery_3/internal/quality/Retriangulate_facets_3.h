@@ -13,10 +13,10 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Remove_bad_facet_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Skirt_triangulation_3.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 
 #include <boost/container/static_vector.hpp>

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/internal/filling/Cell_shape_3.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/Cell_shape_3.h>
 
 #include <array>
 #include <iterator>

@@ -7,13 +7,13 @@
 //
 // Author(s)     : The Boundary_recovery_3 authors
 
-#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_CIRCUMSPHERE_H
-#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_CIRCUMSPHERE_H
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SHAPE_CIRCUMSPHERE_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SHAPE_CIRCUMSPHERE_H
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/internal/filling/Unit_frame_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/distances_3.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/Unit_frame_3.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/distances_3.h>
 
 #include <algorithm>
 #include <array>
@@ -112,4 +112,4 @@ inline double volume_times_6_with(std::array<Coordinates_3, 4> p, const int i, c
 } // namespace Boundary_recovery_3
 } // namespace CGAL
 
-#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_CIRCUMSPHERE_H
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SHAPE_CIRCUMSPHERE_H

@@ -7,13 +7,13 @@
 //
 // Author(s)     : The Boundary_recovery_3 authors
 
-#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_FORECAST_3_H
-#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_FORECAST_3_H
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SIZING_FORECAST_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SIZING_FORECAST_3_H
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/tetrahedron_edges.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/circumsphere.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/tetrahedron_edges.h>
 
 #include <algorithm>
 #include <array>
@@ -138,4 +138,4 @@ private:
 } // namespace Boundary_recovery_3
 } // namespace CGAL
 
-#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_FORECAST_3_H
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SIZING_FORECAST_3_H

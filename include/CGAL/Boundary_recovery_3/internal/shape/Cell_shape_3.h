@@ -7,14 +7,14 @@
 //
 // Author(s)     : The Boundary_recovery_3 authors
 
-#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_CELL_SHAPE_3_H
-#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_CELL_SHAPE_3_H
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SHAPE_CELL_SHAPE_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SHAPE_CELL_SHAPE_3_H
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/internal/filling/Unit_frame_3.h>
 #include <CGAL/Boundary_recovery_3/internal/numbers/Double_pair.h>
 #include <CGAL/Boundary_recovery_3/internal/numbers/binary_scale.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/Unit_frame_3.h>
 
 #include <CGAL/double.h>
 
@@ -92,4 +92,4 @@ inline Cell_corners_3 scaled_corners(const Cell_corners_3& p)
 } // namespace Boundary_recovery_3
 } // namespace CGAL
 
-#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_CELL_SHAPE_3_H
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SHAPE_CELL_SHAPE_3_H

@@ -7,12 +7,12 @@
 //
 // Author(s)     : The Boundary_recovery_3 authors
 
-#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_GRADED_SIZES_H
-#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_GRADED_SIZES_H
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SIZING_GRADED_SIZES_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SIZING_GRADED_SIZES_H
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/internal/filling/Unit_frame_3.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/Unit_frame_3.h>
 
 #include <algorithm>
 #include <array>
@@ -102,4 +102,4 @@ inline void grade_sizes(const std::vector<Coordinates_3>& points,
 } // namespace Boundary_recovery_3
 } // namespace CGAL
 
-#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_GRADED_SIZES_H
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SIZING_GRADED_SIZES_H

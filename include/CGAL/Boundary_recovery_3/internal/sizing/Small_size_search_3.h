@@ -7,14 +7,14 @@
 //
 // Author(s)     : The Boundary_recovery_3 authors
 
-#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_SMALL_SIZE_SEARCH_3_H
-#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_SMALL_SIZE_SEARCH_3_H
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SIZING_SMALL_SIZE_SEARCH_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SIZING_SMALL_SIZE_SEARCH_3_H
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/internal/filling/Unit_frame_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/tetrahedron_edges.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/Unit_frame_3.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/circumsphere.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/tetrahedron_edges.h>
 
 #include <algorithm>
 #include <array>
@@ -124,4 +124,4 @@ private:
 } // namespace Boundary_recovery_3
 } // namespace CGAL
 
-#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_SMALL_SIZE_SEARCH_3_H
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SIZING_SMALL_SIZE_SEARCH_3_H

@@ -7,12 +7,12 @@
 //
 // Author(s)     : The Boundary_recovery_3 authors
 
-#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_TETRAHEDRON_EDGES_H
-#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_TETRAHEDRON_EDGES_H
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SHAPE_TETRAHEDRON_EDGES_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SHAPE_TETRAHEDRON_EDGES_H
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/circumsphere.h>
 
 #include <algorithm>
 #include <array>
@@ -86,4 +86,4 @@ inline double tetrahedron_quality(const std::array<Coordinates_3, 4>& p)
 } // namespace Boundary_recovery_3
 } // namespace CGAL
 
-#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_TETRAHEDRON_EDGES_H
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SHAPE_TETRAHEDRON_EDGES_H

@@ -7,14 +7,14 @@
 //
 // Author(s)     : The Boundary_recovery_3 authors
 
-#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_WALL_SIZES_3_H
-#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_WALL_SIZES_3_H
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SIZING_WALL_SIZES_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SIZING_WALL_SIZES_3_H
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/internal/filling/Unit_frame_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/Unit_frame_3.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/circumsphere.h>
 
 #include <CGAL/Unique_hash_map.h>
 
@@ -100,4 +100,4 @@ private:
 } // namespace Boundary_recovery_3
 } // namespace CGAL
 
-#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_WALL_SIZES_3_H
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SIZING_WALL_SIZES_3_H

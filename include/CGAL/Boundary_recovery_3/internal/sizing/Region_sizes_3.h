@@ -7,16 +7,16 @@
 //
 // Author(s)     : The Boundary_recovery_3 authors
 
-#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_REGION_SIZES_3_H
-#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_REGION_SIZES_3_H
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SIZING_REGION_SIZES_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SIZING_REGION_SIZES_3_H
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/internal/filling/Size_query_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/Unit_frame_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/Vertex_sizes_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/Wall_sizes_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/Unit_frame_3.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/circumsphere.h>
+#include <CGAL/Boundary_recovery_3/internal/sizing/Size_query_3.h>
+#include <CGAL/Boundary_recovery_3/internal/sizing/Vertex_sizes_3.h>
+#include <CGAL/Boundary_recovery_3/internal/sizing/Wall_sizes_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/bare_point.h>
 
 #include <CGAL/Unique_hash_map.h>
@@ -243,4 +243,4 @@ private:
 } // namespace Boundary_recovery_3
 } // namespace CGAL
 
-#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_REGION_SIZES_3_H
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SIZING_REGION_SIZES_3_H

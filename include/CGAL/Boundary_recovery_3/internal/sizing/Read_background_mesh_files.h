@@ -7,13 +7,13 @@
 //
 // Author(s)     : The Boundary_recovery_3 authors
 
-#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_READ_BACKGROUND_MESH_FILES_H
-#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_READ_BACKGROUND_MESH_FILES_H
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SIZING_READ_BACKGROUND_MESH_FILES_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SIZING_READ_BACKGROUND_MESH_FILES_H
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/Background_mesh_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/Read_numbers.h>
+#include <CGAL/Boundary_recovery_3/internal/sizing/Read_numbers.h>
 
 #include <array>
 #include <cstddef>
@@ -225,4 +225,4 @@ private:
 } // namespace Boundary_recovery_3
 } // namespace CGAL
 
-#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_READ_BACKGROUND_MESH_FILES_H
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SIZING_READ_BACKGROUND_MESH_FILES_H

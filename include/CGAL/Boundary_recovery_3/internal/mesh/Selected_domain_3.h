@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Boundary_recovery_3 authors
 
-#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_SELECTED_DOMAIN_3_H
-#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_SELECTED_DOMAIN_3_H
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_MESH_SELECTED_DOMAIN_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_MESH_SELECTED_DOMAIN_3_H
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
@@ -111,4 +111,4 @@ auto selected_domain(const Tr& tr, const NamedParameters& np)
 } // namespace Boundary_recovery_3
 } // namespace CGAL
 
-#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_SELECTED_DOMAIN_3_H
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_MESH_SELECTED_DOMAIN_3_H

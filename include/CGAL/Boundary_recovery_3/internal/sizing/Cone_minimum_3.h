@@ -7,13 +7,13 @@
 //
 // Author(s)     : The Boundary_recovery_3 authors
 
-#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_CONE_MINIMUM_3_H
-#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_CONE_MINIMUM_3_H
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SIZING_CONE_MINIMUM_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SIZING_CONE_MINIMUM_3_H
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/internal/filling/Box_hierarchy_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/Unit_frame_3.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/Box_hierarchy_3.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/Unit_frame_3.h>
 
 #include <algorithm>
 #include <array>
@@ -183,4 +183,4 @@ private:
 } // namespace Boundary_recovery_3
 } // namespace CGAL
 
-#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_CONE_MINIMUM_3_H
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SIZING_CONE_MINIMUM_3_H

@@ -7,15 +7,15 @@
 //
 // Author(s)     : The Boundary_recovery_3 authors
 
-#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_SURFACE_SIZES_H
-#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_SURFACE_SIZES_H
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SIZING_SURFACE_SIZES_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SIZING_SURFACE_SIZES_H
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/internal/filling/Cone_minimum_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/Unit_frame_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/Unit_frame_3.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/circumsphere.h>
+#include <CGAL/Boundary_recovery_3/internal/sizing/Cone_minimum_3.h>
 
 #include <CGAL/Unique_hash_map.h>
 
@@ -241,4 +241,4 @@ inline std::vector<Cone_minimum_3::Site> sites_of_surface(const Sized_surface_3&
 } // namespace Boundary_recovery_3
 } // namespace CGAL
 
-#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_SURFACE_SIZES_H
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SIZING_SURFACE_SIZES_H

@@ -7,15 +7,15 @@
 //
 // Author(s)     : The Boundary_recovery_3 authors
 
-#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_ORDINARY_SCALE_3_H
-#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_ORDINARY_SCALE_3_H
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_MESH_ORDINARY_SCALE_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_MESH_ORDINARY_SCALE_3_H
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/internal/filling/Unit_frame_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/forget_shape.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_indices.h>
 #include <CGAL/Boundary_recovery_3/internal/numbers/binary_scale.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/Unit_frame_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/bare_point.h>
 
 #include <algorithm>
@@ -97,4 +97,4 @@ private:
 } // namespace Boundary_recovery_3
 } // namespace CGAL
 
-#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_ORDINARY_SCALE_3_H
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_MESH_ORDINARY_SCALE_3_H

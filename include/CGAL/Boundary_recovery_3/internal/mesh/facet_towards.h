@@ -7,12 +7,12 @@
 //
 // Author(s)     : The Boundary_recovery_3 authors
 
-#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_FACET_TOWARDS_H
-#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_FACET_TOWARDS_H
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_MESH_FACET_TOWARDS_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_MESH_FACET_TOWARDS_H
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/internal/filling/circumsphere.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/circumsphere.h>
 
 #include <array>
 
@@ -50,4 +50,4 @@ int facet_towards(const Cell_handle c, const Coordinates_3& q)
 } // namespace Boundary_recovery_3
 } // namespace CGAL
 
-#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_FACET_TOWARDS_H
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_MESH_FACET_TOWARDS_H
