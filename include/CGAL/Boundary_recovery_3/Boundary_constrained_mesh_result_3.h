@@ -13,8 +13,8 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
-#include <CGAL/Boundary_recovery_3/Meshing_status.h>
 #include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
+#include <CGAL/Boundary_recovery_3/enumerations.h>
 
 #include <array>
 #include <cstddef>
@@ -24,17 +24,6 @@
 
 namespace CGAL {
 namespace Boundary_recovery_3 {
-
-/// \ingroup PkgBoundaryRecovery3Classes
-/// the phases after the recovery of the boundary, in their order, see [CZZ+17, Section 4.1].
-enum class Meshing_phase
-{
-  domain_marking,         ///< step 5: what is outside, and the regions of the domain
-  forecast,               ///< the number of cells is estimated from the size field
-  decomposition,          ///< the domain is divided into sub-domains, if these are asked for
-  field_point_insertion,  ///< step 6
-  quality_improvement     ///< step 7
-};
 
 /// \ingroup PkgBoundaryRecovery3Classes
 /// the mesh of the domain when a phase ended, and the duration of that phase; of the phase `forecast`, the mesh that is
@@ -140,21 +129,6 @@ struct Boundary_constrained_mesh_result_3
   /// returns `true` iff all is done.
   explicit operator bool() const { return status == Meshing_status::meshed; }
 };
-
-/// \ingroup PkgBoundaryRecovery3Classes
-/// returns the name of a phase, as it is spelled in the enumeration.
-inline const char* to_string(const Meshing_phase phase)
-{
-  switch(phase)
-  {
-    case Meshing_phase::domain_marking:        return "domain_marking";
-    case Meshing_phase::forecast:              return "forecast";
-    case Meshing_phase::decomposition:         return "decomposition";
-    case Meshing_phase::field_point_insertion: return "field_point_insertion";
-    case Meshing_phase::quality_improvement:   return "quality_improvement";
-  }
-  return "";
-}
 
 /// \ingroup PkgBoundaryRecovery3Classes
 /// writes a place without a size: what the field returned there, or threw.

@@ -12,6 +12,8 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <CGAL/Boundary_recovery_3/enumerations.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -20,90 +22,6 @@
 
 namespace CGAL {
 namespace Boundary_recovery_3 {
-
-/// \ingroup PkgBoundaryRecovery3Classes
-/// how far `CGAL::recover_boundary()` goes to recover a constraint.
-enum class Recovery_mode
-{
-  constrained, ///< every constraint becomes one simplex of the triangulation; Steiner points only off the constraints
-  conforming,  ///< Steiner points stay on the constraints, which become unions of simplices. A Steiner point of the
-               ///< phase `planar_edge_recovery` may be left off the constraints
-  flips_only   ///< no points: where a few edges stay lost, Steiner points are tried as a temporary means, and all is
-               ///< taken back unless every one of them can be removed again; so are points beside planes, see the phase
-               ///< `planar_edge_recovery`
-};
-
-/// \ingroup PkgBoundaryRecovery3Classes
-/// what a boundary recovery may give up for the other: time, or Steiner points. The mode `flips_only`, where no point
-/// may be left, and the constraints that are recovered are the same for all of them.
-enum class Recovery_effort
-{
-  more_time,  ///< time is given up: all is tried so that few points are needed, and few of them are left
-  more_points ///< points are given up: what needs much time for the last few of them is left out
-};
-
-/// \ingroup PkgBoundaryRecovery3Classes
-/// how a boundary recovery ended.
-enum class Recovery_status
-{
-  recovered,     ///< every constraint is in the triangulation (mode `conforming`: as a union of simplices)
-  incomplete,    ///< some constraints are missing; they are listed. In the modes with points, none could be represented
-                 ///< where it would have to be; the triangulation is as the flips left it. Of Steiner points, only
-                 ///< those are in it that are left of the phase `planar_edge_recovery`, if any
-  invalid_input, ///< the input cannot be recovered by anybody; its defects are listed. If intersections were found only
-                 ///< after flips, Steiner points of the phase `planar_edge_recovery` may be in the triangulation
-  stopped        ///< the visitor or the time limit ended the recovery early; what is missing then is listed. Of Steiner
-                 ///< points, only those are in the triangulation that are left of the phase `planar_edge_recovery`, if
-                 ///< any
-};
-
-/// \ingroup PkgBoundaryRecovery3Classes
-/// the phases of a boundary recovery, in the order in which they run first and by the names of [CZZ+17, Section 4].
-enum class Recovery_phase
-{
-  insertion,             ///< surface points that are not in the triangulation are inserted
-  search,                ///< the constraints that the triangulation lacks are searched
-  planar_edge_recovery,  ///< lost edges that cross many mesh edges in a plane, by Steiner points close to it that are
-                         ///< removed again where possible
-  plain_removal,         ///< complete removals of single shells, without recursion
-  edge_recovery_brc1,    ///< first calling of [CZZ+17, Alg. 5]: lost edges, under BRC1
-  edge_recovery_brc3,    ///< second calling of [CZZ+17, Alg. 5]: intersections of lost edges, under BRC3
-  edge_reconnection,     ///< small polyhedron reconnection of the cells around each lost edge
-  facet_recovery_brc2,   ///< first calling for facets, under BRC2
-  facet_recovery_brc4,   ///< second calling for facets, under BRC4
-  facet_reconnection,    ///< small polyhedron reconnection of the cells around each lost facet
-  conforming_edge_recovery,  ///< Steiner points on lost edges, or beside them, where many edges of no facet are lost
-  conforming_facet_recovery, ///< Steiner points on lost facets
-  steiner_splitting,     ///< Steiner points come off the constraints [CZZ+17, Alg. A.1 to A.5]
-  steiner_suppression,   ///< Steiner points are removed [CZZ+17, Section 4.3]
-  recount                ///< if any was lost, every constraint is looked up again; only this decides the status
-};
-
-/// \ingroup PkgBoundaryRecovery3Classes
-/// what can be wrong with an input.
-enum class Input_defect_kind
-{
-  empty_input,              ///< no facet and no edge was given
-  non_finite_coordinate,    ///< a vertex has a NaN or an infinite coordinate
-  index_out_of_range,       ///< a facet or edge names a vertex that does not exist
-  not_a_triangle,           ///< a face does not have three vertices
-  unknown_vertex,           ///< a vertex handle is null, infinite, or not of the triangulation; or a point is no vertex
-                            ///< of a triangulation that is not Delaunay, so it cannot be inserted
-  degenerate_facet,         ///< the vertices of a facet are collinear, or not distinct
-  degenerate_edge,          ///< both ends of a constrained edge are the same vertex
-  duplicate_facet,          ///< two facets have the same three vertices
-  coincident_vertices,      ///< two vertices of constraints are at one point
-  dimension_less_than_3,    ///< all the points are coplanar
-  intersecting_constraints, ///< two constraints intersect elsewhere than in a common vertex or edge, or a vertex is
-                            ///< on a constraint that is not its own
-  repeated_vertex,          ///< a tetrahedron of a mesh names a vertex twice
-  nonmanifold_facet,        ///< more than two tetrahedra of a mesh have the same facet
-  inconsistent_orientation, ///< two tetrahedra of a mesh are on the same side of a common facet, by the order of their
-                            ///< vertices
-  not_in_mesh,              ///< a constrained facet or edge of a mesh is none of its tetrahedra
-  inverted_region           ///< the facets that bound a region of a mesh, and have to stay, do not have it on the side
-                            ///< where its tetrahedra are by the order of their vertices
-};
 
 /// \ingroup PkgBoundaryRecovery3Classes
 /// a vertex, edge or facet of the input, in the caller's own indices.
@@ -279,71 +197,6 @@ struct Boundary_recovery_result_3
   /// returns `true` iff every constraint is in the triangulation.
   explicit operator bool() const { return status == Recovery_status::recovered; }
 };
-
-/// \ingroup PkgBoundaryRecovery3Classes
-/// returns the name of a status, as it is spelled in the enumeration.
-inline const char* to_string(const Recovery_status status)
-{
-  switch(status)
-  {
-    case Recovery_status::recovered:     return "recovered";
-    case Recovery_status::incomplete:    return "incomplete";
-    case Recovery_status::invalid_input: return "invalid_input";
-    case Recovery_status::stopped:       return "stopped";
-  }
-  return "";
-}
-
-/// \ingroup PkgBoundaryRecovery3Classes
-/// returns the name of a phase, as it is spelled in the enumeration.
-inline const char* to_string(const Recovery_phase phase)
-{
-  switch(phase)
-  {
-    case Recovery_phase::insertion:           return "insertion";
-    case Recovery_phase::search:              return "search";
-    case Recovery_phase::planar_edge_recovery: return "planar_edge_recovery";
-    case Recovery_phase::plain_removal:       return "plain_removal";
-    case Recovery_phase::edge_recovery_brc1:  return "edge_recovery_brc1";
-    case Recovery_phase::edge_recovery_brc3:  return "edge_recovery_brc3";
-    case Recovery_phase::edge_reconnection:   return "edge_reconnection";
-    case Recovery_phase::facet_recovery_brc2: return "facet_recovery_brc2";
-    case Recovery_phase::facet_recovery_brc4: return "facet_recovery_brc4";
-    case Recovery_phase::facet_reconnection:  return "facet_reconnection";
-    case Recovery_phase::conforming_edge_recovery:  return "conforming_edge_recovery";
-    case Recovery_phase::conforming_facet_recovery: return "conforming_facet_recovery";
-    case Recovery_phase::steiner_splitting:   return "steiner_splitting";
-    case Recovery_phase::steiner_suppression: return "steiner_suppression";
-    case Recovery_phase::recount:             return "recount";
-  }
-  return "";
-}
-
-/// \ingroup PkgBoundaryRecovery3Classes
-/// returns the name of a kind of defect, as it is spelled in the enumeration.
-inline const char* to_string(const Input_defect_kind kind)
-{
-  switch(kind)
-  {
-    case Input_defect_kind::empty_input:              return "empty_input";
-    case Input_defect_kind::non_finite_coordinate:    return "non_finite_coordinate";
-    case Input_defect_kind::index_out_of_range:       return "index_out_of_range";
-    case Input_defect_kind::not_a_triangle:           return "not_a_triangle";
-    case Input_defect_kind::unknown_vertex:           return "unknown_vertex";
-    case Input_defect_kind::degenerate_facet:         return "degenerate_facet";
-    case Input_defect_kind::degenerate_edge:          return "degenerate_edge";
-    case Input_defect_kind::duplicate_facet:          return "duplicate_facet";
-    case Input_defect_kind::coincident_vertices:      return "coincident_vertices";
-    case Input_defect_kind::dimension_less_than_3:    return "dimension_less_than_3";
-    case Input_defect_kind::intersecting_constraints: return "intersecting_constraints";
-    case Input_defect_kind::repeated_vertex:          return "repeated_vertex";
-    case Input_defect_kind::nonmanifold_facet:        return "nonmanifold_facet";
-    case Input_defect_kind::inconsistent_orientation: return "inconsistent_orientation";
-    case Input_defect_kind::not_in_mesh:              return "not_in_mesh";
-    case Input_defect_kind::inverted_region:          return "inverted_region";
-  }
-  return "";
-}
 
 /// \ingroup PkgBoundaryRecovery3Classes
 /// writes a simplex of the input: its kind, index, vertices and coordinates.

@@ -14,7 +14,7 @@
 
 #include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_result_3.h>
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
-#include <CGAL/Boundary_recovery_3/Meshing_status.h>
+#include <CGAL/Boundary_recovery_3/enumerations.h>
 
 #include <array>
 #include <cstddef>
@@ -23,17 +23,6 @@
 
 namespace CGAL {
 namespace Boundary_recovery_3 {
-
-/// \ingroup PkgBoundaryRecovery3Classes
-/// the phases of `CGAL::remesh_holes()`, in their order.
-enum class Hole_remeshing_phase
-{
-  selection,   ///< the input is checked, and the cells are looked for that are to be replaced
-  recovery,    ///< the boundary of each hole is recovered; holes grow until it is a valid surface
-  filling,     ///< field points are inserted
-  improvement, ///< the quality of new cells is improved
-  sewing       ///< old and new are put together, and new vertices are looked for in the old mesh
-};
 
 /// \ingroup PkgBoundaryRecovery3Classes
 /// the number of holes when a phase ended, and the duration of that phase.
@@ -178,21 +167,6 @@ struct Default_hole_remeshing_visitor_3
   /// is asked at a steady rate; once it returned `false`, the work stops soon, and the old mesh is returned.
   bool go_further() { return true; }
 };
-
-/// \ingroup PkgBoundaryRecovery3Classes
-/// returns the name of a phase, as it is spelled in the enumeration.
-inline const char* to_string(const Hole_remeshing_phase phase)
-{
-  switch(phase)
-  {
-    case Hole_remeshing_phase::selection:   return "selection";
-    case Hole_remeshing_phase::recovery:    return "recovery";
-    case Hole_remeshing_phase::filling:     return "filling";
-    case Hole_remeshing_phase::improvement: return "improvement";
-    case Hole_remeshing_phase::sewing:      return "sewing";
-  }
-  return "";
-}
 
 } // namespace Boundary_recovery_3
 

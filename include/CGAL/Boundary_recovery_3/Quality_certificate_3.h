@@ -12,6 +12,8 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <CGAL/Boundary_recovery_3/enumerations.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -22,19 +24,6 @@
 
 namespace CGAL {
 namespace Boundary_recovery_3 {
-
-/// \ingroup PkgBoundaryRecovery3Classes
-/// why a cell has a dihedral angle below the target.
-enum class Bad_cell_reason
-{
-  forced,      ///< it has such an angle between two constrained facets that meet at less than the target: there is no
-               ///< mesh with these facets that has no such cell there
-  gap,         ///< it has a constrained facet, or at least an edge of one, that is so near below another one, without a
-               ///< common edge, that no cell with all angles above the target fits in between, see `Bad_cell_3::facets`
-  needle,      ///< it has a constrained facet with a plane angle below the target, and less than twice its own smallest
-               ///< angle: only a cell as thin as that facet could do better
-  not_improved ///< none of these: there may be better cells, though they are hard to find beside a needle
-};
 
 /*!
  * \ingroup PkgBoundaryRecovery3Classes
@@ -123,20 +112,6 @@ struct Quality_certificate_3
     }));
   }
 };
-
-/// \ingroup PkgBoundaryRecovery3Classes
-/// returns the name of a reason, as it is spelled in the enumeration.
-inline const char* to_string(const Bad_cell_reason reason)
-{
-  switch(reason)
-  {
-    case Bad_cell_reason::forced:       return "forced";
-    case Bad_cell_reason::gap:          return "gap";
-    case Bad_cell_reason::needle:       return "needle";
-    case Bad_cell_reason::not_improved: return "not_improved";
-  }
-  return "";
-}
 
 /// \ingroup PkgBoundaryRecovery3Classes
 /// writes how many cells are below the target for each reason, as one line.

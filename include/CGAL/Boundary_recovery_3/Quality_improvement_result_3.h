@@ -13,24 +13,14 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/Mesh_quality_3.h>
-#include <CGAL/Boundary_recovery_3/Meshing_status.h>
 #include <CGAL/Boundary_recovery_3/Quality_certificate_3.h>
+#include <CGAL/Boundary_recovery_3/enumerations.h>
 
 #include <cstddef>
 #include <ostream>
 
 namespace CGAL {
 namespace Boundary_recovery_3 {
-
-/// \ingroup PkgBoundaryRecovery3Classes
-/// how much work the improvement of a mesh is worth. An operation is tried on bad cells of one kind as long as it makes
-/// them better at a sufficient rate; work is counted, not timed, so the mesh does not depend on the machine.
-enum class Improvement_effort
-{
-  low,    ///< what improves most for least
-  normal, ///< what pays; on most smooth surfaces, all that can be done
-  high    ///< twenty times the credit, and a twentieth of the rate: for the last bad cells
-};
 
 /// \ingroup PkgBoundaryRecovery3Classes
 /// how often `CGAL::improve_mesh_quality()` changed something, without what was undone again.

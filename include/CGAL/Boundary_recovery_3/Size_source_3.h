@@ -12,6 +12,8 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <CGAL/Boundary_recovery_3/enumerations.h>
+
 #include <array>
 #include <cmath>
 #include <limits>
@@ -69,6 +71,19 @@ public:
     triangle, ///< all points between three
     box       ///< a box with sides parallel to the axes, given by two opposite corners
   };
+
+  /// returns the name of a shape, as it is spelled in the enumeration.
+  friend const char* to_string(const Shape shape)
+  {
+    switch(shape)
+    {
+      case Shape::point:    return "point";
+      case Shape::segment:  return "segment";
+      case Shape::triangle: return "triangle";
+      case Shape::box:      return "box";
+    }
+    return "";
+  }
 
   /// makes a source of a point.
   static Size_source_3 point(const Point_3& p, const double size, const double radius, const Size_growth& growth)

@@ -16,8 +16,8 @@ SKIPPED_FOLDERS = {".git", "build", "__pycache__"}
 # public headers. Each may include what stands above it, and folders also themselves, but not in a circle.
 FLOORS = [
     "license/Boundary_recovery_3.h",
+    "Boundary_recovery_3/enumerations.h",
     "Boundary_recovery_3/Boundary_recovery_result_3.h",
-    "Boundary_recovery_3/Meshing_status.h",
     "Boundary_recovery_3/Mesh_quality_3.h",
     "Boundary_recovery_3/Quality_certificate_3.h",
     "Boundary_recovery_3/Quality_improvement_result_3.h",

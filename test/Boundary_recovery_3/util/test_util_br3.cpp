@@ -14,6 +14,8 @@
 #include "random_numbers_br3.h"
 #include "stopping_visitor_br3.h"
 
+#include <CGAL/Boundary_recovery_3/Size_source_3.h>
+#include <CGAL/Boundary_recovery_3/enumerations.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Bit_matrix.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Hash_index.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
@@ -38,12 +40,45 @@
 #include <numeric>
 #include <random>
 #include <set>
+#include <sstream>
+#include <string>
 #include <thread>
 #include <utility>
 #include <vector>
 
 namespace internal = CGAL::Boundary_recovery_3::internal;
 using br3_test::Stopping_visitor;
+
+// Their names are different words, and the only ones; what is written is the name.
+template <typename Enumeration>
+void test_names(const int number)
+{
+  std::set<std::string> names;
+  for(int i = 0; i < number; ++i)
+  {
+    std::ostringstream os;
+    os << static_cast<Enumeration>(i);
+    assert(os.str() == to_string(static_cast<Enumeration>(i)) && ! os.str().empty());
+    assert(names.insert(os.str()).second);
+  }
+  assert(std::string(to_string(static_cast<Enumeration>(number))).empty());
+}
+
+void test_enumerations()
+{
+  namespace BR3 = CGAL::Boundary_recovery_3;
+  test_names<BR3::Recovery_mode>(3);
+  test_names<BR3::Recovery_effort>(2);
+  test_names<BR3::Recovery_status>(4);
+  test_names<BR3::Recovery_phase>(15);
+  test_names<BR3::Input_defect_kind>(16);
+  test_names<BR3::Meshing_status>(6);
+  test_names<BR3::Improvement_effort>(3);
+  test_names<BR3::Meshing_phase>(5);
+  test_names<BR3::Hole_remeshing_phase>(5);
+  test_names<BR3::Bad_cell_reason>(4);
+  test_names<BR3::Size_source_3<CGAL::Simple_cartesian<double>>::Shape>(4);
+}
 
 void test_contains()
 {
@@ -371,6 +406,7 @@ void test_bare_point()
 
 int main()
 {
+  test_enumerations();
   test_bare_point();
   test_smallest_elements();
   test_examination();

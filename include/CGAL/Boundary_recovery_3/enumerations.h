@@ -1,0 +1,339 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_ENUMERATIONS_H
+#define CGAL_BOUNDARY_RECOVERY_3_ENUMERATIONS_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <ostream>
+#include <type_traits>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// how far `CGAL::recover_boundary()` goes to recover a constraint.
+enum class Recovery_mode
+{
+  constrained, ///< every constraint becomes one simplex of the triangulation; Steiner points only off the constraints
+  conforming,  ///< Steiner points stay on the constraints, which become unions of simplices. A Steiner point of the
+               ///< phase `planar_edge_recovery` may be left off the constraints
+  flips_only   ///< no points: where a few edges stay lost, Steiner points are tried as a temporary means, and all is
+               ///< taken back unless every one of them can be removed again; so are points beside planes, see the phase
+               ///< `planar_edge_recovery`
+};
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// returns the name of a mode, as it is spelled in the enumeration.
+inline const char* to_string(const Recovery_mode value)
+{
+  switch(value)
+  {
+    case Recovery_mode::constrained: return "constrained";
+    case Recovery_mode::conforming:  return "conforming";
+    case Recovery_mode::flips_only:  return "flips_only";
+  }
+  return "";
+}
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// what a boundary recovery may give up for the other: time, or Steiner points. The mode `flips_only`, where no point
+/// may be left, and the constraints that are recovered are the same for all of them.
+enum class Recovery_effort
+{
+  more_time,  ///< time is given up: all is tried so that few points are needed, and few of them are left
+  more_points ///< points are given up: what needs much time for the last few of them is left out
+};
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// returns the name of an effort, as it is spelled in the enumeration.
+inline const char* to_string(const Recovery_effort value)
+{
+  switch(value)
+  {
+    case Recovery_effort::more_time:   return "more_time";
+    case Recovery_effort::more_points: return "more_points";
+  }
+  return "";
+}
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// how a boundary recovery ended.
+enum class Recovery_status
+{
+  recovered,     ///< every constraint is in the triangulation (mode `conforming`: as a union of simplices)
+  incomplete,    ///< some constraints are missing; they are listed. In the modes with points, none could be represented
+                 ///< where it would have to be; the triangulation is as the flips left it. Of Steiner points, only
+                 ///< those are in it that are left of the phase `planar_edge_recovery`, if any
+  invalid_input, ///< the input cannot be recovered by anybody; its defects are listed. If intersections were found only
+                 ///< after flips, Steiner points of the phase `planar_edge_recovery` may be in the triangulation
+  stopped        ///< the visitor or the time limit ended the recovery early; what is missing then is listed. Of Steiner
+                 ///< points, only those are in the triangulation that are left of the phase `planar_edge_recovery`, if
+                 ///< any
+};
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// returns the name of a status, as it is spelled in the enumeration.
+inline const char* to_string(const Recovery_status status)
+{
+  switch(status)
+  {
+    case Recovery_status::recovered:     return "recovered";
+    case Recovery_status::incomplete:    return "incomplete";
+    case Recovery_status::invalid_input: return "invalid_input";
+    case Recovery_status::stopped:       return "stopped";
+  }
+  return "";
+}
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// the phases of a boundary recovery, in the order in which they run first and by the names of [CZZ+17, Section 4].
+enum class Recovery_phase
+{
+  insertion,             ///< surface points that are not in the triangulation are inserted
+  search,                ///< the constraints that the triangulation lacks are searched
+  planar_edge_recovery,  ///< lost edges that cross many mesh edges in a plane, by Steiner points close to it that are
+                         ///< removed again where possible
+  plain_removal,         ///< complete removals of single shells, without recursion
+  edge_recovery_brc1,    ///< first calling of [CZZ+17, Alg. 5]: lost edges, under BRC1
+  edge_recovery_brc3,    ///< second calling of [CZZ+17, Alg. 5]: intersections of lost edges, under BRC3
+  edge_reconnection,     ///< small polyhedron reconnection of the cells around each lost edge
+  facet_recovery_brc2,   ///< first calling for facets, under BRC2
+  facet_recovery_brc4,   ///< second calling for facets, under BRC4
+  facet_reconnection,    ///< small polyhedron reconnection of the cells around each lost facet
+  conforming_edge_recovery,  ///< Steiner points on lost edges, or beside them, where many edges of no facet are lost
+  conforming_facet_recovery, ///< Steiner points on lost facets
+  steiner_splitting,     ///< Steiner points come off the constraints [CZZ+17, Alg. A.1 to A.5]
+  steiner_suppression,   ///< Steiner points are removed [CZZ+17, Section 4.3]
+  recount                ///< if any was lost, every constraint is looked up again; only this decides the status
+};
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// returns the name of a phase, as it is spelled in the enumeration.
+inline const char* to_string(const Recovery_phase phase)
+{
+  switch(phase)
+  {
+    case Recovery_phase::insertion:           return "insertion";
+    case Recovery_phase::search:              return "search";
+    case Recovery_phase::planar_edge_recovery: return "planar_edge_recovery";
+    case Recovery_phase::plain_removal:       return "plain_removal";
+    case Recovery_phase::edge_recovery_brc1:  return "edge_recovery_brc1";
+    case Recovery_phase::edge_recovery_brc3:  return "edge_recovery_brc3";
+    case Recovery_phase::edge_reconnection:   return "edge_reconnection";
+    case Recovery_phase::facet_recovery_brc2: return "facet_recovery_brc2";
+    case Recovery_phase::facet_recovery_brc4: return "facet_recovery_brc4";
+    case Recovery_phase::facet_reconnection:  return "facet_reconnection";
+    case Recovery_phase::conforming_edge_recovery:  return "conforming_edge_recovery";
+    case Recovery_phase::conforming_facet_recovery: return "conforming_facet_recovery";
+    case Recovery_phase::steiner_splitting:   return "steiner_splitting";
+    case Recovery_phase::steiner_suppression: return "steiner_suppression";
+    case Recovery_phase::recount:             return "recount";
+  }
+  return "";
+}
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// what can be wrong with an input.
+enum class Input_defect_kind
+{
+  empty_input,              ///< no facet and no edge was given
+  non_finite_coordinate,    ///< a vertex has a NaN or an infinite coordinate
+  index_out_of_range,       ///< a facet or edge names a vertex that does not exist
+  not_a_triangle,           ///< a face does not have three vertices
+  unknown_vertex,           ///< a vertex handle is null, infinite, or not of the triangulation; or a point is no vertex
+                            ///< of a triangulation that is not Delaunay, so it cannot be inserted
+  degenerate_facet,         ///< the vertices of a facet are collinear, or not distinct
+  degenerate_edge,          ///< both ends of a constrained edge are the same vertex
+  duplicate_facet,          ///< two facets have the same three vertices
+  coincident_vertices,      ///< two vertices of constraints are at one point
+  dimension_less_than_3,    ///< all the points are coplanar
+  intersecting_constraints, ///< two constraints intersect elsewhere than in a common vertex or edge, or a vertex is
+                            ///< on a constraint that is not its own
+  repeated_vertex,          ///< a tetrahedron of a mesh names a vertex twice
+  nonmanifold_facet,        ///< more than two tetrahedra of a mesh have the same facet
+  inconsistent_orientation, ///< two tetrahedra of a mesh are on the same side of a common facet, by the order of their
+                            ///< vertices
+  not_in_mesh,              ///< a constrained facet or edge of a mesh is none of its tetrahedra
+  inverted_region           ///< the facets that bound a region of a mesh, and have to stay, do not have it on the side
+                            ///< where its tetrahedra are by the order of their vertices
+};
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// returns the name of a kind of defect, as it is spelled in the enumeration.
+inline const char* to_string(const Input_defect_kind kind)
+{
+  switch(kind)
+  {
+    case Input_defect_kind::empty_input:              return "empty_input";
+    case Input_defect_kind::non_finite_coordinate:    return "non_finite_coordinate";
+    case Input_defect_kind::index_out_of_range:       return "index_out_of_range";
+    case Input_defect_kind::not_a_triangle:           return "not_a_triangle";
+    case Input_defect_kind::unknown_vertex:           return "unknown_vertex";
+    case Input_defect_kind::degenerate_facet:         return "degenerate_facet";
+    case Input_defect_kind::degenerate_edge:          return "degenerate_edge";
+    case Input_defect_kind::duplicate_facet:          return "duplicate_facet";
+    case Input_defect_kind::coincident_vertices:      return "coincident_vertices";
+    case Input_defect_kind::dimension_less_than_3:    return "dimension_less_than_3";
+    case Input_defect_kind::intersecting_constraints: return "intersecting_constraints";
+    case Input_defect_kind::repeated_vertex:          return "repeated_vertex";
+    case Input_defect_kind::nonmanifold_facet:        return "nonmanifold_facet";
+    case Input_defect_kind::inconsistent_orientation: return "inconsistent_orientation";
+    case Input_defect_kind::not_in_mesh:              return "not_in_mesh";
+    case Input_defect_kind::inverted_region:          return "inverted_region";
+  }
+  return "";
+}
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// how `CGAL::make_boundary_constrained_mesh_3()`, or one of its steps, ended.
+enum class Meshing_status
+{
+  meshed,        ///< all that was asked for is done
+  no_region,     ///< the surface is in the triangulation, but it bounds no region: there is nothing to be meshed
+  incomplete,    ///< constraints are missing; they are listed in the result of the recovery. Nothing was meshed
+  invalid_input, ///< the surface cannot be recovered by anybody, or a size is not a positive number, or an angle not
+                 ///< possible; what is wrong is listed
+  too_large,     ///< the mesh would take more vertices, or more memory, than allowed; the forecast tells how many. No
+                 ///< field point was inserted, or if the first forecast was too low, no more than allowed
+  stopped        ///< the visitor or the time limit ended the work early, with a valid mesh
+};
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// returns the name of a status, as it is spelled in the enumeration.
+inline const char* to_string(const Meshing_status status)
+{
+  switch(status)
+  {
+    case Meshing_status::meshed:        return "meshed";
+    case Meshing_status::no_region:     return "no_region";
+    case Meshing_status::incomplete:    return "incomplete";
+    case Meshing_status::invalid_input: return "invalid_input";
+    case Meshing_status::too_large:     return "too_large";
+    case Meshing_status::stopped:       return "stopped";
+  }
+  return "";
+}
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// the phases after the recovery of the boundary, in their order, see [CZZ+17, Section 4.1].
+enum class Meshing_phase
+{
+  domain_marking,         ///< step 5: what is outside, and the regions of the domain
+  forecast,               ///< the number of cells is estimated from the size field
+  decomposition,          ///< the domain is divided into sub-domains, if these are asked for
+  field_point_insertion,  ///< step 6
+  quality_improvement     ///< step 7
+};
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// returns the name of a phase, as it is spelled in the enumeration.
+inline const char* to_string(const Meshing_phase phase)
+{
+  switch(phase)
+  {
+    case Meshing_phase::domain_marking:        return "domain_marking";
+    case Meshing_phase::forecast:              return "forecast";
+    case Meshing_phase::decomposition:         return "decomposition";
+    case Meshing_phase::field_point_insertion: return "field_point_insertion";
+    case Meshing_phase::quality_improvement:   return "quality_improvement";
+  }
+  return "";
+}
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// how much work the improvement of a mesh is worth. An operation is tried on bad cells of one kind as long as it makes
+/// them better at a sufficient rate; work is counted, not timed, so the mesh does not depend on the machine.
+enum class Improvement_effort
+{
+  low,    ///< what improves most for least
+  normal, ///< what pays; on most smooth surfaces, all that can be done
+  high    ///< forty times the credit, and a fortieth of the rate: for the last bad cells
+};
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// returns the name of an effort, as it is spelled in the enumeration.
+inline const char* to_string(const Improvement_effort value)
+{
+  switch(value)
+  {
+    case Improvement_effort::low:    return "low";
+    case Improvement_effort::normal: return "normal";
+    case Improvement_effort::high:   return "high";
+  }
+  return "";
+}
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// why a cell has a dihedral angle below the target.
+enum class Bad_cell_reason
+{
+  forced,      ///< it has such an angle between two constrained facets that meet at less than the target: there is no
+               ///< mesh with these facets that has no such cell there
+  gap,         ///< it has a constrained facet, or at least an edge of one, that is so near below another one, without a
+               ///< common edge, that no cell with all angles above the target fits in between, see `Bad_cell_3::facets`
+  needle,      ///< it has a constrained facet with a plane angle below the target, and less than twice its own smallest
+               ///< angle: only a cell as thin as that facet could do better
+  not_improved ///< none of these: there may be better cells, though they are hard to find beside a needle
+};
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// returns the name of a reason, as it is spelled in the enumeration.
+inline const char* to_string(const Bad_cell_reason reason)
+{
+  switch(reason)
+  {
+    case Bad_cell_reason::forced:       return "forced";
+    case Bad_cell_reason::gap:          return "gap";
+    case Bad_cell_reason::needle:       return "needle";
+    case Bad_cell_reason::not_improved: return "not_improved";
+  }
+  return "";
+}
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// the phases of `CGAL::remesh_holes()`, in their order.
+enum class Hole_remeshing_phase
+{
+  selection,   ///< the input is checked, and the cells are looked for that are to be replaced
+  recovery,    ///< the boundary of each hole is recovered; holes grow until it is a valid surface
+  filling,     ///< field points are inserted
+  improvement, ///< the quality of new cells is improved
+  sewing       ///< old and new are put together, and new vertices are looked for in the old mesh
+};
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// returns the name of a phase, as it is spelled in the enumeration.
+inline const char* to_string(const Hole_remeshing_phase phase)
+{
+  switch(phase)
+  {
+    case Hole_remeshing_phase::selection:   return "selection";
+    case Hole_remeshing_phase::recovery:    return "recovery";
+    case Hole_remeshing_phase::filling:     return "filling";
+    case Hole_remeshing_phase::improvement: return "improvement";
+    case Hole_remeshing_phase::sewing:      return "sewing";
+  }
+  return "";
+}
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// writes the name of a value of any enumeration of this package, as `to_string()` returns it.
+template <typename Enumeration>
+auto operator<<(std::ostream& os, const Enumeration value)
+  -> std::enable_if_t<std::is_enum<Enumeration>::value, decltype(os << to_string(value))>
+{
+  return os << to_string(value);
+}
+
+} // namespace Boundary_recovery_3
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_ENUMERATIONS_H
