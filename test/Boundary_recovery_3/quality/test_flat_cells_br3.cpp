@@ -7,10 +7,10 @@
 #include "improvement_judge_br3.h"
 
 #include <CGAL/Boundary_recovery_3/Cell_quality_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Best_point_in_star_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Free_star_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Insert_vertex_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Move_vertex_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/deepest_point.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/distances_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Random.h>

@@ -8,8 +8,6 @@
 
 #include <CGAL/Boundary_recovery_3/Cell_quality_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Flip_bad_cell_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/Remove_bad_edge_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/Remove_bad_facet_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Retriangulate_facets_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Skirt_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

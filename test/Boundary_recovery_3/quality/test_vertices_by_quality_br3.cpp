@@ -18,11 +18,8 @@
 #include <CGAL/Boundary_recovery_3/internal/quality/Free_star_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Insert_vertex_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Move_vertex_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/Places_in_star_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Places_near_cell_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/Seeds_at_cell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Star_cavity_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/Vain_attempts_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/Cell_shape_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Random.h>

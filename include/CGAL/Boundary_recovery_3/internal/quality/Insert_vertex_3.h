@@ -13,16 +13,339 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/Seeds_at_cell_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Edge_walk_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/facet_towards.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Best_point_in_star_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Cell_angles_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Free_star_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Places_near_cell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Star_cavity_3.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/Cell_shape_3.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/circumsphere.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/distances_3.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/tetrahedron_edges.h>
+#include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 
 #include <CGAL/Random.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Boundary_recovery_3 {
 namespace internal {
+
+/*
+ * The center of a bad cell. The cavity grows where the star would have its worst cell, as long as that helps; then the
+ * point is moved to where the cells are less bad; and so on in turns.
+ *
+ * Once more, without regard to what the walls of the cell get, for a nearly flat one: if that is at a wall, the center
+ * is in the plane of the wall.
+ */
+template <typename Mesh>
+class Seeds_in_cell_3
+{
+public:
+  typedef typename Mesh::Cell_handle Cell_handle;
+  typedef Star_cavity_3<Mesh>        Cavity;
+
+  static constexpr bool is_first_one_taken = true;
+
+  explicit Seeds_in_cell_3(const Mesh& mesh) : m_mesh(mesh) { }
+
+  bool is_for(Cell_handle) const { return true; }
+
+  std::size_t start(const Cell_handle c, double /* tolerated_loss */)
+  {
+    m_cell = c;
+    return m_mesh.is_nearly_flat(m_mesh.quality(c)) ? 2 : 1;
+  }
+
+  bool grow(const std::size_t k, Cavity& cavity) const
+  {
+    cavity.start(m_cell, internal::centroid(internal::corners(m_cell)));
+    grow(cavity, k == 0);
+    double quality;
+    do
+    {
+      if(! cavity.has_only_free_vertices_inside())
+        return false;
+      quality = cavity.move_point();
+    }
+    while(quality < m_mesh.enough() && grow(cavity, k == 0));
+    return quality > m_mesh.least_quality(cavity.worst_quality()) && cavity.gain() > 0 && cavity.is_in_size()
+        && cavity.is_star();
+  }
+
+private:
+  typedef typename Cavity::Face Face;
+
+  // Takes in the cell behind the worst face, again and again, until that is a wall, or all are good enough. Returns
+  // whether there was one.
+  bool grow(Cavity& cavity, const bool minds_walls) const
+  {
+    const std::size_t number = cavity.cells().size();
+    while(const Face* const face = worst_face(cavity, minds_walls))
+      cavity.take_in(face->cell->neighbor(face->index));
+    return cavity.cells().size() > number;
+  }
+
+  // None if there is nothing behind it, or nothing bad, or the cavity is large. If walls are not minded, the worst one
+  // of the other faces.
+  const Face* worst_face(const Cavity& cavity, const bool minds_walls) const
+  {
+    double worst = m_mesh.enough();
+    const Face* face = nullptr;
+    for(const Face& f : cavity.faces())
+      if(f.quality < worst && (minds_walls || ! cavity.is_wall(f)))
+      {
+        worst = f.quality;
+        face = &f;
+      }
+    return face == nullptr || cavity.is_large() || cavity.is_wall(*face) ? nullptr : face;
+  }
+
+  const Mesh& m_mesh;
+  Cell_handle m_cell;
+};
+
+/*
+ * Places near a bad cell, where the center does not help: beside a thin triangle of the surface, cells are good if they
+ * have their other vertices near its short edge, or beside its long ones, and that is far from the center of any cell
+ * there.
+ *
+ * The cavity is made of the cells on the way to the place, and grows where its star has the worst cell. Of all states
+ * on the way, the one that helps most is taken; then the point is moved to where the cells are less bad.
+ */
+template <typename Mesh>
+class Seeds_near_cell_3
+{
+public:
+  typedef typename Mesh::Cell_handle Cell_handle;
+  typedef Star_cavity_3<Mesh>        Cavity;
+
+  static constexpr bool is_first_one_taken = false;
+
+  explicit Seeds_near_cell_3(const Mesh& mesh) : m_mesh(mesh) { }
+
+  bool is_for(Cell_handle) const { return true; }
+
+  std::size_t start(const Cell_handle c, const double tolerated_loss)
+  {
+    m_cell = c;
+    m_least_gain = - tolerated_loss;
+    m_least_at_wall = m_mesh.least_quality(m_mesh.quality(c));
+    return m_places_near(internal::corners(c)).size();
+  }
+
+  bool grow(const std::size_t k, Cavity& cavity)
+  {
+    const Coordinates_3& p = m_places_near.places()[k];
+    return are_walls_good_with(p) && walk(p) && make_cavity(cavity, p);
+  }
+
+private:
+  typedef typename Cavity::Face Face;
+
+  static constexpr int max_number_of_steps = 20; // see "Tuning constants" in the manual
+
+  // The cells at the walls of the bad cell stay whatever the cavity grows to, so nothing is worth while if they are too
+  // bad.
+  bool are_walls_good_with(const Coordinates_3& p) const
+  {
+    for(int i = 0; i < 4; ++i)
+      if(m_mesh.domain().is_wall(m_cell, i)
+         && m_mesh.quality(internal::facet_vertices(m_cell, i), p) < m_least_at_wall)
+        return false;
+    return true;
+  }
+
+  // Collects the cells from the bad one to the one that the point is in, none of them twice. Returns false if there is
+  // a wall before, or it is far.
+  bool walk(const Coordinates_3& p)
+  {
+    Cell_handle c = m_cell;
+    m_way.clear();
+    for(int step = 0; step < max_number_of_steps; ++step)
+    {
+      m_way.push_back(c);
+      const int i = internal::facet_towards(c, p, [&](const int k) { return ! is_on_way(c->neighbor(k)); });
+      if(i < 0)
+        return true;
+      if(m_mesh.domain().is_wall(c, i))
+        return false;
+      c = c->neighbor(i);
+    }
+    return false;
+  }
+
+  bool is_on_way(const Cell_handle c) const { return internal::contains(m_way, c); }
+
+  // Begins with the cells of the way, and moves the point in the end. Returns false if the cells would be too bad.
+  bool make_cavity(Cavity& cavity, const Coordinates_3& p)
+  {
+    cavity.start(m_way.front(), p);
+    for(std::size_t k = 1; k < m_way.size(); ++k)
+      cavity.take_in(m_way[k]);
+    if(! grow(cavity))
+      return false;
+    const double quality = cavity.move_point();
+    return cavity.gain() > m_least_gain && quality > 0 && quality >= m_mesh.least_quality(cavity.worst_quality())
+        && cavity.has_only_free_vertices_inside() && cavity.is_in_size() && cavity.is_star();
+  }
+
+  // Grows the cavity, and goes back to where the cells are the least bad. Returns false if that is nowhere as
+  // good as it has to be.
+  bool grow(Cavity& cavity)
+  {
+    double best_gain = m_least_gain;
+    std::size_t best = 0;
+    while(true)
+    {
+      const double gain = cavity.badness() - set_worst_face(cavity);
+      const double least = m_mesh.least_quality(cavity.worst_quality());
+      if(gain > best_gain && m_worst > 0 && m_worst >= least && cavity.has_only_free_vertices_inside())
+      {
+        best_gain = gain;
+        best = cavity.cells().size();
+      }
+      if(m_face == nullptr || m_worst_at_wall < least || cavity.is_large())
+        break;
+      cavity.take_in(m_face->cell->neighbor(m_face->index));
+    }
+    if(best > 0 && best < cavity.cells().size())
+      cavity.go_back_to(best);
+    return best > 0;
+  }
+
+  // The worst new cell, and its face, if it may be gone through, or that of another one; and the worst one at a wall,
+  // which stays whatever the cavity grows to. Returns how bad all are.
+  double set_worst_face(const Cavity& cavity)
+  {
+    double badness = 0, worst = m_mesh.enough();
+    m_worst = m_worst_at_wall = worst;
+    m_face = nullptr;
+    for(const Face& f : cavity.faces())
+    {
+      badness += m_mesh.badness(f.quality);
+      m_worst = (std::min)(m_worst, f.quality);
+      if(! (f.quality < (std::max)(worst, m_worst_at_wall)))
+        continue;
+      if(cavity.is_wall(f))
+        m_worst_at_wall = (std::min)(m_worst_at_wall, f.quality);
+      else if(f.quality < worst)
+      {
+        worst = f.quality;
+        m_face = &f;
+      }
+    }
+    return badness;
+  }
+
+  const Mesh& m_mesh;
+  Cell_handle m_cell;
+  Places_near_cell_3 m_places_near;
+  std::vector<Cell_handle> m_way; // from the bad cell to the place
+  const Face* m_face = nullptr;   // of the cavity
+  double m_worst = 0;             // of the qualities of the new cells
+  double m_worst_at_wall = 0;
+  double m_least_gain = 0;
+  double m_least_at_wall = 0; // of the qualities of the cells at the walls of the bad cell
+};
+
+/*
+ * The deepest point of the visibility kernel of the shell of an edge of a nearly flat cell, at which the cell has an
+ * obtuse angle.
+ *
+ * That is the way out where the cell fills the angle of nearly 180 degrees between two walls: it stays as long as the
+ * edge opposite to theirs does, and all points of the cell are in the plane of the walls, so no cavity grows from them.
+ * The worst cell is better by far then; together, the cells may be worse than before.
+ */
+template <typename Mesh>
+class Seeds_in_shells_3
+{
+public:
+  typedef typename Mesh::Cell_handle Cell_handle;
+  typedef Star_cavity_3<Mesh>        Cavity;
+
+  static constexpr bool is_first_one_taken = true;
+
+  explicit Seeds_in_shells_3(const Mesh& mesh) : m_mesh(mesh) { }
+
+  bool is_for(const Cell_handle c) const { return ! m_mesh.is_strict() && m_mesh.is_nearly_flat(m_mesh.quality(c)); }
+
+  std::size_t start(const Cell_handle c, double /* tolerated_loss */)
+  {
+    m_cell = c;
+    const Cell_angles_3 angles(internal::corners(c));
+    m_edges.clear();
+    for(int k = 0; k < 6; ++k)
+      if(angles[k] > 90)
+        m_edges.push_back(k);
+    return m_edges.size();
+  }
+
+  bool grow(const std::size_t i, Cavity& cavity) const
+  {
+    const int* const ends = edges_of_cell[m_edges[i]];
+    const Coordinates_3 middle = internal::midpoint(Mesh::coordinates(m_cell->vertex(ends[0])),
+                                                    Mesh::coordinates(m_cell->vertex(ends[1])));
+    return take_shell(cavity, m_edges[i], middle) && find_point(cavity, middle);
+  }
+
+private:
+  typedef typename Mesh::Triangulation                Tr;
+  typedef std::array<typename Mesh::Vertex_handle, 3> Vertex_triple;
+
+  // See "Tuning constants" in the manual.
+  static constexpr double tolerated_loss = 2;
+  static constexpr double numerically_flat = 1e-9;
+
+  // Takes the shell of the edge k of the cell, with the new vertex at p. Returns false if a wall is at the edge, or the
+  // shell is too large.
+  bool take_shell(Cavity& cavity, const int k, const Coordinates_3& p) const
+  {
+    cavity.start(m_cell, p);
+    Edge_walk_3<Tr> walk(m_cell, edges_of_cell[5 - k][0], edges_of_cell[5 - k][1]);
+    while(! m_mesh.domain().is_wall(walk.cell(), walk.next_facet()))
+    {
+      ++walk;
+      if(walk.cell() == m_cell)
+        return true;
+      if(cavity.cells().size() == usual_max_number_of_cells)
+        return false;
+      cavity.take_in(walk.cell());
+    }
+    return false;
+  }
+
+  // From a point of the shell on.
+  bool find_point(Cavity& cavity, const Coordinates_3& p) const
+  {
+    if(! cavity.has_only_free_vertices_inside())
+      return false;
+    std::vector<Vertex_triple> faces;
+    for(const auto& f : cavity.faces())
+      faces.push_back(f.vertices);
+    const auto deepest = internal::deepest_point(m_mesh.triangulation(), faces, p);
+    return deepest && Mesh::is_far_better(cavity.move_point_from(*deepest), cavity.worst_quality())
+        && is_bearable(cavity) && cavity.is_star();
+  }
+
+  // Where a cell has no volume but for rounding errors, neither lengths of edges count nor the other cells.
+  static bool is_bearable(Cavity& cavity)
+  {
+    const bool is_in_size = cavity.is_in_size(); // which also finds the size of the vertex
+    return cavity.worst_quality() < numerically_flat || (is_in_size && cavity.gain() > - tolerated_loss);
+  }
+
+  const Mesh& m_mesh;
+  Cell_handle m_cell;
+  std::vector<int> m_edges; // of the cell, with obtuse angles
+};
 
 /*
  * Inserts a vertex where a bad cell is, or near it: some cells are exchanged for the star of the vertex. `Seeds` tells
