@@ -6,9 +6,9 @@
 #include "random_numbers_br3.h"
 
 #include <CGAL/Boundary_constrained_mesh_triangulation_3.h>
-#include <CGAL/Boundary_recovery_3/internal/filling/Local_vertices.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Field_point_cavity_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Field_point_insertion_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/circumsphere.h>
-#include <CGAL/Boundary_recovery_3/internal/sizing/Forecast_3.h>
 #include <CGAL/Boundary_recovery_3/internal/sizing/Region_sizes_3.h>
 #include <CGAL/Boundary_recovery_3/internal/sizing/Vertex_sizes_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/available_memory.h>

@@ -16,7 +16,6 @@
 #include <CGAL/Boundary_recovery_3/internal/shape/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/sizing/Size_query_3.h>
 #include <CGAL/Boundary_recovery_3/internal/sizing/Vertex_sizes_3.h>
-#include <CGAL/Boundary_recovery_3/internal/sizing/Wall_sizes_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/bare_point.h>
 
 #include <CGAL/Unique_hash_map.h>

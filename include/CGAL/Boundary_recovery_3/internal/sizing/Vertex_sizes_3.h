@@ -12,12 +12,19 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_indices.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/Unit_frame_3.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/circumsphere.h>
 
 #include <CGAL/Unique_hash_map.h>
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
 
 namespace CGAL {
 namespace Boundary_recovery_3 {
@@ -71,6 +78,75 @@ private:
   }
 
   Unique_hash_map<Vertex_handle, double> m_values; // for looking up only
+};
+
+/*
+ * The sizes that the walls of a domain have at their vertices, which the mesh cannot change: the length of the shortest
+ * edge of a wall there, or if the others are much longer, a part of the mean length. Else one needle would make them
+ * tiny.
+ */
+template <typename Tr>
+class Wall_sizes_3
+{
+public:
+  typedef typename Tr::Vertex_handle   Vertex_handle;
+  typedef typename Tr::Cell_handle     Cell_handle;
+
+  // The cells are those of the domain.
+  template <typename Domain>
+  Wall_sizes_3(const std::vector<Cell_handle>& cells, const Domain& domain)
+  {
+    for(const Cell_handle c : cells)
+      for(int i = 0; i < 4; ++i)
+        if(domain.is_wall(c, i))
+          add_facet(c, i);
+  }
+
+  // Of the walls, in the order in which the cells have them.
+  const std::vector<Vertex_handle>& vertices() const { return m_vertices; }
+
+  // At one of these; 0 if all edges are that short.
+  double operator[](const Vertex_handle v) const
+  {
+    const Edges& e = m_edges[v];
+    return (std::max)(e.shortest, least_part_of_mean * e.sum / e.number);
+  }
+
+private:
+  static constexpr double least_part_of_mean = 0.5; // see "Tuning constants" in the manual
+
+  // Those that facets have at a vertex: an edge of two facets counts twice, as nearly all do.
+  struct Edges
+  {
+    double number = 0;
+    double sum = 0;
+    double shortest = std::numeric_limits<double>::infinity();
+  };
+
+  void add_facet(const Cell_handle c, const int i)
+  {
+    const auto v = internal::facet_vertices(c, i);
+    for(std::size_t j = 0; j < 3; ++j)
+    {
+      const std::size_t k = (j + 1) % 3;
+      const double length = internal::distance(coordinates_of(v[j]->point()), coordinates_of(v[k]->point()));
+      add_edge(v[j], length);
+      add_edge(v[k], length);
+    }
+  }
+
+  void add_edge(const Vertex_handle v, const double length)
+  {
+    Edges& e = m_edges[v];
+    if(e.number == 0)
+      m_vertices.push_back(v);
+    e.number += 1;
+    e.sum += length;
+    e.shortest = (std::min)(e.shortest, length);
+  }
+
+  Unique_hash_map<Vertex_handle, Edges> m_edges; // for looking up only
+  std::vector<Vertex_handle> m_vertices;
 };
 
 } // namespace internal
