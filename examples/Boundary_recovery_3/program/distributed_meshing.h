@@ -8,10 +8,9 @@
 #include "task_farm.h"
 
 #include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_visitor_3.h>
-#include <CGAL/Boundary_recovery_3/internal/parallel/Join_parts_3.h>
+#include <CGAL/Boundary_recovery_3/internal/parallel/Mesh_part_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Seams_3.h>
-#include <CGAL/Boundary_recovery_3/internal/parallel/Split_part_3.h>
-#include <CGAL/Boundary_recovery_3/internal/parallel/Subdomain_round.h>
+#include <CGAL/Boundary_recovery_3/internal/parallel/Work_on_part_3.h>
 #include <CGAL/Real_timer.h>
 
 #include <boost/mpi/communicator.hpp>

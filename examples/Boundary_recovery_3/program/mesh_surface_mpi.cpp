@@ -27,9 +27,7 @@
 #include <CGAL/Boundary_recovery_3/internal/filling/Field_point_insertion_3.h>
 #include <CGAL/Boundary_recovery_3/internal/meshing/Hold_recovered_vertices_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Decomposition_3.h>
-#include <CGAL/Boundary_recovery_3/internal/parallel/Fill_background_3.h>
-#include <CGAL/Boundary_recovery_3/internal/parallel/Part_domain_3.h>
-#include <CGAL/Boundary_recovery_3/internal/parallel/Subdomain_round.h>
+#include <CGAL/Boundary_recovery_3/internal/parallel/Part_triangulation_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Work_on_part_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Real_timer.h>

@@ -8,21 +8,13 @@
 #include "mesh_validity_br3.h"
 
 #include <CGAL/Boundary_recovery_3/internal/parallel/Decomposition_3.h>
-#include <CGAL/Boundary_recovery_3/internal/parallel/Fill_background_3.h>
-#include <CGAL/Boundary_recovery_3/internal/parallel/Join_parts_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Mesh_part_3.h>
-#include <CGAL/Boundary_recovery_3/internal/parallel/Part_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Part_triangulation_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Seam_part_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Seams_3.h>
-#include <CGAL/Boundary_recovery_3/internal/parallel/Shared_vertices_3.h>
-#include <CGAL/Boundary_recovery_3/internal/parallel/Split_part_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Subdomain_meshing_3.h>
-#include <CGAL/Boundary_recovery_3/internal/parallel/Subdomain_round.h>
-#include <CGAL/Boundary_recovery_3/internal/parallel/Task_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Work_on_part_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/for_each_task.h>
-#include <CGAL/Boundary_recovery_3/internal/parallel/partition_graph.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Measure_quality_3.h>
 #include <CGAL/Boundary_recovery_3/mesh_quality.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>

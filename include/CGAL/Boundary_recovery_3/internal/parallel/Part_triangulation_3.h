@@ -12,12 +12,15 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <CGAL/Boundary_recovery_3/Constrained_edge_map_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Tetrahedra_incidences_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Mesh_part_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
 
 #include <CGAL/Unique_hash_map.h>
+#include <CGAL/property_map.h>
 
 #include <algorithm>
 #include <array>
@@ -263,6 +266,33 @@ private:
   std::vector<std::size_t> m_free_numbers;
   std::vector<Cell_handle> m_cells; // finite ones, while the triangulation is made
   std::vector<Edge> m_constrained_edges;
+};
+
+/*
+ * All cells of a triangulation that are in a region. If it is one of a part of a mesh, it has seams: walls that are on
+ * no surface, with nothing behind them.
+ */
+template <typename Tr>
+class Part_domain_3
+  : public Selected_domain_3<Tr, Static_boolean_property_map<typename Tr::Cell_handle, true>,
+                             Constrained_edge_map_3<Tr> >
+{
+  typedef Static_boolean_property_map<typename Tr::Cell_handle, true>          All_cells;
+  typedef Selected_domain_3<Tr, All_cells, Constrained_edge_map_3<Tr> >        Base;
+
+public:
+  static constexpr bool has_seams = true;
+
+  // Constrained edges are arrays of two vertex handles.
+  template <typename EdgeRange>
+  Part_domain_3(const Tr& tr, const EdgeRange& constrained_edges)
+    : Base(tr, All_cells(), Constrained_edge_map_3<Tr>(constrained_edges))
+  { }
+
+  static bool is_seam(const typename Tr::Cell_handle c, const int i)
+  {
+    return ! c->is_facet_on_surface(i) && c->neighbor(i)->subdomain_index() == typename Base::Subdomain_index();
+  }
 };
 
 } // namespace internal

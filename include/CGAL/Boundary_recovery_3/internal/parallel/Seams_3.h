@@ -13,7 +13,6 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/parallel/Seam_part_3.h>
-#include <CGAL/Boundary_recovery_3/internal/parallel/Shared_vertices_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/for_each_task.h>
 
 #include <CGAL/tags.h>

@@ -16,14 +16,9 @@
 #include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Field_point_insertion_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Decomposition_3.h>
-#include <CGAL/Boundary_recovery_3/internal/parallel/Fill_background_3.h>
-#include <CGAL/Boundary_recovery_3/internal/parallel/Join_parts_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Mesh_part_3.h>
-#include <CGAL/Boundary_recovery_3/internal/parallel/Part_domain_3.h>
+#include <CGAL/Boundary_recovery_3/internal/parallel/Part_triangulation_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Seams_3.h>
-#include <CGAL/Boundary_recovery_3/internal/parallel/Split_part_3.h>
-#include <CGAL/Boundary_recovery_3/internal/parallel/Subdomain_round.h>
-#include <CGAL/Boundary_recovery_3/internal/parallel/Task_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Work_on_part_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/for_each_task.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Explain_bad_cells_3.h>

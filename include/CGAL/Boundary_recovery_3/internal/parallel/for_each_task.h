@@ -12,6 +12,8 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_visitor_3.h>
+
 #include <CGAL/tags.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -22,6 +24,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <mutex>
 #include <numeric>
 #include <vector>
 
@@ -63,6 +66,51 @@ void for_each_task(const std::vector<std::size_t>& weights, const Work& work, co
                    [&](const std::size_t x, const std::size_t y) { return weights[x] > weights[y]; });
   internal::for_each_in_order(order, work, tag);
 }
+
+/*
+ * Stands between the tasks of several threads and the visitor, which is called by one of them at a time. It is not told
+ * of cells, since those that tasks change are not its.
+ */
+template <typename Visitor>
+class Task_visitor_3
+  : public Default_boundary_constrained_mesh_visitor_3
+{
+public:
+  explicit Task_visitor_3(Visitor& visitor) : m_visitor(visitor) { }
+
+  // From now on, progress is that of tasks with this weight, which are one of several rounds of the phase.
+  void begin(const Meshing_phase phase, const std::size_t round, const std::size_t number_of_rounds,
+             const std::size_t weight)
+  {
+    m_phase = phase;
+    m_done = round * weight;
+    m_total = number_of_rounds * weight;
+  }
+
+  void end_task(const std::size_t weight)
+  {
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    m_done += weight;
+    m_visitor.on_progress(m_phase, m_done, m_total);
+  }
+
+  // Threads that find the visitor busy go on for now.
+  bool go_further()
+  {
+    const std::unique_lock<std::mutex> lock(m_mutex, std::try_to_lock);
+    if(lock && ! m_is_stopped)
+      m_is_stopped = ! m_visitor.go_further();
+    return ! m_is_stopped;
+  }
+
+private:
+  Visitor& m_visitor;
+  std::mutex m_mutex;
+  std::atomic<bool> m_is_stopped{ false };
+  Meshing_phase m_phase = Meshing_phase::field_point_insertion;
+  std::size_t m_done = 0;
+  std::size_t m_total = 0;
+};
 
 } // namespace internal
 } // namespace Boundary_recovery_3
