@@ -25,7 +25,7 @@
 #include <CGAL/Boundary_constrained_mesh_triangulation_3.h>
 #include <CGAL/Boundary_recovery_3/Cell_quality_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Field_point_insertion_3.h>
-#include <CGAL/Boundary_recovery_3/internal/meshing/Hold_recovered_vertices_3.h>
+#include <CGAL/Boundary_recovery_3/internal/meshing/Boundary_constrained_meshing_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Decomposition_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Part_triangulation_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Work_on_part_3.h>

@@ -7,14 +7,11 @@
 #include "random_numbers_br3.h"
 
 #include <CGAL/Boundary_constrained_mesh_triangulation_3.h>
-#include <CGAL/Boundary_recovery_3/internal/holes/Constrained_sides_3.h>
-#include <CGAL/Boundary_recovery_3/internal/holes/Find_bad_cells_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Hole_cells_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Hole_surface_3.h>
-#include <CGAL/Boundary_recovery_3/internal/holes/Label_hole_3.h>
+#include <CGAL/Boundary_recovery_3/internal/holes/Hole_triangulation_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Locate_in_hole_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Moved_mesh_3.h>
-#include <CGAL/Boundary_recovery_3/internal/holes/Old_sizes_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Tetrahedra_incidences_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

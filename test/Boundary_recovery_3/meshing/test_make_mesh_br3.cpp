@@ -9,7 +9,6 @@
 
 #include <CGAL/Boundary_recovery_3/internal/mesh/Ordinary_scale_3.h>
 #include <CGAL/Boundary_recovery_3/internal/meshing/Boundary_constrained_meshing_3.h>
-#include <CGAL/Boundary_recovery_3/internal/meshing/Hold_recovered_vertices_3.h>
 #include <CGAL/Boundary_recovery_3/mesh_quality.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -6,7 +6,7 @@
 #include "mesh_validity_br3.h"
 
 #include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_visitor_3.h>
-#include <CGAL/Boundary_recovery_3/internal/meshing/Meshing_recorder_3.h>
+#include <CGAL/Boundary_recovery_3/internal/meshing/Boundary_constrained_meshing_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/make_boundary_constrained_mesh_3.h>

@@ -13,15 +13,10 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/Hole_remeshing_result_3.h>
-#include <CGAL/Boundary_recovery_3/internal/holes/Check_moved_mesh_3.h>
-#include <CGAL/Boundary_recovery_3/internal/holes/Constrained_sides_3.h>
-#include <CGAL/Boundary_recovery_3/internal/holes/Find_bad_cells_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Hole_cells_3.h>
-#include <CGAL/Boundary_recovery_3/internal/holes/Hole_defects_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Hole_surface_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Hole_triangulation_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Moved_mesh_3.h>
-#include <CGAL/Boundary_recovery_3/internal/holes/Old_sizes_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Sew_holes_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Tetrahedra_incidences_3.h>
 

@@ -17,15 +17,23 @@
 #include <CGAL/Boundary_recovery_3/Constrained_edge_map_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Field_point_insertion_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Hole_surface_3.h>
-#include <CGAL/Boundary_recovery_3/internal/holes/Label_hole_3.h>
+#include <CGAL/Boundary_recovery_3/internal/holes/Moved_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Tetrahedra_incidences_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/flood_fill.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Quality_improvement_3.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/Cell_shape_3.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/Unit_frame_3.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/distances_3.h>
+#include <CGAL/Boundary_recovery_3/internal/sizing/Cone_minimum_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
 #include <CGAL/Boundary_recovery_3/parameters.h>
 #include <CGAL/improve_mesh_quality.h>
 #include <CGAL/recover_boundary.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -34,6 +42,184 @@
 namespace CGAL {
 namespace Boundary_recovery_3 {
 namespace internal {
+
+/*
+ * Writes into a triangulation which cells are inside of a hole, and in which region: both sides of each facet of its
+ * surface are known. Where they contradict each other, the surface bounds no such hole: it is turned inside out.
+ */
+template <typename Tr>
+class Label_hole_3
+{
+public:
+  typedef typename Tr::Vertex_handle   Vertex_handle;
+  typedef typename Tr::Cell_handle     Cell_handle;
+  typedef std::array<Vertex_handle, 3> Facet;
+
+  explicit Label_hole_3(Tr& tr) : m_tr(tr) { }
+
+  // The facets are in the triangulation; `regions` has for each of them the region on its positive side, and that on
+  // the other one, 0 being outside. Returns false if they contradict each other.
+  bool operator()(const std::vector<Facet>& facets, const std::vector<std::array<int, 2> >& regions)
+  {
+    for(const Facet& f : facets)
+      m_index.insert(f);
+    std::vector<Cell_handle> seeds;
+    for(const Cell_handle c : m_tr.all_cell_handles())
+      c->set_subdomain_index(m_tr.is_infinite(c) ? 0 : int(unknown));
+    for(const Cell_handle c : m_tr.all_cell_handles())
+      if(! label_by_facets(c, facets, regions, seeds))
+        return false;
+    for(const Cell_handle c : seeds)
+      if(! spread(c))
+        return false;
+    return true;
+  }
+
+private:
+  static constexpr int unknown = -1;
+
+  // A cell is on the positive side of its facets, as `facet_vertices()` has them. Each facet is looked up once.
+  bool label_by_facets(const Cell_handle c, const std::vector<Facet>& facets,
+                       const std::vector<std::array<int, 2> >& regions, std::vector<Cell_handle>& seeds)
+  {
+    for(int i = 0; i < 4; ++i)
+    {
+      const Cell_handle n = c->neighbor(i);
+      if(n < c)
+        continue;
+      const Facet f = internal::facet_vertices(c, i);
+      const std::size_t k = m_index[f];
+      c->set_surface_patch_index(i, k == m_index.none ? 0 : 1);
+      n->set_surface_patch_index(m_tr.mirror_index(c, i), k == m_index.none ? 0 : 1);
+      if(k == m_index.none)
+        continue;
+      const int side = is_rotation(f, facets[k]) ? 0 : 1;
+      if(! label(c, regions[k][side], seeds) || ! label(n, regions[k][1 - side], seeds))
+        return false;
+    }
+    return true;
+  }
+
+  // Returns false if it has another region.
+  static bool label(const Cell_handle c, const int region, std::vector<Cell_handle>& seeds)
+  {
+    if(c->subdomain_index() != unknown && c->subdomain_index() != region)
+      return false;
+    c->set_subdomain_index(region);
+    seeds.push_back(c);
+    return true;
+  }
+
+  // Whether the order of the same three vertices is the same.
+  static bool is_rotation(const Facet& f, const Facet& g)
+  {
+    const int i = f[0] == g[0] ? 0 : f[0] == g[1] ? 1 : 2;
+    return f[1] == g[(i + 1) % 3];
+  }
+
+  // Returns false if there is a cell of another region.
+  bool spread(const Cell_handle seed)
+  {
+    const int region = seed->subdomain_index();
+    bool is_consistent = true, is_first = true;
+    const auto is_open = [](const Cell_handle c, const int i)
+    {
+      return ! c->is_facet_on_surface(i) && c->neighbor(i)->subdomain_index() != c->subdomain_index();
+    };
+    internal::flood_fill(seed, is_open, [&](const Cell_handle c)
+    {
+      is_consistent = is_consistent && (c->subdomain_index() == unknown || c->subdomain_index() == region);
+      const bool is_new = is_first || c->subdomain_index() == unknown;
+      is_first = false;
+      if(is_new)
+        c->set_subdomain_index(region);
+      return is_new;
+    });
+    return is_consistent;
+  }
+
+  Tr& m_tr;
+  Simplex_index_3<Vertex_handle, 3> m_index;
+};
+
+/*
+ * The sizes of the old mesh in a hole: at each vertex the mean length of the edges of the cells there, of those that
+ * are not bad if there are any, carried from there into space.
+ *
+ * Lengths differ from one vertex to the next, and the smallest ones would win everywhere: a mesh that is remeshed again
+ * and again would get finer and finer. Therefore all edges of these cells count, and not only those at the vertex.
+ */
+class Old_sizes_3
+{
+public:
+  // See "Tuning constants" in the manual.
+  static constexpr double grading = 0.3;
+  static constexpr double size_per_mean_length = 0.95;
+
+  // `is_bad` has an entry for each tetrahedron of the mesh, `cells` are those of the hole.
+  template <typename Point_3>
+  Old_sizes_3(const Moved_mesh_3<Point_3>& mesh, const Tetrahedra_incidences_3& incidences,
+              const std::vector<char>& is_bad, const std::vector<std::size_t>& cells)
+    : m_cones(sites(mesh, incidences, is_bad, cells), grading)
+  { }
+
+  double operator()(const Coordinates_3& p) const { return m_cones(p); }
+
+private:
+  typedef Cone_minimum_3::Site Site;
+
+  // The mean length of all edges, and that of the edges of good cells; each edge as often as there are cells at it.
+  struct Mean
+  {
+    std::array<double, 2> sums = {{ 0, 0 }};
+    std::array<std::size_t, 2> numbers = {{ 0, 0 }};
+
+    void add(const double length, const bool is_good)
+    {
+      sums[is_good] += length;
+      ++numbers[is_good];
+    }
+
+    double operator()() const
+    {
+      const std::size_t k = numbers[1] > 0 ? 1 : 0;
+      return numbers[k] > 0 ? sums[k] / static_cast<double>(numbers[k]) : 0;
+    }
+  };
+
+  template <typename Point_3>
+  static std::vector<Site> sites(const Moved_mesh_3<Point_3>& mesh, const Tetrahedra_incidences_3& incidences,
+                                 const std::vector<char>& is_bad, const std::vector<std::size_t>& cells)
+  {
+    Simplex_index_3<std::size_t, 1> known;
+    std::vector<Site> result;
+    for(const std::size_t c : cells)
+      for(const std::size_t v : mesh.tetrahedra[c])
+        if(known.insert({{ v }}).second)
+        {
+          const double length = mean_length(mesh, incidences, is_bad, v);
+          if(length > 0) // else all of its neighbors are at its place
+            result.push_back(Site{ internal::coordinates_of(mesh.points[v]), size_per_mean_length * length });
+        }
+    return result;
+  }
+
+  template <typename Point_3>
+  static double mean_length(const Moved_mesh_3<Point_3>& mesh, const Tetrahedra_incidences_3& incidences,
+                            const std::vector<char>& is_bad, const std::size_t v)
+  {
+    Mean mean;
+    for(const std::size_t c : incidences.cells(v))
+    {
+      const std::array<Coordinates_3, 4> p = mesh.corners(c);
+      for(const auto& e : edges_of_cell)
+        mean.add(std::sqrt(internal::squared_distance(p[std::size_t(e[0])], p[std::size_t(e[1])])), ! is_bad[c]);
+    }
+    return mean();
+  }
+
+  Cone_minimum_3 m_cones;
+};
 
 // Asks somebody whether to go on, and tells nothing.
 struct Hole_visitor_3

@@ -14,7 +14,9 @@
 
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
 #include <CGAL/Boundary_recovery_3/internal/input/Indexed_input_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Tetrahedra_incidences_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/Unit_frame_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/enum.h>
@@ -22,6 +24,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -79,6 +83,181 @@ struct Moved_mesh_3
   }
 
   Simplex describe_vertex(const std::size_t v) const { return describe(v, std::array<std::size_t, 1>{{ v }}); }
+};
+
+/*
+ * What of a mesh has to stay, whatever is remeshed: the facets that the caller says, those between two regions, those
+ * on the boundary of the mesh, and the edges that the caller says.
+ */
+template <typename Point_3>
+class Constrained_sides_3
+{
+public:
+  typedef Moved_mesh_3<Point_3>      Mesh;
+  typedef std::array<std::size_t, 2> Edge;
+
+  static constexpr std::size_t none = std::size_t(-1);
+
+  Constrained_sides_3(const Mesh& mesh, const Tetrahedra_incidences_3& incidences)
+    : m_mesh(mesh), m_incidences(incidences)
+  { }
+
+  // Looks up the facets and edges of the caller. Those that are not there are appended to lists of positions.
+  void find(std::vector<std::size_t>& lost_facets, std::vector<std::size_t>& lost_edges)
+  {
+    if(! m_mesh.facets.empty())
+      m_is_named.assign(4 * m_mesh.tetrahedra.size(), false);
+    for(std::size_t f = 0; f < m_mesh.facets.size(); ++f)
+    {
+      const std::size_t side = m_incidences.find(m_mesh.facets[f]);
+      if(side == none)
+        lost_facets.push_back(f);
+      else
+      {
+        name(side, f);
+        if(m_incidences.opposite(side) != none)
+          name(m_incidences.opposite(side), f);
+      }
+    }
+    for(std::size_t e = 0; e < m_mesh.edges.size(); ++e)
+      if(! m_incidences.has_edge(m_mesh.edges[e][0], m_mesh.edges[e][1]))
+        lost_edges.push_back(e);
+      else if(m_edges.insert(m_mesh.edges[e]).second)
+        m_positions_of_edges.push_back(e);
+  }
+
+  // The caller's position of a facet, or none.
+  std::size_t position(const std::size_t side) const
+  {
+    const auto it = m_position_of_side.find(side);
+    return it == m_position_of_side.end() ? none : it->second;
+  }
+
+  // Whether there is another region, or nothing, behind a facet.
+  bool bounds_region(const std::size_t side) const
+  {
+    const std::size_t opposite = m_incidences.opposite(side);
+    return opposite == none || m_mesh.regions[opposite / 4] != m_mesh.regions[side / 4];
+  }
+
+  bool is_constrained(const std::size_t side) const { return bounds_region(side) || is_named(side); }
+
+  bool has_edges() const { return ! m_mesh.edges.empty(); }
+
+  bool is_constrained_edge(const Edge& edge) const { return m_edges[edge] != m_edges.none; }
+
+  // The caller's position of a constrained edge.
+  std::size_t position(const Edge& edge) const { return m_positions_of_edges[m_edges[edge]]; }
+
+  // Whether something that has to stay has this vertex.
+  bool is_constrained_vertex(const std::size_t v) const
+  {
+    for(const std::size_t c : m_incidences.cells(v))
+      for(std::size_t i = 0; i < 4; ++i)
+      {
+        const std::size_t u = m_mesh.tetrahedra[c][i];
+        if(u != v && (is_constrained(4 * c + i) || (has_edges() && is_constrained_edge({{ u, v }}))))
+          return true;
+      }
+    return false;
+  }
+
+private:
+  // The first position counts.
+  void name(const std::size_t side, const std::size_t f)
+  {
+    m_is_named[side] = true;
+    m_position_of_side.emplace(side, f);
+  }
+
+  bool is_named(const std::size_t side) const { return ! m_is_named.empty() && m_is_named[side]; }
+
+  const Mesh& m_mesh;
+  const Tetrahedra_incidences_3& m_incidences;
+  std::vector<bool> m_is_named; // of all sides, as most are not; empty if none is
+  std::unordered_map<std::size_t, std::size_t> m_position_of_side; // for looking up only
+  Simplex_index_3<std::size_t, 2> m_edges;
+  std::vector<std::size_t> m_positions_of_edges;
+};
+
+/*
+ * What can be wrong with a mesh that is given by arrays, but for its geometry: the first function has to be satisfied
+ * before incidences can be looked for.
+ */
+template <typename Point_3>
+class Check_moved_mesh_3
+{
+public:
+  typedef Moved_mesh_3<Point_3>   Mesh;
+  typedef Input_defect_3<Point_3> Defect;
+
+  explicit Check_moved_mesh_3(const Mesh& mesh) : m_mesh(mesh) { }
+
+  // Coordinates, and names of vertices.
+  bool check_vertices()
+  {
+    for(std::size_t v = 0; v < m_mesh.points.size(); ++v)
+      if(! has_finite_coordinates(m_mesh.points[v]))
+        report(Input_defect_kind::non_finite_coordinate, m_mesh.describe_vertex(v));
+    check_indices(m_mesh.tetrahedra, Input_defect_kind::repeated_vertex);
+    check_indices(m_mesh.facets, Input_defect_kind::degenerate_facet);
+    check_indices(m_mesh.edges, Input_defect_kind::degenerate_edge);
+    return m_defects.empty();
+  }
+
+  bool check_incidences(const Tetrahedra_incidences_3& incidences)
+  {
+    report(Input_defect_kind::nonmanifold_facet, incidences.nonmanifold_facets());
+    report(Input_defect_kind::inconsistent_orientation, incidences.inconsistent_facets());
+    return m_defects.empty();
+  }
+
+  bool find_constraints(Constrained_sides_3<Point_3>& constraints)
+  {
+    std::vector<std::size_t> facets, edges;
+    constraints.find(facets, edges);
+    for(const std::size_t f : facets)
+      report(Input_defect_kind::not_in_mesh, m_mesh.describe(f, m_mesh.facets[f]));
+    for(const std::size_t e : edges)
+      report(Input_defect_kind::not_in_mesh, m_mesh.describe(e, m_mesh.edges[e]));
+    return m_defects.empty();
+  }
+
+  std::vector<Defect>& defects() { return m_defects; }
+
+private:
+  template <typename Simplex>
+  void check_indices(const std::vector<Simplex>& simplices, const Input_defect_kind repeated)
+  {
+    for(std::size_t i = 0; i < simplices.size(); ++i)
+    {
+      Simplex s = simplices[i];
+      std::sort(s.begin(), s.end());
+      if(s.back() >= m_mesh.points.size())
+        report(Input_defect_kind::index_out_of_range, m_mesh.describe(i, simplices[i]));
+      else if(std::adjacent_find(s.begin(), s.end()) != s.end())
+        report(repeated, m_mesh.describe(i, simplices[i]));
+    }
+  }
+
+  void report(const Input_defect_kind kind, const typename Mesh::Simplex& simplex)
+  {
+    m_defects.push_back(Defect{ kind, { simplex } });
+  }
+
+  // Each with the two tetrahedra.
+  void report(const Input_defect_kind kind, const std::vector<Tetrahedra_incidences_3::Side_pair>& facets)
+  {
+    const auto describe = [&](const std::size_t side)
+    {
+      return m_mesh.describe(side / 4, m_mesh.tetrahedra[side / 4]);
+    };
+    for(const auto& sides : facets)
+      m_defects.push_back(Defect{ kind, { describe(sides.first), describe(sides.second) } });
+  }
+
+  const Mesh& m_mesh;
+  std::vector<Defect> m_defects;
 };
 
 } // namespace internal

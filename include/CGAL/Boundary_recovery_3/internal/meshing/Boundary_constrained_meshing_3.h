@@ -14,11 +14,10 @@
 
 #include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_result_3.h>
 #include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_visitor_3.h>
+#include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
 #include <CGAL/Boundary_recovery_3/Constrained_edge_map_3.h>
 #include <CGAL/Boundary_recovery_3/Surface_sizing_field_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mark_domain_3.h>
-#include <CGAL/Boundary_recovery_3/internal/meshing/Hold_recovered_vertices_3.h>
-#include <CGAL/Boundary_recovery_3/internal/meshing/Meshing_recorder_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Subdomain_meshing_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/visitor_of.h>
@@ -27,7 +26,10 @@
 #include <CGAL/mark_domain.h>
 #include <CGAL/recover_boundary.h>
 
+#include <CGAL/Unique_hash_map.h>
+
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -37,6 +39,129 @@
 namespace CGAL {
 namespace Boundary_recovery_3 {
 namespace internal {
+
+/*
+ * Stands between the steps of the mesher and the caller's visitor: it collects what phases report, asks whether to go
+ * on only until the answer is no, and knows the time that is left for all steps together.
+ */
+template <typename Visitor>
+class Meshing_recorder_3
+{
+public:
+  // `maximum_running_time` is in seconds, from now on.
+  Meshing_recorder_3(Visitor& visitor, std::vector<Meshing_phase_report>& reports, const double maximum_running_time)
+    : m_visitor(visitor), m_reports(reports), m_start(Clock::now()), m_maximum_running_time(maximum_running_time)
+  { }
+
+  void on_phase_begin(const Recovery_phase phase) { m_visitor.on_phase_begin(phase); }
+
+  void on_phase_begin(const Meshing_phase phase) { m_visitor.on_phase_begin(phase); }
+
+  void on_phase_end(const Phase_report& report) { m_visitor.on_phase_end(report); }
+
+  void on_phase_end(const Meshing_phase_report& report)
+  {
+    m_reports.push_back(report);
+    m_visitor.on_phase_end(report);
+  }
+
+  template <typename Phase>
+  void on_progress(const Phase phase, const std::size_t done, const std::size_t total)
+  {
+    m_visitor.on_progress(phase, done, total);
+  }
+
+  bool go_further()
+  {
+    m_is_stopped = m_is_stopped || ! m_visitor.go_further();
+    return ! m_is_stopped;
+  }
+
+  template <typename CellRange>
+  void before_cells_removal(const CellRange& cells) { m_visitor.before_cells_removal(cells); }
+
+  template <typename CellRange>
+  void after_cells_creation(const CellRange& cells) { m_visitor.after_cells_creation(cells); }
+
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - m_start).count(); }
+
+  // May be negative.
+  double seconds_left() const { return m_maximum_running_time - seconds(); }
+
+  // Whether neither the visitor nor the time limit ends the work.
+  bool can_go_further() { return seconds_left() > 0 && go_further(); }
+
+private:
+  typedef std::chrono::steady_clock Clock;
+
+  Visitor& m_visitor;
+  std::vector<Meshing_phase_report>& m_reports;
+  Clock::time_point m_start;
+  double m_maximum_running_time;
+  bool m_is_stopped = false;
+};
+
+/*
+ * Keeps the vertices that the result of the recovery names true while the mesh is improved: those of the input stay
+ * where they are, for which those that no facet has are corners in the meantime. Steiner points may move and go; then
+ * they are no longer named.
+ */
+template <typename Tr>
+class Hold_recovered_vertices_3
+{
+public:
+  typedef typename Tr::Vertex_handle     Vertex_handle;
+  typedef typename Tr::Point             Point;
+  typedef Boundary_recovery_result_3<Tr> Recovery;
+
+  Hold_recovered_vertices_3(const Tr& tr, Recovery& recovery)
+    : m_tr(tr), m_recovery(recovery)
+  {
+    for(const Vertex_handle v : recovery.vertices)
+      if(v->in_dimension() == 3)
+      {
+        v->set_dimension(0);
+        m_corners.push_back(v);
+      }
+    for(const Vertex_handle v : recovery.steiner_vertices)
+      m_places.push_back(v->point());
+  }
+
+  Hold_recovered_vertices_3(const Hold_recovered_vertices_3&) = delete;
+  Hold_recovered_vertices_3& operator=(const Hold_recovered_vertices_3&) = delete;
+
+  ~Hold_recovered_vertices_3()
+  {
+    for(const Vertex_handle v : m_corners)
+      v->set_dimension(3);
+  }
+
+  // A new vertex may have got the handle of one that went, but hardly its place, and then it is as good.
+  void forget_lost_steiner_vertices()
+  {
+    std::vector<Vertex_handle>& vertices = m_recovery.steiner_vertices;
+    if(vertices.empty())
+      return;
+    Unique_hash_map<Vertex_handle, std::size_t> position; // for looking up only
+    for(std::size_t i = 0; i < vertices.size(); ++i)
+      position[vertices[i]] = i;
+    std::vector<char> is_there(vertices.size(), false);
+    for(const Vertex_handle v : m_tr.finite_vertex_handles())
+      if(position.is_defined(v))
+        is_there[position[v]] = v->point() == m_places[position[v]];
+    std::size_t number = 0;
+    for(std::size_t i = 0; i < vertices.size(); ++i)
+      if(is_there[i])
+        vertices[number++] = vertices[i];
+    vertices.resize(number);
+  }
+
+private:
+  const Tr& m_tr;
+  Recovery& m_recovery;
+  std::vector<Vertex_handle> m_corners;
+  std::vector<Point> m_places; // of the Steiner points
+};
 
 // In the place of a size field: the sizes come from the surface.
 struct Sizes_from_surface { };
