@@ -15,8 +15,7 @@
 #include "reference_geometry_br3.h"
 #include "tetrahedralizations_br3.h"
 
-#include <CGAL/Boundary_recovery_3/internal/cavity/Free_edges_3.h>
-#include <CGAL/Boundary_recovery_3/internal/cavity/Free_faces_3.h>
+#include <CGAL/Boundary_recovery_3/internal/cavity/Free_simplices_3.h>
 #include <CGAL/Boundary_recovery_3/internal/cavity/Polyhedron_obstacles_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/util/bits.h>

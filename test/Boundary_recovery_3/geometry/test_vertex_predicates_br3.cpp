@@ -18,7 +18,6 @@
 #include <CGAL/Boundary_recovery_3/internal/geometry/Exact_positions_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Orientation_table_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
-#include <CGAL/Boundary_recovery_3/internal/numbers/Homogeneous_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/bits.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -21,7 +21,6 @@
 #include <CGAL/Boundary_recovery_3/Shell_quality_3.h>
 #include <CGAL/Boundary_recovery_3/Shell_validity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
-#include <CGAL/Boundary_recovery_3/internal/lost/Cavity_recovery_3.h>
 #include <CGAL/Boundary_recovery_3/internal/lost/Constraint_recovery_3.h>
 #include <CGAL/Boundary_recovery_3/internal/lost/Recovery_by_flips_3.h>
 #include <CGAL/Boundary_recovery_3/internal/lost/Recovery_state_3.h>

@@ -14,7 +14,6 @@
 #include "random_triangulations_br3.h"
 
 #include <CGAL/Boundary_recovery_3/internal/lost/Constraint_search_3.h>
-#include <CGAL/Boundary_recovery_3/internal/lost/Constraint_star_search_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Delaunay_triangulation_3.h>

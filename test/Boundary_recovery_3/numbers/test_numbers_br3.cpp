@@ -15,7 +15,6 @@
 #include <CGAL/Boundary_recovery_3/internal/numbers/Double_pair.h>
 #include <CGAL/Boundary_recovery_3/internal/numbers/binary_scale.h>
 #include <CGAL/Boundary_recovery_3/internal/numbers/exact_numbers.h>
-#include <CGAL/Boundary_recovery_3/internal/numbers/nearest_integer.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Fraction_traits.h>
 

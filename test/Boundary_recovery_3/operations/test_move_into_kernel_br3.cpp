@@ -21,7 +21,7 @@
 #include <CGAL/Boundary_recovery_3/internal/geometry/Visibility_kernel_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/exact_point_on_ray.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/representable_point_in_kernel.h>
-#include <CGAL/Boundary_recovery_3/internal/numbers/nearest_integer.h>
+#include <CGAL/Boundary_recovery_3/internal/numbers/exact_numbers.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/Move_into_kernel_3.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -18,7 +18,6 @@
 #include "random_places_br3.h"
 
 #include <CGAL/Boundary_recovery_3/internal/cavity/Cavity_3.h>
-#include <CGAL/Boundary_recovery_3/internal/cavity/grow_cavity.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_editor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/constraint_queries.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_validity.h>

@@ -7,7 +7,7 @@
 #include <CGAL/Boundary_recovery_3/Shell_3.h>
 #include <CGAL/Boundary_recovery_3/Shell_quality_3.h>
 #include <CGAL/Boundary_recovery_3/Shell_validity_3.h>
-#include <CGAL/Boundary_recovery_3/internal/lost/Intersection_table_3.h>
+#include <CGAL/Boundary_recovery_3/internal/lost/Recursive_recovery_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shell/Covering_mesh_search_3.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>

@@ -13,8 +13,7 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/cavity/Face_matching.h>
-#include <CGAL/Boundary_recovery_3/internal/cavity/Free_edges_3.h>
-#include <CGAL/Boundary_recovery_3/internal/cavity/Free_faces_3.h>
+#include <CGAL/Boundary_recovery_3/internal/cavity/Free_simplices_3.h>
 #include <CGAL/Boundary_recovery_3/internal/cavity/Polyhedron_obstacles_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>

@@ -16,10 +16,10 @@
 #include <CGAL/Boundary_recovery_3/internal/cavity/Cavity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/cavity/Face_matching.h>
 #include <CGAL/Boundary_recovery_3/internal/cavity/Tetrahedralization_search.h>
-#include <CGAL/Boundary_recovery_3/internal/cavity/spanned_cavity.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/constraint_queries.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 
 #include <CGAL/Bbox_3.h>
@@ -34,6 +34,63 @@
 namespace CGAL {
 namespace Boundary_recovery_3 {
 namespace internal {
+
+/*
+ * Cavities that contain the cells of the mesh that their vertices span: those behind faces of the cavity that have no
+ * other vertices, as long as there are such. What is behind a constrained face has nothing to do with what is in front
+ * of it, so the cavity does not grow through these, nor through the hull.
+ */
+
+// Adds the cells that the vertices span behind those from the given one on.
+template <typename Cavity>
+void add_spanned_cells(Cavity& cavity, const std::size_t first_new = 0)
+{
+  for(std::size_t k = first_new; k < cavity.cells().size(); ++k) // it grows
+    for(int i = 0; i < 4; ++i)
+    {
+      const auto c = cavity.cells()[k];
+      const auto n = c->neighbor(i);
+      if(! cavity.contains(n) && cavity.contains(n->vertex(n->index(c))) && ! cavity.is_closed(c, i))
+        cavity.add(n);
+    }
+}
+
+// Adds a vertex that is behind a face, with all the cells that it brings.
+template <typename Cavity>
+void add_spanning_vertex(Cavity& cavity, const typename Cavity::Vertex_handle x)
+{
+  std::vector<typename Cavity::Cell_handle> cells;
+  for(const auto& f : cavity.boundary())
+    if(f.vertex_behind == x)
+      cells.push_back(f.cell_behind);
+  const std::size_t before = cavity.cells().size();
+  for(const auto c : cells)
+    cavity.add(c);
+  internal::add_spanned_cells(cavity, before);
+}
+
+// The vertices behind faces that are not closed, those behind the largest number of such faces first.
+template <typename Cavity>
+typename Cavity::Vertices vertices_behind(Cavity& cavity)
+{
+  typedef typename Cavity::Vertex_handle Vertex_handle;
+  Simplex_index_3<Vertex_handle, 1> known;
+  std::vector<std::pair<std::size_t, Vertex_handle> > counts;
+  for(const auto& f : cavity.boundary())
+  {
+    if(f.vertex_behind == Vertex_handle())
+      continue;
+    const auto inserted = known.insert({{ f.vertex_behind }});
+    if(inserted.second)
+      counts.push_back({ 0, f.vertex_behind });
+    ++counts[inserted.first].first;
+  }
+  std::stable_sort(counts.begin(), counts.end(), [](const auto& x, const auto& y) { return x.first > y.first; });
+  typename Cavity::Vertices result;
+  for(const auto& c : counts)
+    result.push_back(c.second);
+  return result;
+}
 
 /*
  * Reconnection of a cavity around a Steiner point without this point; the cavity grows until that succeeds.

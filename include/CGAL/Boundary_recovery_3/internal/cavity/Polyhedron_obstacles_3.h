@@ -14,7 +14,6 @@
 
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
-#include <CGAL/Boundary_recovery_3/internal/util/Bit_matrix.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/bits.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>

@@ -13,11 +13,10 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/input/Indexed_input_3.h>
-#include <CGAL/Boundary_recovery_3/internal/input/box_search.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
-#include <CGAL/Boundary_recovery_3/internal/util/Smallest_elements.h>
 
 #include <CGAL/Bbox_3.h>
+#include <CGAL/box_intersection_d.h>
 #include <CGAL/enum.h>
 #include <CGAL/intersections.h>
 
@@ -27,6 +26,7 @@
 #include <array>
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -36,6 +36,113 @@
 namespace CGAL {
 namespace Boundary_recovery_3 {
 namespace internal {
+
+/*
+ * Keeps the smallest of the elements that are inserted, a bounded number of them, whatever their order. Never stores
+ * more than twice that number, so that the time is constant for each on average.
+ */
+template <typename T>
+class Smallest_elements
+{
+public:
+  explicit Smallest_elements(const std::size_t max_number) : m_max_number(max_number) { }
+
+  // Whether x may be among the smallest: if not, whoever has trouble to find out whether it is to be inserted need not.
+  bool is_wanted(const T& x) const { return ! m_bound || x < *m_bound; }
+
+  void insert(const T& x)
+  {
+    ++m_number_of_insertions;
+    m_elements.push_back(x);
+    if(m_elements.size() / 2 >= m_max_number) // a bound on the number may be the largest number there is
+      discard();
+  }
+
+  // Counts those that were not kept, too.
+  std::size_t number_of_insertions() const { return m_number_of_insertions; }
+
+  // The elements that are kept, in increasing order.
+  std::vector<T> sorted() const
+  {
+    std::vector<T> result = m_elements;
+    std::sort(result.begin(), result.end());
+    if(result.size() > m_max_number)
+      result.resize(m_max_number);
+    return result;
+  }
+
+private:
+  void discard()
+  {
+    if(m_elements.size() <= m_max_number)
+      return;
+    const auto first_to_discard = m_elements.begin() + m_max_number;
+    std::nth_element(m_elements.begin(), first_to_discard, m_elements.end());
+    m_bound = *first_to_discard;
+    m_elements.erase(first_to_discard, m_elements.end());
+  }
+
+  const std::size_t m_max_number;
+  std::vector<T> m_elements;
+  std::optional<T> m_bound; // the smallest that was discarded
+  std::size_t m_number_of_insertions = 0;
+};
+
+// A box with the number of what is in it. CGAL's own boxes number themselves by their address or by a global counter.
+// All the boxes of one search have to have different numbers, also where two ranges are searched.
+class Numbered_box_3
+  : public Box_intersection_d::Box_d<double, 3, Box_intersection_d::ID_NONE>
+{
+  typedef Box_intersection_d::Box_d<double, 3, Box_intersection_d::ID_NONE> Base;
+  std::size_t m_id;
+
+public:
+  Numbered_box_3(const Bbox_3& bbox, const std::size_t id) : Base(bbox), m_id(id) { }
+  std::size_t id() const { return m_id; }
+};
+
+// The callback of a search, which calls `visit` with the numbers of two boxes. Only an exception ends the search early.
+template <typename Visit, typename Context>
+class Box_pair_callback
+{
+public:
+  struct End_of_search { };
+
+  Box_pair_callback(const Visit& visit, Context& context) : m_visit(visit), m_context(context) { }
+
+  void operator()(const Numbered_box_3& a, const Numbered_box_3& b) const
+  {
+    if(! m_context.go_further_after_short_step() || ! m_visit(a.id(), b.id()))
+      throw End_of_search();
+  }
+
+private:
+  const Visit& m_visit;
+  Context& m_context;
+};
+
+// Calls `visit` with the numbers of each two boxes that intersect, one of each range, until it returns false or
+// `context` stops. Puts the boxes in another order.
+template <typename Visit, typename Context>
+void visit_intersecting_boxes(std::vector<Numbered_box_3>& boxes_1, std::vector<Numbered_box_3>& boxes_2,
+                              const Visit& visit, Context& context)
+{
+  typedef Box_pair_callback<Visit, Context> Callback;
+  try {
+    CGAL::box_intersection_d(boxes_1.begin(), boxes_1.end(), boxes_2.begin(), boxes_2.end(), Callback(visit, context));
+  } catch(const typename Callback::End_of_search&) { }
+}
+
+// The same for the boxes of one range.
+template <typename Visit, typename Context>
+void visit_intersecting_boxes(std::vector<Numbered_box_3>& boxes, const Visit& visit, Context& context)
+{
+  typedef Box_pair_callback<Visit, Context> Callback;
+  static constexpr std::ptrdiff_t cutoff = 2000; // that of PMP::self_intersections()
+  try {
+    CGAL::box_self_intersection_d<Sequential_tag>(boxes.begin(), boxes.end(), Callback(visit, context), cutoff);
+  } catch(const typename Callback::End_of_search&) { }
+}
 
 /// finds the pairs of constraints that intersect elsewhere than in a common vertex or a common edge.
 /// Vertices at one point count as one vertex here. Left out are degenerate constraints, those with an unknown vertex,

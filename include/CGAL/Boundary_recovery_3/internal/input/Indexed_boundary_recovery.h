@@ -13,7 +13,6 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
-#include <CGAL/Boundary_recovery_3/internal/input/Constraint_sample.h>
 #include <CGAL/Boundary_recovery_3/internal/input/Indexed_input_3.h>
 #include <CGAL/Boundary_recovery_3/internal/input/Input_diagnosis_3.h>
 #include <CGAL/Boundary_recovery_3/internal/input/Recovery_diagnosis.h>

@@ -12,8 +12,8 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <CGAL/Boundary_recovery_3/internal/mesh/Cell_replacement.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_change_3.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/Open_facets_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
 
 #include <CGAL/assertions.h>

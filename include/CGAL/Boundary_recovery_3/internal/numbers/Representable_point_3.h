@@ -13,7 +13,7 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/numbers/binary_scale.h>
-#include <CGAL/Boundary_recovery_3/internal/numbers/nearest_integer.h>
+#include <CGAL/Boundary_recovery_3/internal/numbers/exact_numbers.h>
 
 #include <CGAL/Kernel/global_functions_3.h>
 #include <CGAL/Origin.h>

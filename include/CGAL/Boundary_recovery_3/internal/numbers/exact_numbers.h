@@ -19,8 +19,12 @@
 #else
 #include <CGAL/MP_Float.h>
 #include <CGAL/boost_mp.h>
+#include <CGAL/number_utils.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
+
+#include <cmath>
+#include <limits>
 #endif
 
 namespace CGAL {
@@ -48,6 +52,53 @@ typedef CGAL::Gmpzf    Exact_float;
 #else
 typedef CGAL::MP_Float Exact_float;
 #endif
+
+// An integer that is as near to x as any other; x is of an exact field number type. Each step takes the leading bits
+// away, so there is no limit to their number.
+template <typename FT>
+FT nearest_integer(const FT& x)
+{
+  if(! std::isfinite(CGAL::to_double(x)))
+  {
+    const FT unit(std::ldexp(1., 900));
+    const FT leading = nearest_integer(FT(x / unit)) * unit;
+    return leading + nearest_integer(FT(x - leading));
+  }
+  FT result(0), rest(x);
+  for(double d = std::nearbyint(CGAL::to_double(rest)); std::abs(d) > 1; d = std::nearbyint(CGAL::to_double(rest)))
+  {
+    result += FT(d);
+    rest = x - result;
+  }
+  const FT half(.5), one(1);
+  for(; rest > half; rest -= one)
+    result += one;
+  for(; rest < - half; rest += one)
+    result -= one;
+  return result;
+}
+
+// The multiple of a unit that is next to x.
+template <typename FT>
+FT nearest_multiple(const FT& x, const FT& unit)
+{
+  return nearest_integer(FT(x / unit)) * unit;
+}
+
+// The floating point number that is next to x. to_double() has to give one of its two neighbors.
+template <typename FT>
+double nearest_double(const FT& x)
+{
+  const double d = CGAL::to_double(x);
+  if(! std::isfinite(d))
+    return d;
+  const FT error = x - FT(d);
+  if(CGAL::is_zero(error))
+    return d;
+  const double infinity = std::numeric_limits<double>::infinity();
+  const double neighbor = std::nextafter(d, CGAL::is_positive(error) ? infinity : - infinity);
+  return std::isfinite(neighbor) && CGAL::abs(FT(x - FT(neighbor))) < CGAL::abs(error) ? neighbor : d;
+}
 
 } // namespace internal
 } // namespace Boundary_recovery_3

@@ -19,7 +19,7 @@
 #include <CGAL/Boundary_recovery_3/internal/geometry/exact_point_on_ray.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/representable_point_in_kernel.h>
 #include <CGAL/Boundary_recovery_3/internal/numbers/binary_scale.h>
-#include <CGAL/Boundary_recovery_3/internal/numbers/nearest_integer.h>
+#include <CGAL/Boundary_recovery_3/internal/numbers/exact_numbers.h>
 
 #include <CGAL/number_utils.h>
 

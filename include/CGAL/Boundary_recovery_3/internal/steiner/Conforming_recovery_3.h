@@ -18,7 +18,7 @@
 #include <CGAL/Boundary_recovery_3/internal/geometry/Segment_walk_3.h>
 #include <CGAL/Boundary_recovery_3/internal/lost/Constraint_recovery_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_validity.h>
-#include <CGAL/Boundary_recovery_3/internal/numbers/nearest_integer.h>
+#include <CGAL/Boundary_recovery_3/internal/numbers/exact_numbers.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/split_edge.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/split_facet.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_mesh_3.h>

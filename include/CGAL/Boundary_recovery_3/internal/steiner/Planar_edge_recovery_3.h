@@ -17,7 +17,6 @@
 #include <CGAL/Boundary_recovery_3/Shell_quality_3.h>
 #include <CGAL/Boundary_recovery_3/Shell_validity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/cavity/Cavity_3.h>
-#include <CGAL/Boundary_recovery_3/internal/cavity/grow_cavity.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Segment_walk_3.h>
 #include <CGAL/Boundary_recovery_3/internal/lost/Constraint_recovery_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>

@@ -13,7 +13,6 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/cavity/Cavity_3.h>
-#include <CGAL/Boundary_recovery_3/internal/cavity/grow_cavity.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/Move_into_kernel_3.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/star_cavity.h>
