@@ -26,7 +26,6 @@
 #include <CGAL/Boundary_recovery_3/internal/lost/Recovery_state_3.h>
 #include <CGAL/Boundary_recovery_3/internal/lost/Recursive_recovery_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/mesh_validity.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 #include <CGAL/Delaunay_triangulation_3.h>

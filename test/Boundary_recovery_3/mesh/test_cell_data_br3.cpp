@@ -22,9 +22,8 @@
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_editor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_index_transfer_3.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/Split_facets_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
-#include <CGAL/Boundary_recovery_3/internal/operations/split_facet.h>
+#include <CGAL/Boundary_recovery_3/internal/operations/split_simplex.h>
 #include <CGAL/Constrained_boundary_recovery_3.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>

@@ -14,11 +14,10 @@
 #include "tetrahedralizations_br3.h"
 
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_visitor_3.h>
+#include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Cell_replacement.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/constraint_queries.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/mesh_validity.h>
 
 #include <algorithm>
 #include <array>

@@ -18,8 +18,6 @@
 #include <CGAL/Boundary_recovery_3/internal/mesh/Cell_replacement.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_change_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_editor_3.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_journal_3.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_restoration_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_indices.h>
 #include <CGAL/Delaunay_triangulation_3.h>

@@ -18,9 +18,9 @@
 #include "random_places_br3.h"
 
 #include <CGAL/Boundary_recovery_3/internal/cavity/Cavity_3.h>
+#include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_editor_3.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/constraint_queries.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/mesh_validity.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/Remove_vertex_3.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/collapse_edge.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/star_cavity.h>

@@ -5,7 +5,7 @@
 
 #include "changing_mesh_br3.h"
 
-#include <CGAL/Boundary_recovery_3/internal/mesh/mesh_validity.h>
+#include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 
 #include <array>
 #include <cassert>

@@ -10,13 +10,12 @@
 #include "random_places_br3.h"
 
 #include <CGAL/Boundary_recovery_3/internal/cavity/Cavity_3.h>
+#include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/mesh_validity.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/Move_into_kernel_3.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/Remove_vertex_3.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/collapse_edge.h>
-#include <CGAL/Boundary_recovery_3/internal/operations/split_edge.h>
-#include <CGAL/Boundary_recovery_3/internal/operations/split_facet.h>
+#include <CGAL/Boundary_recovery_3/internal/operations/split_simplex.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/star_cavity.h>
 
 #include <algorithm>

@@ -9,7 +9,6 @@
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/lost/Recovery_state_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/mesh_validity.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Constraint_parts_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_ledger_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>

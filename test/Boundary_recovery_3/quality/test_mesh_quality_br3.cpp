@@ -7,7 +7,7 @@
 #include "random_numbers_br3.h"
 
 #include <CGAL/Boundary_constrained_mesh_triangulation_3.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/Edge_walk_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Cell_angles_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Explain_bad_cells_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Improve_domain_3.h>

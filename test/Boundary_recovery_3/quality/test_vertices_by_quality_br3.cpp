@@ -7,8 +7,7 @@
 #include "improvement_judge_br3.h"
 
 #include <CGAL/Boundary_recovery_3/Cell_quality_3.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/facet_towards.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/forget_shape.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/mesh_indices.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Allowed_lengths_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Bad_cells_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Badness_3.h>
@@ -21,6 +20,7 @@
 #include <CGAL/Boundary_recovery_3/internal/quality/Places_near_cell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Star_cavity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/Cell_shape_3.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/circumsphere.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Random.h>
 

@@ -19,7 +19,6 @@
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shell/Core_search_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shell/Ring_triangulations_3.h>
-#include <CGAL/Boundary_recovery_3/internal/shell/Shell_elements_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shell/Shell_positivity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shell/position_tables.h>
 #include <CGAL/Boundary_recovery_3/internal/util/bits.h>

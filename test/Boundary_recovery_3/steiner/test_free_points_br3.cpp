@@ -19,18 +19,16 @@
 
 #include <CGAL/Boundary_recovery_3/internal/cavity/Cavity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Exact_positions_3.h>
+#include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Cell_replacement.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/mesh_validity.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/star_cavity.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/Merge_points_3.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/Reduce_ball_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Round_free_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_ledger_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_suppression_3.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/replace_and_forget.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Suppress_free_point_3.h>
 
 #include <algorithm>
 #include <cassert>

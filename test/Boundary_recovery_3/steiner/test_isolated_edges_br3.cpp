@@ -25,7 +25,6 @@
 #include <CGAL/Boundary_recovery_3/internal/operations/star_cavity.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Isolated_edge_recovery_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Recovery_by_points_3.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/Remove_chain_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Suppress_free_point_3.h>
 

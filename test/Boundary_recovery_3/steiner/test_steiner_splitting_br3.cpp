@@ -16,14 +16,11 @@
 #include "steiner_scene_br3.h"
 
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_editor_3.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/Ball_sectors_3.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/Facet_fan_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Facet_fans_3.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/Half_facet_star_3.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/Insert_artificial_fan_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Recovery_by_points_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Sector_points_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_mesh_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_splitting_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Triangulate_fan_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 

@@ -18,7 +18,6 @@
 #include <CGAL/Boundary_recovery_3/internal/filling/Insert_field_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Remove_long_edge_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/facet_towards.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/Unit_frame_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/tetrahedron_edges.h>

@@ -12,12 +12,16 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <CGAL/Boundary_recovery_3/internal/mesh/Cell_replacement.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_indices.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
+
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -183,6 +187,153 @@ private:
   std::vector<Old_vertex> m_removed_vertices;
   Simplex_index_3<Vertex_handle, 1> m_moved_vertices;
   std::vector<Point> m_points_before; // of these, by number
+};
+
+/*
+ * Takes a change of a mesh back, in two steps: the constructor does all that may fail, and the mesh stays as it is but
+ * for vertices without cells; restore() does the rest. Without it, the destructor removes these vertices.
+ *
+ * The cells that come take the room of those that go: there was room for as many.
+ */
+template <typename Tr>
+class Mesh_restoration_3
+{
+public:
+  typedef typename Tr::Vertex_handle    Vertex_handle;
+  typedef typename Tr::Cell_handle      Cell_handle;
+  typedef std::array<Vertex_handle, 2>  Vertex_pair;
+  typedef Mesh_change_3<Tr>             Mesh_change;
+
+  // `outer`, if any, is the change that `change` was going to be a part of.
+  Mesh_restoration_3(Tr& tr, const Mesh_change& change, Mesh_change* const outer)
+    : m_tr(tr), m_change(change), m_outer(outer), m_new_cells(change.new_cells()),
+      m_new_vertices(change.new_vertices()), m_open_facets(m_new_cells, change.removed_cells().size())
+  {
+    m_cells.reserve(change.removed_cells().size());
+    for(const Old_vertex& v : change.removed_vertices())
+      m_removed_vertices.insert({{ v.vertex }});
+    m_renamed_vertices.reserve(m_removed_vertices.size());
+    if(m_outer != nullptr)
+      make_room_in_outer_change();
+    create_vertices();
+  }
+
+  Mesh_restoration_3(const Mesh_restoration_3&) = delete;
+  Mesh_restoration_3& operator=(const Mesh_restoration_3&) = delete;
+
+  ~Mesh_restoration_3()
+  {
+    if(! m_is_done)
+      delete_created_vertices();
+  }
+
+  // The cells that go.
+  const std::vector<Cell_handle>& new_cells() const { return m_new_cells; }
+
+  // The cells that came, after restore().
+  const std::vector<Cell_handle>& cells() const { return m_cells; }
+
+  // The handle that each removed vertex had, and the one that it has now. They can be taken once, at the end.
+  std::vector<Vertex_pair>&& renamed_vertices() { return std::move(m_renamed_vertices); }
+
+  void restore()
+  {
+    for(const Cell_handle c : m_new_cells)
+      m_tr.tds().delete_cell(c);
+    for(const Vertex_handle v : m_new_vertices)
+      m_tr.tds().delete_vertex(v);
+    for(const Old_cell& c : m_change.removed_cells())
+      restore(c);
+    CGAL_postcondition(m_open_facets.empty());
+    m_change.for_each_moved_vertex([](const Vertex_handle v, const typename Tr::Point& p) { v->set_point(p); });
+    if(m_outer != nullptr)
+      tell_outer_change();
+    m_is_done = true;
+  }
+
+  // Gives the cells that came the indices that they had.
+  void restore_indices()
+  {
+    for(std::size_t k = 0; k < m_cells.size(); ++k)
+      m_change.removed_cells()[k].indices.give_to(*m_cells[k]);
+  }
+
+private:
+  typedef typename Mesh_change::Old_cell    Old_cell;
+  typedef typename Mesh_change::Old_vertex  Old_vertex;
+
+  void create_vertices()
+  {
+    try {
+      for(const Old_vertex& old : m_change.removed_vertices())
+      {
+        const Vertex_handle v = m_tr.tds().create_vertex();
+        m_renamed_vertices.push_back({{ old.vertex, v }});
+        v->set_point(old.point);
+        old.indices.give_to(*v);
+        old.size.give_to(*v);
+      }
+    } catch(...) {
+      delete_created_vertices();
+      throw;
+    }
+  }
+
+  void delete_created_vertices()
+  {
+    for(const Vertex_pair& v : m_renamed_vertices)
+      m_tr.tds().delete_vertex(v[1]);
+  }
+
+  void restore(const Old_cell& old)
+  {
+    std::array<Vertex_handle, 4> v = old.vertices;
+    for(Vertex_handle& w : v)
+    {
+      const std::size_t k = m_removed_vertices[{{ w }}];
+      if(k != m_removed_vertices.none)
+        w = m_renamed_vertices[k][1];
+    }
+    const Cell_handle c = m_tr.tds().create_cell(v[0], v[1], v[2], v[3]);
+    old.indices.give_to(*c);
+    m_cells.push_back(c);
+    for(int i = 0; i < 4; ++i)
+    {
+      v[i]->set_cell(c);
+      m_open_facets.glue(m_tr, c, i);
+    }
+  }
+
+  // --- the outer change ---------------------------------------------------------------------------------------------
+
+  // What comes back has new handles, so for the outer change it is exchanged.
+
+  void make_room_in_outer_change()
+  {
+    m_outer->make_room_for_cells(m_change.removed_cells().size(), m_change.removed_cells().size());
+    m_outer->make_room_for_new_vertices(m_removed_vertices.size());
+    m_outer->make_room_for_removed_vertices(m_removed_vertices.size());
+  }
+
+  void tell_outer_change()
+  {
+    m_outer->exchange(m_change.removed_cells(), m_cells);
+    for(const Old_vertex& v : m_change.removed_vertices())
+      m_outer->remove_vertex(v);
+    for(const Vertex_pair& v : m_renamed_vertices)
+      m_outer->add_vertex(v[1]);
+  }
+
+  Tr& m_tr;
+  const Mesh_change& m_change;
+  Mesh_change* const m_outer;
+  const std::vector<Cell_handle> m_new_cells;
+  const std::vector<Vertex_handle> m_new_vertices;
+  Open_facets_3<Tr> m_open_facets;
+  Simplex_index_3<Vertex_handle, 1> m_removed_vertices;
+  std::vector<Vertex_pair> m_renamed_vertices; // by these numbers
+  std::vector<Cell_handle> m_cells;
+  bool m_is_done = false;
 };
 
 } // namespace internal

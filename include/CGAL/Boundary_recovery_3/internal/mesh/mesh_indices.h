@@ -150,6 +150,33 @@ struct Vertex_size<Vertex, true>
   std::decay_t<decltype(std::declval<const Vertex&>().meshing_info())> size;
 };
 
+// Cells of Mesh_3 and of the remeshing remember their circumcenters and qualities.
+template <typename Cell>
+auto forget_circumcenter(Cell& c, int) -> decltype(c.invalidate_weighted_circumcenter_cache())
+{
+  c.invalidate_weighted_circumcenter_cache();
+}
+
+template <typename Cell>
+void forget_circumcenter(Cell&, long) { }
+
+template <typename Cell>
+auto forget_quality(Cell& c, int) -> decltype(c.reset_cache_validity())
+{
+  c.reset_cache_validity();
+}
+
+template <typename Cell>
+void forget_quality(Cell&, long) { }
+
+// To be called for each cell at a vertex that moved.
+template <typename Cell>
+void forget_shape(Cell& c)
+{
+  internal::forget_circumcenter(c, 0);
+  internal::forget_quality(c, 0);
+}
+
 } // namespace internal
 } // namespace Boundary_recovery_3
 } // namespace CGAL

@@ -13,11 +13,9 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/geometry/Exact_positions_3.h>
-#include <CGAL/Boundary_recovery_3/internal/geometry/Is_in_kernel_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Visibility_kernel_3.h>
-#include <CGAL/Boundary_recovery_3/internal/geometry/exact_point_on_ray.h>
-#include <CGAL/Boundary_recovery_3/internal/geometry/representable_point_in_kernel.h>
+#include <CGAL/Boundary_recovery_3/internal/geometry/points_in_kernel.h>
 #include <CGAL/Boundary_recovery_3/internal/numbers/binary_scale.h>
 #include <CGAL/Boundary_recovery_3/internal/numbers/exact_numbers.h>
 

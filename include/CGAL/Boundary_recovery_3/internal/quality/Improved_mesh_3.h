@@ -14,7 +14,6 @@
 
 #include <CGAL/Boundary_recovery_3/internal/mesh/Domain_keeper_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_editor_3.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/forget_shape.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_indices.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Allowed_lengths_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Badness_3.h>

@@ -16,11 +16,10 @@
 #include <CGAL/Boundary_recovery_3/Shell_quality_3.h>
 #include <CGAL/Boundary_recovery_3/Shell_validity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Segment_walk_3.h>
+#include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/lost/Constraint_recovery_3.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/mesh_validity.h>
 #include <CGAL/Boundary_recovery_3/internal/numbers/exact_numbers.h>
-#include <CGAL/Boundary_recovery_3/internal/operations/split_edge.h>
-#include <CGAL/Boundary_recovery_3/internal/operations/split_facet.h>
+#include <CGAL/Boundary_recovery_3/internal/operations/split_simplex.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_mesh_3.h>
 #include <CGAL/Shell_transformation_3.h>
 

@@ -13,15 +13,17 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/Facet_fan_3.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/Half_facet_star_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 
+#include <CGAL/Origin.h>
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/enum.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -29,6 +31,152 @@
 namespace CGAL {
 namespace Boundary_recovery_3 {
 namespace internal {
+
+// The side of a mesh facet s v w from which v and w are seen in counterclockwise order around s.
+template <typename Tr>
+struct Half_facet_3
+{
+  typedef typename Tr::Vertex_handle     Vertex_handle;
+  typedef typename Tr::Cell_handle       Cell_handle;
+
+  // The facet opposite to the vertex i of a cell that has s.
+  Half_facet_3(const Vertex_handle s, const Cell_handle c, const int i)
+    : cell(c), opposite(c->vertex(i))
+  {
+    const auto f = internal::facet_vertices(c, i);
+    int k = 0;
+    while(f[k] != s)
+      ++k;
+    v = f[(k + 1) % 3];
+    w = f[(k + 2) % 3];
+  }
+
+  Vertex_handle v, w;
+  Cell_handle cell;        // the one on this side
+  Vertex_handle opposite;  // its fourth vertex
+};
+
+/*
+ * The cells around a vertex, and the sides of all mesh facets at it. They are what they were when they were collected.
+ */
+template <typename Tr>
+class Half_facet_star_3
+{
+public:
+  typedef typename Tr::Vertex_handle     Vertex_handle;
+  typedef typename Tr::Cell_handle       Cell_handle;
+  typedef Half_facet_3<Tr>               Half_facet;
+
+  explicit Half_facet_star_3(const Tr& tr) : m_tr(tr) { }
+
+  void collect(const Vertex_handle s)
+  {
+    m_center = s;
+    m_cells.clear();
+    m_half_facets.clear();
+    m_tr.incident_cells(s, std::back_inserter(m_cells));
+    for(const Cell_handle c : m_cells)
+      for(int i = 0; i < 4; ++i)
+        if(c->vertex(i) != s)
+          m_half_facets.emplace_back(s, c, i);
+  }
+
+  Vertex_handle center() const { return m_center; }
+  const std::vector<Cell_handle>& cells() const { return m_cells; }
+  const std::vector<Half_facet>& half_facets() const { return m_half_facets; }
+
+private:
+  const Tr& m_tr;
+  Vertex_handle m_center;
+  std::vector<Cell_handle> m_cells;
+  std::vector<Half_facet> m_half_facets;
+};
+
+/*
+ * The mesh facets s v_i v_{i+1} of a planar polygon around a vertex s, and the triangles that come in their place when
+ * s leaves it. The fan is closed if s is in the interior of the polygon, else s is on its boundary.
+ */
+template <typename Tr>
+struct Facet_fan_3
+{
+  typedef typename Tr::Vertex_handle           Vertex_handle;
+  typedef Half_facet_3<Tr>                     Half_facet;
+  typedef std::array<Vertex_handle, 2>         Vertex_pair;
+  typedef std::array<Vertex_handle, 3>         Vertex_triple;
+  typedef Simple_cartesian<double>::Vector_3   Vector;
+
+  std::vector<Half_facet> facets;       // in their order around s, all on one side of the fan, its positive one
+  bool is_closed;
+  std::vector<Vertex_triple> triangles; // seen from the positive side
+  Vector normal = NULL_VECTOR;          // of the triangles, approximately, and of any length
+
+  // Whether the facet s v w is in the fan.
+  bool contains(const Vertex_handle v, const Vertex_handle w) const
+  {
+    return std::any_of(facets.begin(), facets.end(), [&](const Half_facet& h)
+    {
+      return (h.v == v && h.w == w) || (h.v == w && h.w == v);
+    });
+  }
+
+  // Whether v is a vertex of the polygon.
+  bool has_vertex(const Vertex_handle v) const
+  {
+    return std::any_of(facets.begin(), facets.end(), [&](const Half_facet& h) { return h.v == v || h.w == v; });
+  }
+
+  // The vertices around s.
+  std::vector<Vertex_handle> polygon() const
+  {
+    std::vector<Vertex_handle> result;
+    for(const Half_facet& h : facets)
+      result.push_back(h.v);
+    if(! is_closed)
+      result.push_back(facets.back().w);
+    return result;
+  }
+
+  // The closed fan of these facets, which may be in any order; none if it is not closed.
+  static std::optional<Facet_fan_3> closed(std::vector<Half_facet> facets)
+  {
+    if(facets.empty() || ! sort(facets) || facets.back().w != facets.front().v)
+      return std::nullopt;
+    return Facet_fan_3{ std::move(facets), true, std::vector<Vertex_triple>() };
+  }
+
+  // The open fan of these facets from one of the ends to the other, preferably from the first, if it is one.
+  static std::optional<Facet_fan_3> open(std::vector<Half_facet> facets, const Vertex_pair& ends)
+  {
+    auto first = find(facets, 0, ends[0]);
+    if(first == facets.end())
+      first = find(facets, 0, ends[1]);
+    if(first == facets.end())
+      return std::nullopt;
+    std::iter_swap(first, facets.begin());
+    if(! sort(facets) || ! internal::contains(ends, facets.back().w))
+      return std::nullopt;
+    return Facet_fan_3{ std::move(facets), false, std::vector<Vertex_triple>() };
+  }
+
+private:
+  static auto find(std::vector<Half_facet>& facets, const std::size_t from, const Vertex_handle v)
+  {
+    return std::find_if(facets.begin() + from, facets.end(), [&](const Half_facet& h) { return h.v == v; });
+  }
+
+  // Puts the facets in their order around s, from the first on. Returns false if each is not followed by another.
+  static bool sort(std::vector<Half_facet>& facets)
+  {
+    for(std::size_t i = 1; i < facets.size(); ++i)
+    {
+      const auto next = find(facets, i, facets[i - 1].w);
+      if(next == facets.end())
+        return false;
+      std::iter_swap(next, facets.begin() + i);
+    }
+    return true;
+  }
+};
 
 /*
  * The fans at a Steiner point s, which cut its ball into sectors: mesh facets in the plane of a constrained facet, and

@@ -17,7 +17,6 @@
 #include <CGAL/Boundary_recovery_3/internal/operations/Move_into_kernel_3.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/star_cavity.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_mesh_3.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/replace_and_forget.h>
 
 #include <array>
 #include <cstddef>

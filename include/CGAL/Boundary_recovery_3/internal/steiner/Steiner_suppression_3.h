@@ -13,20 +13,23 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
+#include <CGAL/Boundary_recovery_3/internal/cavity/Cavity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/cavity/Growing_cavity_3.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/Exterior_3.h>
+#include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/mesh_validity.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/Merge_points_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/flood_fill.h>
+#include <CGAL/Boundary_recovery_3/internal/operations/Move_into_kernel_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Round_free_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Suppress_free_point_3.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/replace_and_forget.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 
+#include <CGAL/Unique_hash_map.h>
 #include <CGAL/assertions.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <iterator>
 #include <optional>
@@ -35,6 +38,94 @@
 namespace CGAL {
 namespace Boundary_recovery_3 {
 namespace internal {
+
+/*
+ * The cells that no constrained facets separate from the infinite ones.
+ */
+template <typename Tr>
+class Exterior_3
+{
+public:
+  typedef typename Tr::Vertex_handle    Vertex_handle;
+  typedef typename Tr::Cell_handle      Cell_handle;
+
+  Exterior_3(const Tr& tr, const Constraints_3<Tr>& constraints)
+    : m_number_of_other_cells(tr.tds().number_of_cells()), m_contains(false)
+  {
+    const auto is_open = [&](const Cell_handle c, const int i)
+    {
+      const std::array<Vertex_handle, 3> f = internal::facet_vertices(c, i);
+      return tr.is_infinite(c, i) || ! constraints.is_constrained(f[0], f[1], f[2]);
+    };
+    internal::flood_fill(tr.infinite_cell(), is_open, [this](const Cell_handle c) { return this->add(c); });
+  }
+
+  bool contains(const Cell_handle c) const { return m_contains[c]; }
+
+  // Whether there are no other cells.
+  bool is_everything() const { return m_number_of_other_cells == 0; }
+
+private:
+  // Returns whether c is new.
+  bool add(const Cell_handle c)
+  {
+    bool& is_known = m_contains[c];
+    if(is_known)
+      return false;
+    is_known = true;
+    --m_number_of_other_cells;
+    return true;
+  }
+
+  std::size_t m_number_of_other_cells;
+  Unique_hash_map<Cell_handle, bool> m_contains;
+};
+
+/*
+ * Makes one point of two free Steiner points that are neighbors, where one point sees the boundary of both balls.
+ */
+template <typename Tr, typename Visitor>
+class Merge_points_3
+{
+public:
+  typedef Steiner_mesh_3<Tr, Visitor>          Mesh;
+  typedef typename Mesh::Vertex_handle         Vertex_handle;
+  typedef typename Mesh::Cell_handle           Cell_handle;
+
+  explicit Merge_points_3(Mesh& mesh) : m_mesh(mesh), m_move_into_kernel(mesh.predicates, mesh.positions) { }
+
+  // Merges v, of which `ball` are the cells around it, with the first neighbor for which this is possible.
+  void operator()(const Vertex_handle v, const std::vector<Cell_handle>& ball)
+  {
+    const auto before = v->point();
+    for(const Vertex_handle w : internal::vertices_without(ball, v))
+    {
+      if(! m_mesh.ledger.is_free(w) || ! internal::collect_ball(m_mesh.tr, w, m_ball))
+        continue;
+      if(! m_mesh.context.go_further())
+        return;
+      Cavity_3<Tr> cavity(m_mesh.tr, m_mesh.constraints, ball);
+      for(const Cell_handle c : m_ball)
+        cavity.add(c);
+      std::vector<Vertex_triple> faces;
+      std::vector<Vertex_handle> inner_points;
+      if(! m_mesh.positions.contains(v) && cavity.collect_boundary(m_mesh.ledger.free_points(), faces, inner_points)
+         && m_move_into_kernel(v, faces))
+      {
+        internal::star_and_forget(m_mesh.editor, m_mesh.ledger, cavity, v);
+        return;
+      }
+      v->set_point(before);
+    }
+  }
+
+private:
+  typedef typename Mesh::Vertex_triple Vertex_triple;
+
+  Mesh& m_mesh;
+  Move_into_kernel_3<Tr> m_move_into_kernel;
+  std::vector<Cell_handle> m_ball;
+};
 
 /*
  * The postprocessing of [CZZ+17, Section 4.3]: removes Steiner points that are on no constraint.

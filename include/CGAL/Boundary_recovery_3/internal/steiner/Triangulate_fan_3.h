@@ -14,8 +14,7 @@
 
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/numbers/binary_scale.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/Facet_fan_3.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/Half_facet_star_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Facet_fans_3.h>
 
 #include <CGAL/Kernel/global_functions_3.h>
 #include <CGAL/enum.h>

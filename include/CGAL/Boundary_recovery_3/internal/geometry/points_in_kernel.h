@@ -7,12 +7,13 @@
 //
 // Author(s)     : The Boundary_recovery_3 authors
 
-#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_GEOMETRY_EXACT_POINT_ON_RAY_H
-#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_GEOMETRY_EXACT_POINT_ON_RAY_H
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_GEOMETRY_POINTS_IN_KERNEL_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_GEOMETRY_POINTS_IN_KERNEL_H
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/internal/geometry/Is_in_kernel_3.h>
+#include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
+#include <CGAL/Boundary_recovery_3/internal/numbers/Representable_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/numbers/exact_numbers.h>
 
 #include <CGAL/Origin.h>
@@ -22,12 +23,60 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <optional>
+#include <vector>
 
 namespace CGAL {
 namespace Boundary_recovery_3 {
 namespace internal {
+
+// Whether none of the faces of a polyhedron is hidden from a point. Where points are tried one after the other, the
+// next one is likely to be on the wrong side of the same face, so this is asked for first.
+class Is_none_hidden
+{
+public:
+  template <typename FaceRange, typename Is_hidden>
+  bool operator()(const FaceRange& faces, const Is_hidden& is_hidden) const
+  {
+    if(m_last_hidden < faces.size() && is_hidden(faces[m_last_hidden]))
+      return false;
+    const auto hidden = std::find_if(faces.begin(), faces.end(), is_hidden);
+    m_last_hidden = static_cast<std::size_t>(hidden - faces.begin());
+    return hidden == faces.end();
+  }
+
+private:
+  mutable std::size_t m_last_hidden = 0; // the position of a face that the last point did not see
+};
+
+/*
+ * Decides exactly whether a vertex is in the open visibility kernel of a polyhedron: whether it sees all the faces from
+ * inside. Each of the faces has the polyhedron on its positive side.
+ */
+template <typename Tr>
+class Is_in_kernel_3
+{
+public:
+  typedef typename Tr::Vertex_handle     Vertex_handle;
+  typedef Vertex_predicates_3<Tr>        Predicates;
+  typedef std::array<Vertex_handle, 3>   Vertex_triple;
+
+  explicit Is_in_kernel_3(const Predicates& predicates) : m_predicates(predicates) { }
+
+  bool operator()(const Vertex_handle v, const std::vector<Vertex_triple>& faces) const
+  {
+    return m_is_none_hidden(faces, [&](const Vertex_triple& f)
+    {
+      return m_predicates.orientation(f[0], f[1], f[2], v) != POSITIVE;
+    });
+  }
+
+private:
+  const Predicates& m_predicates;
+  Is_none_hidden m_is_none_hidden;
+};
 
 // How many points on a ray are tried, each four times nearer to its origin: far beyond the range of `double`.
 constexpr int max_number_of_points_on_ray = 2000;
@@ -112,8 +161,54 @@ exact_point_on_ray(const Positions& positions, const FaceRange& faces, const typ
   return origin + s * direction;
 }
 
+// Appends planes that have the points with no coordinate farther than `radius` from that of the center on their
+// negative sides.
+template <typename Plane_3, typename Point_3>
+void add_box(const Point_3& center, const double radius, std::vector<Plane_3>& planes)
+{
+  for(const int sign : { 1, -1 })
+    for(int i = 0; i < 3; ++i)
+      planes.emplace_back(i == 0 ? sign : 0, i == 1 ? sign : 0, i == 2 ? sign : 0,
+                          Rational(- Rational(sign) * center[i] - Rational(radius)));
+}
+
+// Those through the faces, of which each has the polyhedron on its positive side, with the kernel on their negative
+// sides.
+template <typename Positions, typename FaceRange>
+std::vector<typename Representable_point_3<Rational>::Plane_3>
+planes_of_kernel(const Positions& positions, const FaceRange& faces)
+{
+  std::vector<typename Representable_point_3<Rational>::Plane_3> planes;
+  for(const auto& f : faces)
+    planes.emplace_back(positions(f[0]), positions(f[2]), positions(f[1]));
+  return planes;
+}
+
+// Finds a point with coordinates of type `double` in the open visibility kernel of a polyhedron, with none of them
+// farther than `radius` from that of `inside`, an exact point of the open kernel. Each of the faces has the polyhedron
+// on its positive side. This is slow, but decides whether there is such a point, up to what `Representable_point_3`
+// does not look at. With exact kernels, all points can be stored, and this is not to be called.
+template <typename Positions, typename FaceRange>
+std::optional<std::array<double, 3> >
+representable_point_in_kernel(const Positions& positions, const FaceRange& faces,
+                              const typename Positions::Exact_point_3& inside, const double radius)
+{
+  auto planes = internal::planes_of_kernel(positions, faces);
+  if(std::isfinite(radius))
+    internal::add_box(inside, radius, planes);
+  return Representable_point_3<Rational>()(planes);
+}
+
+// Finds an exact point that is well inside the open visibility kernel of such a polyhedron.
+template <typename Positions, typename FaceRange>
+std::optional<typename Positions::Exact_point_3>
+center_of_kernel(const Positions& positions, const FaceRange& faces)
+{
+  return Representable_point_3<Rational>().center(internal::planes_of_kernel(positions, faces));
+}
+
 } // namespace internal
 } // namespace Boundary_recovery_3
 } // namespace CGAL
 
-#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_GEOMETRY_EXACT_POINT_ON_RAY_H
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_GEOMETRY_POINTS_IN_KERNEL_H

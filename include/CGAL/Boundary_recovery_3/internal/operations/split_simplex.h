@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Boundary_recovery_3 authors
 
-#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_OPERATIONS_SPLIT_EDGE_H
-#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_OPERATIONS_SPLIT_EDGE_H
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_OPERATIONS_SPLIT_SIMPLEX_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_OPERATIONS_SPLIT_SIMPLEX_H
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
@@ -77,8 +77,41 @@ bool is_shell_seen(const Tr& tr, const Predicates& predicates, const typename Tr
   });
 }
 
+// Splits the facet of the cell c with the given vertices by v, a vertex that is in no cell yet: three cells come in the
+// place of each of both at it. v has to be in the interior of the facet, or, if that is not on the hull, of both cells.
+//
+// `editor` changes the mesh, see `Mesh_editor_3`: it tells visitors, which can carry data of the cells over, and can
+// take the split back.
+template <typename Editor>
+void split_facet(Editor& editor, const typename Editor::Tr::Cell_handle c,
+                 const std::array<typename Editor::Tr::Vertex_handle, 3>& facet,
+                 const typename Editor::Tr::Vertex_handle v)
+{
+  typedef typename Editor::Tr Tr;
+  const std::array<typename Tr::Cell_handle, 2> cells
+    = {{ c, c->neighbor(internal::index_of_opposite_vertex(c, facet)) }};
+  std::vector<std::array<typename Tr::Vertex_handle, 4> > tetrahedra;
+  for(const typename Tr::Cell_handle cell : cells)
+    for(const typename Tr::Vertex_handle replaced : facet)
+      tetrahedra.push_back(internal::with_exchanged_vertex(cell, replaced, v));
+  editor.replace(cells, tetrahedra);
+}
+
+// As above; a facet that is constrained is split among the constraints, too. Those that are marked in cells know a
+// facet only as long as it is in the mesh.
+template <typename Editor, typename Constraints>
+void split_facet(Editor& editor, Constraints& constraints, const typename Editor::Tr::Cell_handle c,
+                 const std::array<typename Editor::Tr::Vertex_handle, 3>& facet,
+                 const typename Editor::Tr::Vertex_handle v)
+{
+  const bool is_constrained = constraints.is_constrained(facet[0], facet[1], facet[2]);
+  internal::split_facet(editor, c, facet, v);
+  if(is_constrained)
+    constraints.split(facet[0], facet[1], facet[2], v);
+}
+
 } // namespace internal
 } // namespace Boundary_recovery_3
 } // namespace CGAL
 
-#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_OPERATIONS_SPLIT_EDGE_H
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_OPERATIONS_SPLIT_SIMPLEX_H
