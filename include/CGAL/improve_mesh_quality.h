@@ -17,7 +17,6 @@
 #include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Quality_improvement_3.h>
-#include <CGAL/Boundary_recovery_3/internal/util/visitor_of.h>
 #include <CGAL/Boundary_recovery_3/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>

@@ -14,6 +14,7 @@
 
 #include <CGAL/Named_function_parameters.h>
 
+#include <functional>
 #include <type_traits>
 
 // The named parameters that only this package has, beside those of CGAL. They can start a chain of CGAL's
@@ -62,6 +63,23 @@ template <typename NP1, typename NP2, typename ... NPs>
 auto merge_all(const NP1& np1, const NP2& np2, const NPs& ... nps)
 {
   return merge_all(merge(np1, np2), nps...);
+}
+
+template <typename Visitor>
+Visitor visitor_to_call(const Visitor& visitor) { return visitor; }
+
+template <typename Visitor>
+Visitor& visitor_to_call(const std::reference_wrapper<Visitor>& visitor) { return visitor; }
+
+// The visitor itself if it was given by reference, else a copy that can be called. (`get_parameter_reference()` gives a
+// constant object if it was given by value.)
+template <typename Default_visitor, typename NamedParameters>
+decltype(auto) visitor_of(const NamedParameters& np)
+{
+  if constexpr(parameters::is_default_parameter<NamedParameters, internal_np::visitor_t>::value)
+    return Default_visitor();
+  else
+    return internal::visitor_to_call(parameters::get_parameter(np, internal_np::visitor));
 }
 
 } // namespace internal

@@ -16,7 +16,7 @@
 #include <CGAL/Boundary_recovery_3/internal/filling/Field_point_insertion_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Fill_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/sizing/Small_size_search_3.h>
-#include <CGAL/Boundary_recovery_3/internal/util/visitor_of.h>
+#include <CGAL/Boundary_recovery_3/parameters.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Tetrahedral_remeshing/Remeshing_triangulation_3.h>

@@ -11,7 +11,7 @@
 #include <CGAL/Boundary_recovery_3/internal/filling/Remove_long_edge_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
-#include <CGAL/Boundary_recovery_3/internal/shape/tetrahedron_edges.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/Cell_shape_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/insert_field_points.h>
 #include <CGAL/mark_domain.h>

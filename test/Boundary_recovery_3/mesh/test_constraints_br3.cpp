@@ -8,16 +8,13 @@
 // Author(s)     : The Boundary_recovery_3 authors
 
 // Sets of constraints that change: facets and edges are inserted, erased and split at random, and compared with a naive
-// set; and the constraints that are marked in cells.
+// set.
 
 #undef NDEBUG
 
 #include "random_numbers_br3.h"
 
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/Marked_facets_3.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
-#include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Tetrahedral_remeshing/Remeshing_triangulation_3.h>
 
@@ -37,7 +34,6 @@ using br3_test::random_int;
 typedef CGAL::Exact_predicates_inexact_constructions_kernel           Kernel;
 typedef CGAL::Tetrahedral_remeshing::Remeshing_triangulation_3<Kernel> Tr;
 typedef Tr::Vertex_handle                                             Vertex_handle;
-typedef Tr::Cell_handle                                               Cell_handle;
 typedef internal::Constraints_3<Tr>                                   Constraints;
 typedef std::set<Vertex_handle>                                       Simplex;
 
@@ -197,68 +193,12 @@ void test_changes(const unsigned seed)
   }
 }
 
-// Facets with marks, regions and an edge that is listed, in a triangulation of random points.
-void test_marks(const unsigned seed)
-{
-  std::mt19937 rng(seed);
-  Tr tr;
-  for(int i = 0; i < 20; ++i)
-    tr.insert(Tr::Point(random_int(rng, 100), random_int(rng, 100), random_int(rng, 100)));
-  for(const Cell_handle c : tr.all_cell_handles())
-  {
-    c->set_subdomain_index(tr.is_infinite(c) ? 0 : 1 + random_int(rng, 6) / 5);
-    for(int i = 0; i < 4; ++i)
-      c->set_surface_patch_index(i, 0);
-  }
-  std::vector<Vertex_handle> v(tr.finite_vertex_handles().begin(), tr.finite_vertex_handles().end());
-  std::set<Simplex> marked;
-  const auto mark = [&](const std::array<Vertex_handle, 3>& f)
-  {
-    marked.insert({ f[0], f[1], f[2] });
-    for(int k = 0; k < 3; ++k)
-      marked.insert({ f[k], f[(k + 1) % 3] });
-  };
-  for(const auto& f : tr.finite_facets())
-  {
-    const Tr::Facet g = tr.mirror_facet(f);
-    const bool is_patch = random_int(rng, 30) == 0;
-    if(is_patch)
-    {
-      f.first->set_surface_patch_index(f.second, 1);
-      g.first->set_surface_patch_index(g.second, 1);
-    }
-    if(is_patch || f.first->subdomain_index() != g.first->subdomain_index())
-      mark(internal::facet_vertices(f.first, f.second));
-  }
-  internal::Simplex_index_3<Vertex_handle, 2> edges;
-  const auto e = *tr.finite_edges_begin();
-  const Vertex_handle a = e.first->vertex(e.second), b = e.first->vertex(e.third);
-  edges.insert({{ a, b }});
-  const internal::Marked_facets_3<Tr> unlisted(tr);
-  internal::Marked_facets_3<Tr> listed(tr, &edges);
-  for(std::size_t i = 0; i < v.size(); ++i)
-    for(std::size_t j = 0; j < i; ++j)
-    {
-      const bool is_marked = marked.count({ v[i], v[j] }) != 0;
-      assert(unlisted.is_constrained(v[i], v[j]) == is_marked);
-      assert(listed.is_constrained(v[i], v[j]) == (is_marked || Simplex{ v[i], v[j] } == Simplex{ a, b }));
-      ++number_of[is_marked ? "marked edge" : "other edge"];
-      for(std::size_t k = 0; k < j; ++k)
-        assert(unlisted.is_constrained(v[i], v[j], v[k]) == (marked.count({ v[i], v[j], v[k] }) != 0));
-    }
-  listed.split(a, b, v[0] == a || v[0] == b ? v[3] : v[0]);
-  assert(edges.size() - edges.number_of_erased_keys() == 2);
-  assert((edges[{{ a, b }}] == edges.none));
-}
-
 int main()
 {
   for(unsigned seed = 0; seed < 30; ++seed)
     test_changes(seed);
-  for(unsigned seed = 0; seed < 5; ++seed)
-    test_marks(seed);
   for(const char* kind : { "edge erased", "no edge to erase", "facet erased", "no facet to erase", "edge split",
-                           "facet split", "marked edge", "other edge" })
+                           "facet split" })
   {
     std::cout << number_of[kind] << " x " << kind << std::endl;
     assert(number_of[kind] > 10);

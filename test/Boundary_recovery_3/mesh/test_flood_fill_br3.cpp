@@ -4,7 +4,7 @@
 
 #include "random_triangulations_br3.h"
 
-#include <CGAL/Boundary_recovery_3/internal/mesh/flood_fill.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 

@@ -22,7 +22,6 @@
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_editor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/Remove_vertex_3.h>
-#include <CGAL/Boundary_recovery_3/internal/operations/collapse_edge.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/star_cavity.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -14,7 +14,6 @@
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/Move_into_kernel_3.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/Remove_vertex_3.h>
-#include <CGAL/Boundary_recovery_3/internal/operations/collapse_edge.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/split_simplex.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/star_cavity.h>
 

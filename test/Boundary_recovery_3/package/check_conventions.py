@@ -46,7 +46,7 @@ FLOORS = [
     "shell",        # search for covering meshes
     "Shell_transformation_3.h",
     "cavity",       # cavities and their reconnection
-    "operations",   # one local operation in each file
+    "operations",   # one kind of local operations in each file
     "lost",         # search for lost constraints, and their recovery without points [CZZ+17, Section 4.2]
     "steiner",      # Steiner points [CZZ+17, Sections 4.1 and 4.3, Appendix]
     "Constrained_boundary_recovery_3.h",

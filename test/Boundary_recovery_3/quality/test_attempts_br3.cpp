@@ -6,7 +6,7 @@
 #include "improvement_judge_br3.h"
 
 #include <CGAL/Boundary_recovery_3/Cell_quality_3.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/Domain_keeper_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Badness_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Contract_bad_edge_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Flip_bad_cell_3.h>

@@ -17,10 +17,9 @@
 #include <CGAL/Boundary_recovery_3/Shell_3.h>
 #include <CGAL/Boundary_recovery_3/Shell_validity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
-#include <CGAL/Boundary_recovery_3/internal/shell/Core_search_3.h>
+#include <CGAL/Boundary_recovery_3/internal/shell/Covering_mesh_search_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shell/Ring_triangulations_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shell/Shell_positivity_3.h>
-#include <CGAL/Boundary_recovery_3/internal/shell/position_tables.h>
 #include <CGAL/Boundary_recovery_3/internal/util/bits.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -24,9 +24,9 @@
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/star_cavity.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/Round_free_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_ledger_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_mesh_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_rounding_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_suppression_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Suppress_free_point_3.h>
 

@@ -21,7 +21,6 @@
 #include <CGAL/Boundary_recovery_3/internal/steiner/Sector_points_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_splitting_3.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/Triangulate_fan_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 
 #include <algorithm>

@@ -18,9 +18,9 @@
 #include <CGAL/Boundary_recovery_3/internal/filling/Insert_field_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Remove_long_edge_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/Cell_shape_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/Unit_frame_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/circumsphere.h>
-#include <CGAL/Boundary_recovery_3/internal/shape/tetrahedron_edges.h>
 #include <CGAL/Boundary_recovery_3/internal/sizing/Region_sizes_3.h>
 #include <CGAL/Boundary_recovery_3/internal/sizing/Small_size_search_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>

@@ -19,7 +19,6 @@
 #include <CGAL/Boundary_recovery_3/internal/quality/Quality_improvement_3.h>
 #include <CGAL/Boundary_recovery_3/internal/sizing/Size_query_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
-#include <CGAL/Boundary_recovery_3/internal/util/visitor_of.h>
 #include <CGAL/Boundary_recovery_3/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>

@@ -88,6 +88,8 @@ private:
   std::size_t m_number_of_insertions = 0;
 };
 
+// CGAL's box intersection, as in PMP::self_intersections(), that can be stopped.
+
 // A box with the number of what is in it. CGAL's own boxes number themselves by their address or by a global counter.
 // All the boxes of one search have to have different numbers, also where two ranges are searched.
 class Numbered_box_3

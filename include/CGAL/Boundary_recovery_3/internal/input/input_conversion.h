@@ -14,7 +14,6 @@
 
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/input/Indexed_boundary_recovery.h>
-#include <CGAL/Boundary_recovery_3/internal/util/visitor_of.h>
 #include <CGAL/Boundary_recovery_3/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>

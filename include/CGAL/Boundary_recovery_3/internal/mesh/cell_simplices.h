@@ -154,6 +154,29 @@ private:
   Vertex_handle m_kept;
 };
 
+// Reaches cells from a seed over facets: `is_open` tells for a cell that was reached and the index of a facet whether
+// to look behind it. `add` is called with the seed and with each cell that is found, maybe several times; it has to
+// return whether the cell is new, and to remember it then. The order depends on the cells' neighbors only.
+template <typename Cell_handle, typename Is_open, typename Add>
+void flood_fill(const Cell_handle seed, const Is_open& is_open, const Add& add)
+{
+  std::vector<Cell_handle> front;
+  const auto reach = [&](const Cell_handle c)
+  {
+    if(add(c))
+      front.push_back(c);
+  };
+  reach(seed);
+  while(! front.empty())
+  {
+    const Cell_handle c = front.back();
+    front.pop_back();
+    for(int i = 0; i < 4; ++i)
+      if(is_open(c, i))
+        reach(c->neighbor(i));
+  }
+}
+
 } // namespace internal
 } // namespace Boundary_recovery_3
 } // namespace CGAL

@@ -20,7 +20,7 @@
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mark_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Subdomain_meshing_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
-#include <CGAL/Boundary_recovery_3/internal/util/visitor_of.h>
+#include <CGAL/Boundary_recovery_3/parameters.h>
 #include <CGAL/improve_mesh_quality.h>
 #include <CGAL/insert_field_points.h>
 #include <CGAL/mark_domain.h>

@@ -22,8 +22,8 @@
 #include <CGAL/Boundary_recovery_3/internal/parallel/Seams_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Improve_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Measure_quality_3.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/Cell_shape_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/distances_3.h>
-#include <CGAL/Boundary_recovery_3/internal/shape/tetrahedron_edges.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 
 #include <algorithm>

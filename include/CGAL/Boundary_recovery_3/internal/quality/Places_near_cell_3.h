@@ -16,7 +16,6 @@
 #include <CGAL/Boundary_recovery_3/internal/shape/Unit_frame_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/distances_3.h>
-#include <CGAL/Boundary_recovery_3/internal/shape/tetrahedron_edges.h>
 
 #include <CGAL/Triangulation_utils_3.h>
 

@@ -12,9 +12,9 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <CGAL/Boundary_recovery_3/internal/shape/Cell_shape_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/Unit_frame_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/circumsphere.h>
-#include <CGAL/Boundary_recovery_3/internal/shape/tetrahedron_edges.h>
 
 #include <algorithm>
 #include <array>

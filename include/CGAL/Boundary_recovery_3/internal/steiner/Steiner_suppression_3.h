@@ -18,10 +18,9 @@
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/flood_fill.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/Move_into_kernel_3.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/Round_free_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_mesh_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_rounding_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Suppress_free_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 
