@@ -21,7 +21,6 @@
 #include <CGAL/Boundary_recovery_3/internal/shape/Cell_shape_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/distances_3.h>
-#include <CGAL/Boundary_recovery_3/internal/shape/tetrahedron_edges.h>
 
 #include <CGAL/Random.h>
 
