@@ -20,7 +20,7 @@
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef CGAL::Hole_remeshing_result_3<Kernel::Point_3>      Result;
-typedef CGAL::Boundary_recovery_3::Hole_remeshing_phase     Phase;
+typedef CGAL::Boundary_recovery_3::Phase     Phase;
 typedef std::array<std::size_t, 4>                          Tetrahedron;
 
 // A grid of n * n * length cubes, whose inner vertices are not quite in their places. A longer one begins with the same
@@ -118,12 +118,13 @@ Result remesh(const Grid& grid, const std::size_t number_of_holes)
       best = std::move(result);
   }
   const double new_cells = double(best.tetrahedra.size() - best.number_of_kept_cells);
-  const double passes = best.seconds_of(Phase::selection) + best.seconds_of(Phase::sewing);
-  const double work = best.seconds_of(Phase::recovery) + best.seconds_of(Phase::filling);
+  const double passes = best.seconds_of(Phase::hole_selection) + best.seconds_of(Phase::hole_sewing);
+  const double work = best.seconds_of(Phase::hole_recovery) + best.seconds_of(Phase::hole_filling);
   std::cout << std::fixed << std::setprecision(3) << std::setw(8) << grid.tetrahedra.size() << std::setw(6)
             << best.number_of_holes << std::setw(10) << std::size_t(new_cells);
-  const std::pair<Phase, int> columns[] = { { Phase::selection, 10 }, { Phase::recovery, 9 }, { Phase::filling, 8 },
-                                            { Phase::improvement, 12 }, { Phase::sewing, 7 } };
+  const std::pair<Phase, int> columns[] = { { Phase::hole_selection, 10 }, { Phase::hole_recovery, 9 },
+                                            { Phase::hole_filling, 8 }, { Phase::hole_improvement, 12 },
+                                            { Phase::hole_sewing, 7 } };
   for(const auto& column : columns)
     std::cout << std::setw(column.second) << best.seconds_of(column.first);
   std::cout << std::setw(7) << best.seconds << std::setw(16) << 1e6 * passes / double(grid.tetrahedra.size())

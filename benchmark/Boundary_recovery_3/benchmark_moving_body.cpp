@@ -198,7 +198,7 @@ int main(int argc, char** argv)
   }
   double seconds = result.seconds;
   for(const auto& report : result.phases)
-    if(report.phase == CGAL::Boundary_recovery_3::Meshing_phase::quality_improvement)
+    if(report.phase == CGAL::Boundary_recovery_3::Phase::quality_improvement)
       seconds -= report.seconds;
   const double seconds_per_cell = seconds / double(mesh.tetrahedra.size());
   std::cout << std::fixed << std::setprecision(3) << scene.triangles.size() << " triangles, " << mesh.tetrahedra.size()

@@ -19,7 +19,7 @@ typedef CGAL::Exact_predicates_inexact_constructions_kernel   K;
 typedef CGAL::Delaunay_triangulation_3<K>                     Triangulation;
 
 struct Talking_visitor
-  : public CGAL::Default_boundary_recovery_visitor_3
+  : public CGAL::Default_meshing_visitor_3
 {
   void on_phase_end(const CGAL::Boundary_recovery_3::Phase_report& report)
   {

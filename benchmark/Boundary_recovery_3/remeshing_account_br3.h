@@ -11,7 +11,7 @@
 
 namespace br3_benchmark {
 
-typedef CGAL::Boundary_recovery_3::Hole_remeshing_phase Phase;
+typedef CGAL::Boundary_recovery_3::Phase Phase;
 
 // The figures of [CZZ+17, Section 5.2.3].
 struct Account
@@ -35,11 +35,11 @@ struct Account
     holes_with_steiner_points += result.number_of_holes_with_steiner_points;
     enlargements += result.number_of_enlargements;
     failures += result.number_of_failures;
-    selection += result.seconds_of(Phase::selection);
-    recovery += result.seconds_of(Phase::recovery);
-    filling += result.seconds_of(Phase::filling);
-    improvement += result.seconds_of(Phase::improvement);
-    sewing += result.seconds_of(Phase::sewing);
+    selection += result.seconds_of(Phase::hole_selection);
+    recovery += result.seconds_of(Phase::hole_recovery);
+    filling += result.seconds_of(Phase::hole_filling);
+    improvement += result.seconds_of(Phase::hole_improvement);
+    sewing += result.seconds_of(Phase::hole_sewing);
     all += result.seconds;
   }
 };
@@ -60,9 +60,9 @@ void print_row(const int step, const std::size_t old_cells, const double old_ang
             << std::setw(10) << result.tetrahedra.size() - result.number_of_kept_cells
             << std::setw(9) << result.number_of_enlargements << std::setw(7) << result.number_of_failures
             << std::setw(8) << result.number_of_holes_with_steiner_points
-            << std::setprecision(3) << std::setw(9) << result.seconds_of(Phase::recovery)
-            << std::setw(9) << result.seconds_of(Phase::filling)
-            << std::setw(12) << result.seconds_of(Phase::improvement) << std::setw(9) << result.seconds
+            << std::setprecision(3) << std::setw(9) << result.seconds_of(Phase::hole_recovery)
+            << std::setw(9) << result.seconds_of(Phase::hole_filling)
+            << std::setw(12) << result.seconds_of(Phase::hole_improvement) << std::setw(9) << result.seconds
             << std::setprecision(1) << std::setw(8) << old_angle << std::setw(7) << new_angle << std::endl;
 }
 

@@ -17,19 +17,19 @@ namespace BR3 = CGAL::Boundary_recovery_3;
 //! [visitor]
 // Prints what is going on, and gives up after so many cells were replaced.
 struct Impatient_visitor
-  : public CGAL::Default_boundary_recovery_visitor_3
+  : public CGAL::Default_meshing_visitor_3
 {
   std::size_t patience;
   std::size_t number_of_replaced_cells = 0;
 
   explicit Impatient_visitor(const std::size_t patience) : patience(patience) { }
 
-  void on_phase_begin(const BR3::Recovery_phase phase)
+  void on_phase_begin(const BR3::Phase phase)
   {
     std::cout << to_string(phase) << std::endl;
   }
 
-  void on_progress(BR3::Recovery_phase, const std::size_t done, const std::size_t total)
+  void on_progress(BR3::Phase, const std::size_t done, const std::size_t total)
   {
     if(total < 10 || done % (total / 10) == 0) // ten lines or so for each pass
       std::cout << "  " << done << " of " << total << std::endl;

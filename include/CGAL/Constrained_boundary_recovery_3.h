@@ -13,7 +13,7 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
-#include <CGAL/Boundary_recovery_3/Boundary_recovery_visitor_3.h>
+#include <CGAL/Boundary_recovery_3/Meshing_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/lost/Recovery_by_flips_3.h>
 #include <CGAL/Boundary_recovery_3/internal/lost/Recovery_state_3.h>
@@ -42,18 +42,18 @@ namespace CGAL {
  *
  * \tparam Tr an instance of `CGAL::Triangulation_3`, or of a class derived from it, with a model of
  *         `BoundaryRecoveryTraits_3` as geometric traits
- * \tparam Visitor a model of `BoundaryRecoveryVisitor_3`
+ * \tparam Visitor a model of `MeshingVisitor_3`
  *
  * \sa `CGAL::recover_boundary()`
  */
-template <typename Tr, typename Visitor_ = Default_boundary_recovery_visitor_3>
+template <typename Tr, typename Visitor_ = Default_meshing_visitor_3>
 class Constrained_boundary_recovery_3
 {
 public:
   typedef Tr       Triangulation;                         ///< the triangulation type
   typedef Visitor_ Visitor;                               ///< the visitor type
   typedef typename Tr::Vertex_handle Vertex_handle;       ///< the vertex handle of the triangulation
-  typedef Boundary_recovery_3::Recovery_phase Phase;      ///< the phases
+  typedef Boundary_recovery_3::Phase Phase;      ///< the phases
   typedef Boundary_recovery_3::Recovery_mode Mode;        ///< the modes
   typedef Boundary_recovery_3::Recovery_effort Effort;    ///< what may be given up
   typedef Boundary_recovery_3::Phase_report Phase_report; ///< the counts of a phase
@@ -363,7 +363,7 @@ private:
 
   Tr& m_tr;
   // what the constructor without a visitor points to; other visitors need not be default constructible
-  Default_boundary_recovery_visitor_3 m_no_visitor;
+  Default_meshing_visitor_3 m_no_visitor;
   std::optional<Context> m_own_context;
   Context& m_context;
   Constraints m_constraints;

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/Cell_replacement_visitor_3.h>
+#include <CGAL/Boundary_recovery_3/Meshing_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/Partial_triangulation.h>
 #include <CGAL/Boundary_recovery_3/Shell_3.h>
 #include <CGAL/Boundary_recovery_3/Shell_quality_3.h>
@@ -51,12 +51,12 @@ namespace CGAL {
  * \tparam Tr an instance of `CGAL::Triangulation_3`, or of a class derived from it. It has to be 3-dimensional.
  * \tparam Quality a model of `ShellQuality_3`
  * \tparam Validity a model of `ShellValidity_3`
- * \tparam Visitor a model of `CellReplacementVisitor_3`
+ * \tparam Visitor a model of `MeshingVisitor_3`
  */
 template <typename Tr,
           typename Quality_ = Boundary_recovery_3::Worst_element_quality_3<Tr>,
           typename Validity_ = Boundary_recovery_3::No_shell_validity_3,
-          typename Visitor_ = Default_cell_replacement_visitor_3>
+          typename Visitor_ = Default_meshing_visitor_3>
 class Shell_transformation_3
 {
 public:
@@ -484,7 +484,7 @@ private:
   std::optional<Validity> m_validity;            // none if every call is given one
   const Validity* m_validity_of_call = nullptr;
   // what the constructor without a visitor points to; other visitors need not be default constructible
-  Default_cell_replacement_visitor_3 m_no_visitor;
+  Default_meshing_visitor_3 m_no_visitor;
   Visitor* m_visitor;
   Recursion_validity m_search_validity = { nullptr, nullptr };
   Covering_mesh_search m_search{ m_predicates, m_quality, m_search_validity };

@@ -12,8 +12,8 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/Cell_quality_3.h>
+#include <CGAL/Boundary_recovery_3/Meshing_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Quality_improvement_3.h>
@@ -104,8 +104,8 @@ namespace CGAL {
  *   \cgalParamNBegin{visitor}
  *     \cgalParamDescription{is told about the phase `quality_improvement`, about progress, and about the cells that go
  *                           and come, and can stop the improvement}
- *     \cgalParamType{a model of `BoundaryConstrainedMeshVisitor_3`}
- *     \cgalParamDefault{`Default_boundary_constrained_mesh_visitor_3`}
+ *     \cgalParamType{a model of `MeshingVisitor_3`}
+ *     \cgalParamDefault{`Default_meshing_visitor_3`}
  *     \cgalParamExtra{Pass `std::ref(visitor)` to have the object itself called and not a copy.}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
@@ -126,7 +126,7 @@ improve_mesh_quality(Triangulation& tr, const CGAL_NP_CLASS& np = parameters::de
   namespace BR3 = Boundary_recovery_3::internal;
 
   auto domain = BR3::selected_domain(tr, np);
-  decltype(auto) visitor = BR3::visitor_of<Default_boundary_constrained_mesh_visitor_3>(np);
+  decltype(auto) visitor = BR3::visitor_of(np);
   const auto quality = choose_parameter<Boundary_recovery_3::Dihedral_angle_quality_3>(
     get_parameter(np, BR3::cell_quality));
   const double min_dihedral_angle = choose_parameter(get_parameter(np, BR3::min_dihedral_angle),

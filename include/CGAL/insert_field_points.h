@@ -13,7 +13,7 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_result_3.h>
-#include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_visitor_3.h>
+#include <CGAL/Boundary_recovery_3/Meshing_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Field_point_insertion_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
 #include <CGAL/Boundary_recovery_3/parameters.h>
@@ -97,8 +97,8 @@ namespace CGAL {
  *   \cgalParamNBegin{visitor}
  *     \cgalParamDescription{is told about the phases `forecast` and `field_point_insertion`, about progress, and about
  *                           the cells that go and come, and can stop the insertion}
- *     \cgalParamType{a model of `BoundaryConstrainedMeshVisitor_3`}
- *     \cgalParamDefault{`Default_boundary_constrained_mesh_visitor_3`}
+ *     \cgalParamType{a model of `MeshingVisitor_3`}
+ *     \cgalParamDefault{`Default_meshing_visitor_3`}
  *     \cgalParamExtra{Pass `std::ref(visitor)` to have the object itself called and not a copy.}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
@@ -120,7 +120,7 @@ insert_field_points(Triangulation& tr, const SizingField& size, const CGAL_NP_CL
   using parameters::get_parameter;
   namespace BR3 = Boundary_recovery_3::internal;
   auto domain = BR3::selected_domain(tr, np);
-  decltype(auto) visitor = BR3::visitor_of<Default_boundary_constrained_mesh_visitor_3>(np);
+  decltype(auto) visitor = BR3::visitor_of(np);
   typedef std::decay_t<decltype(visitor)> Visitor;
   const std::size_t max_number_of_vertices = static_cast<std::size_t>(
     choose_parameter(get_parameter(np, BR3::maximum_number_of_vertices), (std::numeric_limits<std::size_t>::max)()));

@@ -14,6 +14,7 @@
 
 #include <CGAL/Boundary_constrained_mesh_triangulation_3.h>
 #include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_result_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/mesh_indices.h>
 #include <CGAL/Boundary_recovery_3/internal/meshing/Boundary_constrained_meshing_3.h>
 #include <CGAL/Boundary_recovery_3/parameters.h>
 
@@ -58,6 +59,7 @@ Boundary_constrained_mesh_result_3<Tr>
 make_mesh_of_soup(Tr& tr, const PointRange& points, const TriangleRange& triangles, const SizingField& size,
                   const NamedParameters& np)
 {
+  static_cast<void>(internal::Require_mesh_indices<Tr>());
   typedef typename Mark_domain_3<Tr>::Surface_patch_index Patch;
   return Boundary_constrained_meshing_3<Tr, NamedParameters>(tr, np)(
     [&](const auto& all_parameters) { return recover_boundary(tr, points, triangles, all_parameters); },
@@ -69,6 +71,7 @@ template <typename Tr, typename FaceListGraph, typename SizingField, typename Na
 Boundary_constrained_mesh_result_3<Tr>
 make_mesh_of_surface(Tr& tr, const FaceListGraph& surface, const SizingField& size, const NamedParameters& np)
 {
+  static_cast<void>(internal::Require_mesh_indices<Tr>());
   typedef typename Mark_domain_3<Tr>::Surface_patch_index Patch;
   return Boundary_constrained_meshing_3<Tr, NamedParameters>(tr, np)(
     [&](const auto& all_parameters) { return recover_boundary(tr, surface, all_parameters); },
@@ -192,8 +195,8 @@ make_mesh_of_surface(Tr& tr, const FaceListGraph& surface, const SizingField& si
  *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
  *     \cgalParamDescription{is told about the phases of all steps, and can stop the work}
- *     \cgalParamType{a model of `BoundaryConstrainedMeshVisitor_3`}
- *     \cgalParamDefault{`Default_boundary_constrained_mesh_visitor_3`}
+ *     \cgalParamType{a model of `MeshingVisitor_3`}
+ *     \cgalParamDefault{`Default_meshing_visitor_3`}
  *     \cgalParamExtra{Pass `std::ref(visitor)` to have the object itself called and not a copy.}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd

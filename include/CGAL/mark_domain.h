@@ -13,6 +13,7 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mark_domain_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/mesh_indices.h>
 #include <CGAL/Boundary_recovery_3/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -117,8 +118,9 @@ std::vector<Patch> patches_of_facets(const FacetRange& facets, const NamedParame
 template <typename Triangulation, typename FacetRange, typename CGAL_NP_TEMPLATE_PARAMETERS>
 int mark_domain(Triangulation& tr, const FacetRange& facets, const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  typedef Boundary_recovery_3::internal::Mark_domain_3<Triangulation> Mark_domain;
   namespace BR3 = Boundary_recovery_3::internal;
+  static_cast<void>(BR3::Require_mesh_indices<Triangulation>());
+  typedef BR3::Mark_domain_3<Triangulation> Mark_domain;
   std::vector<typename Mark_domain::Vertex_pair> edges;
   if constexpr(! parameters::is_default_parameter<CGAL_NP_CLASS, BR3::constrained_edges_t>::value)
   {

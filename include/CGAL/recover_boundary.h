@@ -13,7 +13,7 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
-#include <CGAL/Boundary_recovery_3/Boundary_recovery_visitor_3.h>
+#include <CGAL/Boundary_recovery_3/Meshing_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/input/Indexed_boundary_recovery.h>
 #include <CGAL/Boundary_recovery_3/internal/input/input_conversion.h>
 #include <CGAL/Boundary_recovery_3/parameters.h>
@@ -103,8 +103,8 @@ namespace CGAL {
  *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
  *     \cgalParamDescription{is told about phases, progress, and the cells that go and come, and can stop the recovery}
- *     \cgalParamType{a model of `BoundaryRecoveryVisitor_3`}
- *     \cgalParamDefault{`Default_boundary_recovery_visitor_3`}
+ *     \cgalParamType{a model of `MeshingVisitor_3`}
+ *     \cgalParamDefault{`Default_meshing_visitor_3`}
  *     \cgalParamExtra{Pass `std::ref(visitor)` to have the object itself called and not a copy.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{list_defects}

@@ -148,8 +148,8 @@ auto remesh_holes_of_ranges(const PointRange& points, const TetrahedronRange& te
  *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
  *     \cgalParamDescription{is told about phases and progress, and can stop the work}
- *     \cgalParamType{a model of `HoleRemeshingVisitor_3`}
- *     \cgalParamDefault{`Default_hole_remeshing_visitor_3`}
+ *     \cgalParamType{a model of `MeshingVisitor_3`}
+ *     \cgalParamDefault{`Default_meshing_visitor_3`}
  *     \cgalParamExtra{Pass `std::ref(visitor)` to have the object itself called and not a copy.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{point_map}

@@ -3,7 +3,7 @@
 
 #include "triangle_soup.h"
 
-#include <CGAL/Boundary_recovery_3/Boundary_recovery_visitor_3.h>
+#include <CGAL/Boundary_recovery_3/Meshing_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/parameters.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Kernel_traits.h>
@@ -14,11 +14,11 @@
 
 // Ends the recovery as soon as the input is diagnosed.
 struct Diagnosis_visitor
-  : public CGAL::Default_boundary_recovery_visitor_3
+  : public CGAL::Default_meshing_visitor_3
 {
   bool is_diagnosed = false;
 
-  void on_phase_begin(const CGAL::Boundary_recovery_3::Recovery_phase) { is_diagnosed = true; }
+  void on_phase_begin(const CGAL::Boundary_recovery_3::Phase) { is_diagnosed = true; }
   bool go_further() const { return ! is_diagnosed; }
 };
 

@@ -72,7 +72,7 @@ double seconds_of_recovery(const Result& result)
   double seconds = make_seconds(result.seconds, result.recovery.phases).recovery - result.filling.seconds
                    - result.improvement.seconds;
   for(const auto& phase : result.phases)
-    if(phase.phase == CGAL::Boundary_recovery_3::Meshing_phase::domain_marking)
+    if(phase.phase == CGAL::Boundary_recovery_3::Phase::domain_marking)
       seconds -= phase.seconds;
   return seconds;
 }

@@ -238,7 +238,7 @@ private:
   int divide(Triangulation& tr, const Result& result, std::vector<Part>& parts, Numbers_of_vertices& numbers)
   {
     typedef internal::Part_domain_3<Triangulation>                  Domain;
-    typedef CGAL::Default_boundary_constrained_mesh_visitor_3       Visitor;
+    typedef CGAL::Default_meshing_visitor_3       Visitor;
     constexpr double forever = std::numeric_limits<double>::infinity();
     Visitor visitor;
     Domain domain(tr, result.constrained_edges);

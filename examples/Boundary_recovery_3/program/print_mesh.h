@@ -17,7 +17,7 @@
 #include <vector>
 
 // prints the phases after the recovery
-inline void print_phases(std::ostream& os, const std::vector<CGAL::Boundary_recovery_3::Meshing_phase_report>& phases)
+inline void print_meshing_phases(std::ostream& os, const std::vector<CGAL::Boundary_recovery_3::Phase_report>& phases)
 {
   os << std::left << std::setw(26) << "phase" << std::right << std::setw(12) << "vertices" << std::setw(24) << "cells"
      << std::setw(22) << "seconds" << '\n';
@@ -128,7 +128,7 @@ void print_mesh(std::ostream& os, const Result& result, const Domain& domain, co
 {
   const std::streamsize precision = os.precision(3);
   print_phases(os, result.recovery.phases);
-  print_phases(os, result.phases);
+  print_meshing_phases(os, result.phases);
   if(! domain.tetrahedra.empty())
   {
     print_quality(os, quality);

@@ -4,7 +4,7 @@
 #include "domain_quality.h"
 
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
-#include <CGAL/Boundary_recovery_3/Boundary_recovery_visitor_3.h>
+#include <CGAL/Boundary_recovery_3/Meshing_visitor_3.h>
 
 #include <cstddef>
 #include <iomanip>
@@ -29,7 +29,7 @@ inline bool stdout_is_terminal()
 
 // prints a line when a phase ends
 class Progress_printer
-  : public CGAL::Default_boundary_recovery_visitor_3
+  : public CGAL::Default_meshing_visitor_3
 {
   std::ostream& m_os;
   bool m_is_on;
@@ -57,7 +57,7 @@ inline Seconds make_seconds(const double total, const std::vector<CGAL::Boundary
 {
   Seconds seconds = { total, total };
   for(const auto& phase : phases)
-    if(phase.phase == CGAL::Boundary_recovery_3::Recovery_phase::insertion)
+    if(phase.phase == CGAL::Boundary_recovery_3::Phase::insertion)
       seconds.recovery -= phase.seconds;
   return seconds;
 }
@@ -66,7 +66,7 @@ inline Seconds make_seconds(const double total, const std::vector<CGAL::Boundary
 // triangulation was put back, since points did not do
 inline void print_phases(std::ostream& os, const std::vector<CGAL::Boundary_recovery_3::Phase_report>& phases)
 {
-  using CGAL::Boundary_recovery_3::Recovery_phase;
+  using CGAL::Boundary_recovery_3::Phase;
 
   const auto difference = [](const std::size_t before, const std::size_t after)
   { return static_cast<long long>(before) - static_cast<long long>(after); };
@@ -77,7 +77,7 @@ inline void print_phases(std::ostream& os, const std::vector<CGAL::Boundary_reco
   const CGAL::Boundary_recovery_3::Phase_report* before = nullptr;
   for(const auto& phase : phases)
   {
-    if(phase.phase == Recovery_phase::insertion) // nothing has been searched yet
+    if(phase.phase == Phase::insertion) // nothing has been searched yet
     {
       os << std::left << std::setw(26) << to_string(phase.phase) << std::right << std::setw(58) << phase.seconds
          << '\n';

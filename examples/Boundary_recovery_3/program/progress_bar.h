@@ -3,7 +3,7 @@
 
 #include "round_number.h"
 
-#include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_visitor_3.h>
+#include <CGAL/Boundary_recovery_3/Meshing_visitor_3.h>
 
 #include <algorithm>
 #include <chrono>
@@ -14,7 +14,7 @@
 // Draws a bar for the phase that runs, on a terminal, and takes it away when the phase ends. What takes less than a
 // blink is not shown.
 class Progress_bar
-  : public CGAL::Default_boundary_constrained_mesh_visitor_3
+  : public CGAL::Default_meshing_visitor_3
 {
   typedef std::chrono::steady_clock Clock;
 
@@ -32,18 +32,15 @@ public:
     : m_os(os), m_is_quiet(is_quiet), m_is_on(! is_quiet && is_terminal)
   { }
 
-  void on_phase_end(const CGAL::Boundary_recovery_3::Phase_report&) { clear(); }
-
   // The forecast is told at once, on a terminal or not.
-  void on_phase_end(const CGAL::Boundary_recovery_3::Meshing_phase_report& report)
+  void on_phase_end(const CGAL::Boundary_recovery_3::Phase_report& report)
   {
     clear();
-    if(report.phase == CGAL::Boundary_recovery_3::Meshing_phase::forecast && ! m_is_quiet)
+    if(report.phase == CGAL::Boundary_recovery_3::Phase::forecast && ! m_is_quiet)
       m_os << "about " << round_number(double(report.number_of_cells)) << " tetrahedra are to be expected" << std::endl;
   }
 
-  template <typename Phase>
-  void on_progress(const Phase phase, const std::size_t done, const std::size_t total)
+  void on_progress(const CGAL::Boundary_recovery_3::Phase phase, const std::size_t done, const std::size_t total)
   {
     if(! m_is_on || total == 0 || Clock::now() - m_last < pause)
       return;

@@ -47,7 +47,7 @@ void write_meshing(Json_writer& json, const Result& result)
     json.entry("message", invalid.message);
   });
   json.key("meshing_phases");
-  json.objects(result.phases, [&](const CGAL::Boundary_recovery_3::Meshing_phase_report& phase)
+  json.objects(result.phases, [&](const CGAL::Boundary_recovery_3::Phase_report& phase)
   {
     json.entry("name", to_string(phase.phase));
     json.entry("number_of_vertices", phase.number_of_vertices);

@@ -26,18 +26,6 @@ namespace CGAL {
 namespace Boundary_recovery_3 {
 
 /// \ingroup PkgBoundaryRecovery3Classes
-/// the mesh of the domain when a phase ended, and the duration of that phase; of the phase `forecast`, the mesh that is
-/// to be expected: so a visitor can tell it before the work begins.
-struct Meshing_phase_report
-{
-  Meshing_phase phase;                ///< the phase
-  std::size_t number_of_vertices = 0; ///< number of vertices of the triangulation
-  std::size_t number_of_cells = 0;    ///< number of finite cells of the triangulation, those outside the domain
-                                      ///< included, but in the forecast not
-  double seconds = 0;                 ///< duration in seconds (wall clock)
-};
-
-/// \ingroup PkgBoundaryRecovery3Classes
 /// a place where a size field has no size: neither a positive number nor one that is finite.
 template <typename Point_3_>
 struct Invalid_size_3
@@ -122,7 +110,7 @@ struct Boundary_constrained_mesh_result_3
   /// `Constrained_edge_map_3`, what is to be told to whoever changes the mesh. Empty if the recovery failed.
   std::vector<Vertex_pair> constrained_edges;
 
-  std::vector<Meshing_phase_report> phases; ///< one entry for each phase after the recovery
+  std::vector<Phase_report> phases; ///< one entry for each phase after the recovery
 
   double seconds = 0; ///< duration of all in seconds (wall clock)
 

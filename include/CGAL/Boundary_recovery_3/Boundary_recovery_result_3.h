@@ -51,20 +51,26 @@ struct Input_defect_3
 };
 
 /// \ingroup PkgBoundaryRecovery3Classes
-/// what was lost when a phase ended, and its duration.
+/// what there was when a phase ended, and its duration. Phases of a boundary recovery tell what is lost, those of the
+/// meshing how large the mesh is, and those of the remeshing of holes how many holes there are; the rest is 0.
 struct Phase_report
 {
-  Recovery_phase phase;          ///< the phase
-  std::size_t lost_edges = 0;    ///< number of constrained edges that are not in the triangulation
-  std::size_t lost_facets = 0;   ///< number of constrained facets that are not in the triangulation
-  double seconds = 0;            ///< duration in seconds (wall clock)
+  Phase phase;                        ///< the phase
+  std::size_t lost_edges = 0;         ///< number of constrained edges that are not in the triangulation
+  std::size_t lost_facets = 0;        ///< number of constrained facets that are not in the triangulation
+  std::size_t number_of_vertices = 0; ///< number of vertices of the triangulation; after the phase `forecast`, of the
+                                      ///< mesh that is to be expected
+  std::size_t number_of_cells = 0;    ///< number of finite cells of the triangulation, those outside the domain
+                                      ///< included; after the phase `forecast`, of the domain, as it is to be expected
+  std::size_t number_of_holes = 0;    ///< number of holes
+  double seconds = 0;                 ///< duration in seconds (wall clock)
 };
 
 /// \ingroup PkgBoundaryRecovery3Classes
 /// one row of the tables of [CZZ+17, Section 5.1.2]: the state after a pass with one maximal recursion level.
 struct Recursion_level_report
 {
-  Recovery_phase phase;             ///< the calling
+  Phase phase;             ///< the calling
   int max_recursion_level = -1;     ///< the maximal recursion level of the pass; -1: before the first one
   std::size_t n1 = 0;               ///< number of lost edges (or facets)
   std::size_t n2 = 0;               ///< number of intersections of lost edges (facets) with mesh entities

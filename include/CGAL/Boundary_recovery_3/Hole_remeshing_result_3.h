@@ -25,15 +25,6 @@ namespace CGAL {
 namespace Boundary_recovery_3 {
 
 /// \ingroup PkgBoundaryRecovery3Classes
-/// the number of holes when a phase ended, and the duration of that phase.
-struct Hole_remeshing_phase_report
-{
-  Hole_remeshing_phase phase;      ///< the phase
-  std::size_t number_of_holes = 0; ///< number of holes
-  double seconds = 0;              ///< duration in seconds (wall clock)
-};
-
-/// \ingroup PkgBoundaryRecovery3Classes
 /// where a place is in the old mesh, so that a solution can be interpolated there.
 struct Old_mesh_location_3
 {
@@ -123,7 +114,7 @@ struct Hole_remeshing_result_3
   /// the place where the size field has no size, if that made the status `invalid_input`: none, or one
   std::vector<Invalid_size> invalid_sizes;
 
-  std::vector<Hole_remeshing_phase_report> phases; ///< one entry for each run of a phase; those from `recovery` to
+  std::vector<Phase_report> phases; ///< one entry for each run of a phase; those from `recovery` to
                                                    ///< `improvement` run again if holes grow for quality
 
   double seconds = 0; ///< duration of all in seconds (wall clock)
@@ -131,10 +122,10 @@ struct Hole_remeshing_result_3
   /// @}
 
   /// returns the duration of a phase in seconds; 0 if it did not run.
-  double seconds_of(const Hole_remeshing_phase phase) const
+  double seconds_of(const Phase phase) const
   {
     double sum = 0;
-    for(const Hole_remeshing_phase_report& report : phases)
+    for(const Phase_report& report : phases)
       if(report.phase == phase)
         sum += report.seconds;
     return sum;
@@ -144,33 +135,8 @@ struct Hole_remeshing_result_3
   explicit operator bool() const { return status == Meshing_status::meshed; }
 };
 
-/*!
- * \ingroup PkgBoundaryRecovery3Classes
- *
- * \brief a visitor that does nothing; derive from it to watch or to stop `CGAL::remesh_holes()`.
- *
- * Pass it with `CGAL::parameters::visitor(std::ref(v))`, else a copy of it is called.
- *
- * \cgalModels{HoleRemeshingVisitor_3}
- */
-struct Default_hole_remeshing_visitor_3
-{
-  /// is called before a phase starts.
-  void on_phase_begin(Hole_remeshing_phase /* phase */) { }
-
-  /// is called after a phase ended.
-  void on_phase_end(const Hole_remeshing_phase_report& /* report */) { }
-
-  /// is called inside the phases from `recovery` to `improvement`, after each hole: `done` of `total` are done.
-  void on_progress(Hole_remeshing_phase /* phase */, std::size_t /* done */, std::size_t /* total */) { }
-
-  /// is asked at a steady rate; once it returned `false`, the work stops soon, and the old mesh is returned.
-  bool go_further() { return true; }
-};
-
 } // namespace Boundary_recovery_3
 
-using Boundary_recovery_3::Default_hole_remeshing_visitor_3;
 using Boundary_recovery_3::Hole_remeshing_result_3;
 
 namespace Boundary_recovery_3 {

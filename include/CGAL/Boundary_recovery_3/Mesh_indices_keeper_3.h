@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/Boundary_recovery_visitor_3.h>
+#include <CGAL/Boundary_recovery_3/Meshing_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_index_transfer_3.h>
 
 #include <cstddef>
@@ -47,11 +47,11 @@ namespace Boundary_recovery_3 {
  * \tparam Tr an instance of `CGAL::Triangulation_3`, or of a class derived from it, whose cell type is a model of
  * `MeshCellBase_3`, such as that of `CGAL::Tetrahedral_remeshing::Remeshing_triangulation_3`
  *
- * \cgalModels{BoundaryRecoveryVisitor_3}
+ * \cgalModels{MeshingVisitor_3}
  */
 template <typename Tr>
 class Mesh_indices_keeper_3
-  : public Default_boundary_recovery_visitor_3
+  : public Default_meshing_visitor_3
 {
 public:
   typedef Tr Triangulation; ///< the triangulation type

@@ -94,48 +94,72 @@ inline const char* to_string(const Recovery_status status)
 }
 
 /// \ingroup PkgBoundaryRecovery3Classes
-/// the phases of a boundary recovery, in the order in which they run first and by the names of [CZZ+17, Section 4].
-enum class Recovery_phase
+/// the phases of the work, in the order in which they run first: those of a boundary recovery, from `insertion` to
+/// `recount`, by the names of [CZZ+17, Section 4]; those of the meshing, from `domain_marking` to
+/// `quality_improvement`; and those of the remeshing of holes.
+enum class Phase
 {
-  insertion,             ///< surface points that are not in the triangulation are inserted
-  search,                ///< the constraints that the triangulation lacks are searched
-  planar_edge_recovery,  ///< lost edges that cross many mesh edges in a plane, by Steiner points close to it that are
-                         ///< removed again where possible
-  plain_removal,         ///< complete removals of single shells, without recursion
-  edge_recovery_brc1,    ///< first calling of [CZZ+17, Alg. 5]: lost edges, under BRC1
-  edge_recovery_brc3,    ///< second calling of [CZZ+17, Alg. 5]: intersections of lost edges, under BRC3
-  edge_reconnection,     ///< small polyhedron reconnection of the cells around each lost edge
-  facet_recovery_brc2,   ///< first calling for facets, under BRC2
-  facet_recovery_brc4,   ///< second calling for facets, under BRC4
-  facet_reconnection,    ///< small polyhedron reconnection of the cells around each lost facet
-  conforming_edge_recovery,  ///< Steiner points on lost edges, or beside them, where many edges of no facet are lost
-  conforming_facet_recovery, ///< Steiner points on lost facets
-  steiner_splitting,     ///< Steiner points come off the constraints [CZZ+17, Alg. A.1 to A.5]
-  steiner_suppression,   ///< Steiner points are removed [CZZ+17, Section 4.3]
-  recount                ///< if any was lost, every constraint is looked up again; only this decides the status
+  insertion,                  ///< surface points that are not in the triangulation are inserted
+  search,                     ///< the constraints that the triangulation lacks are searched
+  planar_edge_recovery,       ///< lost edges that cross many mesh edges in a plane, by Steiner points close to it that
+                              ///< are removed again where possible
+  plain_removal,              ///< complete removals of single shells, without recursion
+  edge_recovery_brc1,         ///< first calling of [CZZ+17, Alg. 5]: lost edges, under BRC1
+  edge_recovery_brc3,         ///< second calling of [CZZ+17, Alg. 5]: intersections of lost edges, under BRC3
+  edge_reconnection,          ///< small polyhedron reconnection of the cells around each lost edge
+  facet_recovery_brc2,        ///< first calling for facets, under BRC2
+  facet_recovery_brc4,        ///< second calling for facets, under BRC4
+  facet_reconnection,         ///< small polyhedron reconnection of the cells around each lost facet
+  conforming_edge_recovery,   ///< Steiner points on lost edges, or beside them, where many edges of no facet are lost
+  conforming_facet_recovery,  ///< Steiner points on lost facets
+  steiner_splitting,          ///< Steiner points come off the constraints [CZZ+17, Alg. A.1 to A.5]
+  steiner_suppression,        ///< Steiner points are removed [CZZ+17, Section 4.3]
+  recount,                    ///< if any was lost, every constraint is looked up again; only this decides the status
+
+  domain_marking,             ///< step 5: what is outside, and the regions of the domain
+  forecast,                   ///< the number of cells is estimated from the size field
+  decomposition,              ///< the domain is divided into sub-domains, if these are asked for
+  field_point_insertion,      ///< step 6
+  quality_improvement,        ///< step 7
+
+  hole_selection,             ///< the input is checked, and the cells are looked for that are to be replaced
+  hole_recovery,              ///< the boundary of each hole is recovered; holes grow until it is a valid surface
+  hole_filling,               ///< field points are inserted
+  hole_improvement,           ///< the quality of new cells is improved
+  hole_sewing                 ///< old and new are put together, and new vertices are looked for in the old mesh
 };
 
 /// \ingroup PkgBoundaryRecovery3Classes
 /// returns the name of a phase, as it is spelled in the enumeration.
-inline const char* to_string(const Recovery_phase phase)
+inline const char* to_string(const Phase phase)
 {
   switch(phase)
   {
-    case Recovery_phase::insertion:           return "insertion";
-    case Recovery_phase::search:              return "search";
-    case Recovery_phase::planar_edge_recovery: return "planar_edge_recovery";
-    case Recovery_phase::plain_removal:       return "plain_removal";
-    case Recovery_phase::edge_recovery_brc1:  return "edge_recovery_brc1";
-    case Recovery_phase::edge_recovery_brc3:  return "edge_recovery_brc3";
-    case Recovery_phase::edge_reconnection:   return "edge_reconnection";
-    case Recovery_phase::facet_recovery_brc2: return "facet_recovery_brc2";
-    case Recovery_phase::facet_recovery_brc4: return "facet_recovery_brc4";
-    case Recovery_phase::facet_reconnection:  return "facet_reconnection";
-    case Recovery_phase::conforming_edge_recovery:  return "conforming_edge_recovery";
-    case Recovery_phase::conforming_facet_recovery: return "conforming_facet_recovery";
-    case Recovery_phase::steiner_splitting:   return "steiner_splitting";
-    case Recovery_phase::steiner_suppression: return "steiner_suppression";
-    case Recovery_phase::recount:             return "recount";
+    case Phase::insertion:                 return "insertion";
+    case Phase::search:                    return "search";
+    case Phase::planar_edge_recovery:      return "planar_edge_recovery";
+    case Phase::plain_removal:             return "plain_removal";
+    case Phase::edge_recovery_brc1:        return "edge_recovery_brc1";
+    case Phase::edge_recovery_brc3:        return "edge_recovery_brc3";
+    case Phase::edge_reconnection:         return "edge_reconnection";
+    case Phase::facet_recovery_brc2:       return "facet_recovery_brc2";
+    case Phase::facet_recovery_brc4:       return "facet_recovery_brc4";
+    case Phase::facet_reconnection:        return "facet_reconnection";
+    case Phase::conforming_edge_recovery:  return "conforming_edge_recovery";
+    case Phase::conforming_facet_recovery: return "conforming_facet_recovery";
+    case Phase::steiner_splitting:         return "steiner_splitting";
+    case Phase::steiner_suppression:       return "steiner_suppression";
+    case Phase::recount:                   return "recount";
+    case Phase::domain_marking:            return "domain_marking";
+    case Phase::forecast:                  return "forecast";
+    case Phase::decomposition:             return "decomposition";
+    case Phase::field_point_insertion:     return "field_point_insertion";
+    case Phase::quality_improvement:       return "quality_improvement";
+    case Phase::hole_selection:            return "hole_selection";
+    case Phase::hole_recovery:             return "hole_recovery";
+    case Phase::hole_filling:              return "hole_filling";
+    case Phase::hole_improvement:          return "hole_improvement";
+    case Phase::hole_sewing:               return "hole_sewing";
   }
   return "";
 }
@@ -223,32 +247,6 @@ inline const char* to_string(const Meshing_status status)
 }
 
 /// \ingroup PkgBoundaryRecovery3Classes
-/// the phases after the recovery of the boundary, in their order, see [CZZ+17, Section 4.1].
-enum class Meshing_phase
-{
-  domain_marking,         ///< step 5: what is outside, and the regions of the domain
-  forecast,               ///< the number of cells is estimated from the size field
-  decomposition,          ///< the domain is divided into sub-domains, if these are asked for
-  field_point_insertion,  ///< step 6
-  quality_improvement     ///< step 7
-};
-
-/// \ingroup PkgBoundaryRecovery3Classes
-/// returns the name of a phase, as it is spelled in the enumeration.
-inline const char* to_string(const Meshing_phase phase)
-{
-  switch(phase)
-  {
-    case Meshing_phase::domain_marking:        return "domain_marking";
-    case Meshing_phase::forecast:              return "forecast";
-    case Meshing_phase::decomposition:         return "decomposition";
-    case Meshing_phase::field_point_insertion: return "field_point_insertion";
-    case Meshing_phase::quality_improvement:   return "quality_improvement";
-  }
-  return "";
-}
-
-/// \ingroup PkgBoundaryRecovery3Classes
 /// how much work the improvement of a mesh is worth. An operation is tried on bad cells of one kind as long as it makes
 /// them better at a sufficient rate; work is counted, not timed, so the mesh does not depend on the machine.
 enum class Improvement_effort
@@ -294,32 +292,6 @@ inline const char* to_string(const Bad_cell_reason reason)
     case Bad_cell_reason::gap:          return "gap";
     case Bad_cell_reason::needle:       return "needle";
     case Bad_cell_reason::not_improved: return "not_improved";
-  }
-  return "";
-}
-
-/// \ingroup PkgBoundaryRecovery3Classes
-/// the phases of `CGAL::remesh_holes()`, in their order.
-enum class Hole_remeshing_phase
-{
-  selection,   ///< the input is checked, and the cells are looked for that are to be replaced
-  recovery,    ///< the boundary of each hole is recovered; holes grow until it is a valid surface
-  filling,     ///< field points are inserted
-  improvement, ///< the quality of new cells is improved
-  sewing       ///< old and new are put together, and new vertices are looked for in the old mesh
-};
-
-/// \ingroup PkgBoundaryRecovery3Classes
-/// returns the name of a phase, as it is spelled in the enumeration.
-inline const char* to_string(const Hole_remeshing_phase phase)
-{
-  switch(phase)
-  {
-    case Hole_remeshing_phase::selection:   return "selection";
-    case Hole_remeshing_phase::recovery:    return "recovery";
-    case Hole_remeshing_phase::filling:     return "filling";
-    case Hole_remeshing_phase::improvement: return "improvement";
-    case Hole_remeshing_phase::sewing:      return "sewing";
   }
   return "";
 }

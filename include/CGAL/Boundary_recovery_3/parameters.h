@@ -12,10 +12,14 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <CGAL/Boundary_recovery_3/Meshing_visitor_3.h>
+
 #include <CGAL/Named_function_parameters.h>
 
+#include <cstddef>
 #include <functional>
 #include <type_traits>
+#include <utility>
 
 // The named parameters that only this package has, beside those of CGAL. They can start a chain of CGAL's
 // parameters, but not follow a dot (that list is closed); several packs are passed one after the other instead.
@@ -71,15 +75,32 @@ Visitor visitor_to_call(const Visitor& visitor) { return visitor; }
 template <typename Visitor>
 Visitor& visitor_to_call(const std::reference_wrapper<Visitor>& visitor) { return visitor; }
 
+template <typename Visitor, typename = void>
+struct Is_meshing_visitor : std::false_type { };
+
+template <typename Visitor>
+struct Is_meshing_visitor<Visitor, std::void_t<
+  decltype(std::declval<Visitor&>().on_phase_begin(Phase())),
+  decltype(std::declval<Visitor&>().on_phase_end(std::declval<const Phase_report&>())),
+  decltype(std::declval<Visitor&>().on_progress(Phase(), std::size_t(), std::size_t())),
+  decltype(static_cast<bool>(std::declval<Visitor&>().go_further()))> >
+  : std::true_type
+{ };
+
 // The visitor itself if it was given by reference, else a copy that can be called. (`get_parameter_reference()` gives a
 // constant object if it was given by value.)
-template <typename Default_visitor, typename NamedParameters>
+template <typename NamedParameters>
 decltype(auto) visitor_of(const NamedParameters& np)
 {
   if constexpr(parameters::is_default_parameter<NamedParameters, internal_np::visitor_t>::value)
-    return Default_visitor();
+    return Default_meshing_visitor_3();
   else
+  {
+    typedef decltype(internal::visitor_to_call(parameters::get_parameter(np, internal_np::visitor))) Visitor;
+    static_assert(Is_meshing_visitor<std::remove_reference_t<Visitor> >::value,
+                  "A visitor is a model of MeshingVisitor_3: derive it from CGAL::Default_meshing_visitor_3.");
     return internal::visitor_to_call(parameters::get_parameter(np, internal_np::visitor));
+  }
 }
 
 } // namespace internal

@@ -233,7 +233,7 @@ void test_growing_cavity()
   assert(growing.cells().size() > ball(tr, v).size() && growing.dropped_points() == free_vertices);
   assert(total_volume(growing.tetrahedra()) == total_volume(tetrahedra_of(growing.cells())));
   BR::internal::Cell_replacement<Tr> replace;
-  CGAL::Default_boundary_recovery_visitor_3 visitor;
+  CGAL::Default_meshing_visitor_3 visitor;
   replace(tr, growing.cells(), growing.tetrahedra(), visitor, growing.dropped_points());
   assert(tr.number_of_vertices() == points.size() && tr.tds().is_valid());
 }

@@ -12,7 +12,7 @@
 #include "random_numbers_br3.h"
 
 #include <CGAL/Boundary_constrained_mesh_triangulation_3.h>
-#include <CGAL/Boundary_recovery_3/Cell_replacement_visitor_3.h>
+#include <CGAL/Boundary_recovery_3/Meshing_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/Source_sizing_field_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Field_point_cavity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Insert_field_point_3.h>
@@ -494,10 +494,10 @@ void insert_anywhere(Random_mesh<Kernel>& mesh, Counts& counts)
   for(auto e = mesh.edges.begin(); e != mesh.edges.end(); ) // some were not kept
     e = mesh.tr.tds().is_edge(e->first, e->second) ? std::next(e) : mesh.edges.erase(e);
   Judge<Kernel> judge(mesh);
-  CGAL::Default_cell_replacement_visitor_3 visitor;
+  CGAL::Default_meshing_visitor_3 visitor;
   Domain domain(mesh.tr, All_cells(), Edge_map(mesh.edges));
   internal::Field_point_cavity_3<Tr, Domain> cavity(mesh.tr, domain);
-  internal::Insert_field_point_3<Tr, Domain, CGAL::Default_cell_replacement_visitor_3> insert(mesh.tr, domain, visitor);
+  internal::Insert_field_point_3<Tr, Domain, CGAL::Default_meshing_visitor_3> insert(mesh.tr, domain, visitor);
   std::size_t number = 0;
   for(int k = 0; k < 20; ++k)
   {

@@ -9,7 +9,7 @@
 #include "time_growth_br3.h"
 
 #include <CGAL/Boundary_constrained_mesh_triangulation_3.h>
-#include <CGAL/Boundary_recovery_3/Cell_replacement_visitor_3.h>
+#include <CGAL/Boundary_recovery_3/Meshing_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Field_point_cavity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Insert_field_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
@@ -191,11 +191,11 @@ void try_points(Scene<Kernel>& scene, const int number, std::mt19937& rng, Count
 {
   typedef Scene<Kernel> S;
   typedef typename S::Domain Domain;
-  CGAL::Default_cell_replacement_visitor_3 visitor;
+  CGAL::Default_meshing_visitor_3 visitor;
   Domain domain(scene.tr, CGAL::Static_boolean_property_map<typename S::Cell_handle, true>(),
                 typename S::Edge_map(scene.edges));
   typename S::Cavity cavity(scene.tr, domain);
-  internal::Insert_field_point_3<typename S::Tr, Domain, CGAL::Default_cell_replacement_visitor_3>
+  internal::Insert_field_point_3<typename S::Tr, Domain, CGAL::Default_meshing_visitor_3>
     insert(scene.tr, domain, visitor);
   for(int k = 0; k < number; ++k)
   {
@@ -355,8 +355,8 @@ void test_large_cavity()
   const int n = 4000;
   Sphere sphere(n), small(n / 8);
   assert(br3_test::exponent(small.time(), sphere.time(), 8) < 1.5);
-  CGAL::Default_cell_replacement_visitor_3 visitor;
-  internal::Insert_field_point_3<Sphere::S::Tr, Sphere::S::Domain, CGAL::Default_cell_replacement_visitor_3>
+  CGAL::Default_meshing_visitor_3 visitor;
+  internal::Insert_field_point_3<Sphere::S::Tr, Sphere::S::Domain, CGAL::Default_meshing_visitor_3>
     insert(sphere.scene.tr, sphere.domain, visitor);
   largest_allocation = 0;
   sphere.find();

@@ -310,23 +310,19 @@ void test_constrained_edges()
 }
 
 struct Counting_visitor
-  : public CGAL::Default_boundary_constrained_mesh_visitor_3
+  : public CGAL::Default_meshing_visitor_3
 {
-  using CGAL::Default_boundary_constrained_mesh_visitor_3::on_phase_begin;
-  using CGAL::Default_boundary_constrained_mesh_visitor_3::on_phase_end;
-  using CGAL::Default_boundary_constrained_mesh_visitor_3::on_progress;
-
-  void on_phase_begin(const BR3::Meshing_phase phase) { begun.push_back(phase); }
-  void on_phase_end(const BR3::Meshing_phase_report& report)
+  void on_phase_begin(const BR3::Phase phase) { begun.push_back(phase); }
+  void on_phase_end(const BR3::Phase_report& report)
   {
     ended.push_back(report.phase);
-    if(report.phase == BR3::Meshing_phase::forecast)
+    if(report.phase == BR3::Phase::forecast)
       forecast = report.number_of_vertices;
   }
 
-  void on_progress(const BR3::Meshing_phase phase, const std::size_t done, const std::size_t total)
+  void on_progress(const BR3::Phase phase, const std::size_t done, const std::size_t total)
   {
-    assert(phase == BR3::Meshing_phase::field_point_insertion && done <= total);
+    assert(phase == BR3::Phase::field_point_insertion && done <= total);
     const double part = static_cast<double>(done) / static_cast<double>(total);
     assert(part >= progress);
     progress = part;
@@ -351,7 +347,7 @@ struct Counting_visitor
 
   bool go_further() { return number_of_questions++ != last_question; }
 
-  std::vector<BR3::Meshing_phase> begun, ended;
+  std::vector<BR3::Phase> begun, ended;
   std::size_t forecast = 0;
   double progress = 0;
   int number_of_reports = 0;
@@ -489,8 +485,8 @@ void test_visitor()
   Counting_visitor visitor;
   const auto result = CGAL::insert_field_points(scene.tr, 0.25, parameters::visitor(std::ref(visitor)));
   assert(result && visitor.begun == visitor.ended);
-  assert((visitor.begun == std::vector<BR3::Meshing_phase>{ BR3::Meshing_phase::forecast,
-                                                             BR3::Meshing_phase::field_point_insertion }));
+  assert((visitor.begun == std::vector<BR3::Phase>{ BR3::Phase::forecast,
+                                                             BR3::Phase::field_point_insertion }));
   assert(cells + visitor.number_of_cells == static_cast<long>(scene.tr.number_of_finite_cells()));
   assert(visitor.number_of_reports > 50 && visitor.progress == 1);
 

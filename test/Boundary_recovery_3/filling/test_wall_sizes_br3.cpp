@@ -165,7 +165,7 @@ template <typename Option>
 std::size_t insert_with(Tr& tr, const double size, const Option& option)
 {
   auto domain = internal::selected_domain(tr, parameters::default_values());
-  CGAL::Default_boundary_constrained_mesh_visitor_3 visitor;
+  CGAL::Default_meshing_visitor_3 visitor;
   internal::Field_point_insertion_3<Tr, decltype(domain), double, decltype(visitor)> insert(tr, domain, size, visitor);
   option(insert);
   const auto result = insert(1000, std::numeric_limits<double>::infinity());

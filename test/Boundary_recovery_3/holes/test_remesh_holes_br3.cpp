@@ -240,18 +240,18 @@ void test_invalid_arrays()
 }
 
 struct Counting_visitor
-  : public CGAL::Default_hole_remeshing_visitor_3
+  : public CGAL::Default_meshing_visitor_3
 {
-  void on_phase_begin(const BR3::Hole_remeshing_phase phase) { begun.push_back(phase); }
-  void on_phase_end(const BR3::Hole_remeshing_phase_report& report) { ended.push_back(report.phase); }
-  void on_progress(BR3::Hole_remeshing_phase phase, const std::size_t done, const std::size_t total)
+  void on_phase_begin(const BR3::Phase phase) { begun.push_back(phase); }
+  void on_phase_end(const BR3::Phase_report& report) { ended.push_back(report.phase); }
+  void on_progress(BR3::Phase phase, const std::size_t done, const std::size_t total)
   {
     assert(phase == begun.back() && done > 0 && done <= total);
   }
 
   bool go_further() { return ++number_of_questions <= last_question; }
 
-  std::vector<BR3::Hole_remeshing_phase> begun, ended;
+  std::vector<BR3::Phase> begun, ended;
   std::size_t number_of_questions = 0;
   std::size_t last_question = std::size_t(-1);
 };

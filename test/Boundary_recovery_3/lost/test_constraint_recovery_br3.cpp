@@ -210,11 +210,11 @@ void test_callings(Scene& scene, const int first)
     number_of[counted<N>(means)] += before.size() - lost.size();
   };
   if(first == 0)
-    call("plainly", [&] { return recover.remove_plainly(BR::Recovery_phase::plain_removal); });
+    call("plainly", [&] { return recover.remove_plainly(BR::Phase::plain_removal); });
   assert(levels.empty());
   if(first <= 1)
-    call("under BRC1 or BRC2", [&] { return recover.first_calling(BR::Recovery_phase::edge_recovery_brc1, 5); });
-  call("under BRC3 or BRC4", [&] { return recover.second_calling(BR::Recovery_phase::edge_recovery_brc3, 5); });
+    call("under BRC1 or BRC2", [&] { return recover.first_calling(BR::Phase::edge_recovery_brc1, 5); });
+  call("under BRC3 or BRC4", [&] { return recover.second_calling(BR::Phase::edge_recovery_brc3, 5); });
 }
 
 // One constraint after the other, by the reconnection of the cells that it crosses.
@@ -247,8 +247,8 @@ void test_stop(const br3_test::Plc& plc)
   std::vector<BR::Recursion_level_report> levels;
   internal::Recursive_recovery_3<Tr, 2, Stopping_visitor>
     recover(scene.tr, scene.predicates, scene.constraints, scene.context, lost, levels);
-  assert(recover.remove_plainly(BR::Recovery_phase::plain_removal) == 0 && lost == before);
-  assert(recover.first_calling(BR::Recovery_phase::edge_recovery_brc1, 5) == 0 && lost == before);
+  assert(recover.remove_plainly(BR::Phase::plain_removal) == 0 && lost == before);
+  assert(recover.first_calling(BR::Phase::edge_recovery_brc1, 5) == 0 && lost == before);
   assert(scene.visitor.number_of_questions == 1 && scene.treatable<2>() == before);
 }
 
@@ -260,11 +260,11 @@ struct Watching_visitor
 {
   explicit Watching_visitor(const Tr& tr) : br3_test::Cell_mirror<Tr>(tr) { }
 
-  void on_phase_begin(const BR::Recovery_phase phase) { begun.push_back(phase); }
+  void on_phase_begin(const BR::Phase phase) { begun.push_back(phase); }
 
   void on_phase_end(const BR::Phase_report& report) { ended.push_back(report); }
 
-  void on_progress(const BR::Recovery_phase phase, const std::size_t done, const std::size_t total)
+  void on_progress(const BR::Phase phase, const std::size_t done, const std::size_t total)
   {
     assert(phase == begun.back() && ended.size() + 1 == begun.size() && done <= total);
   }
@@ -279,7 +279,7 @@ struct Watching_visitor
     br3_test::Cell_mirror<Tr>::before_cells_removal(cells);
   }
 
-  std::vector<BR::Recovery_phase> begun;
+  std::vector<BR::Phase> begun;
   std::vector<BR::Phase_report> ended;
   std::size_t number_of_questions = 0, last_question = std::size_t(-1);
   std::size_t number_of_replacements = 0, last_replacement = std::size_t(-1);
@@ -291,7 +291,7 @@ class Phase_by_phase
 public:
   typedef internal::Recovery_state_3<Tr, Watching_visitor>     State;
   typedef internal::Recovery_by_flips_3<Tr, Watching_visitor>  Recovery;
-  typedef BR::Recovery_phase                                   Phase;
+  typedef BR::Phase                                   Phase;
 
   explicit Phase_by_phase(const br3_test::Plc& plc)
     : m_scene(plc), m_visitor(m_scene.tr), m_context(m_visitor),
@@ -377,7 +377,7 @@ private:
 // stopped or thrown in the middle.
 void test_phases(const br3_test::Plc& plc)
 {
-  typedef BR::Recovery_phase Phase;
+  typedef BR::Phase Phase;
   Phase_by_phase without_first(plc), without_flips(plc);
   without_first({ Phase::plain_removal, Phase::edge_recovery_brc1, Phase::facet_recovery_brc2 });
   without_flips({ Phase::plain_removal, Phase::edge_recovery_brc1, Phase::edge_recovery_brc3,
@@ -438,7 +438,7 @@ int main()
     }
   std::cout << number_of["exceptions"] << " exceptions" << std::endl;
   assert(number_of["exceptions"] > 0);
-  typedef BR::Recovery_phase Phase;
+  typedef BR::Phase Phase;
   for(const Phase phase : { Phase::plain_removal, Phase::edge_recovery_brc1, Phase::edge_recovery_brc3,
                             Phase::edge_reconnection, Phase::facet_recovery_brc2, Phase::facet_recovery_brc4,
                             Phase::facet_reconnection })

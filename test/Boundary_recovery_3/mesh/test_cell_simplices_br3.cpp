@@ -13,7 +13,7 @@
 
 #include "tetrahedralizations_br3.h"
 
-#include <CGAL/Boundary_recovery_3/Boundary_recovery_visitor_3.h>
+#include <CGAL/Boundary_recovery_3/Meshing_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Cell_replacement.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
@@ -207,7 +207,7 @@ void test_constraints(const Tr& tr, std::mt19937& rng)
 
 // Knows the cells of the mesh from what it is told.
 struct Mirror
-  : public CGAL::Default_boundary_recovery_visitor_3
+  : public CGAL::Default_meshing_visitor_3
 {
   explicit Mirror(const Tr& tr) : cells(tr.all_cell_handles().begin(), tr.all_cell_handles().end()) { }
 

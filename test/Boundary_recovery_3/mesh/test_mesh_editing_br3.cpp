@@ -14,7 +14,7 @@
 
 #include "mesh_portrait_br3.h"
 
-#include <CGAL/Boundary_recovery_3/Boundary_recovery_visitor_3.h>
+#include <CGAL/Boundary_recovery_3/Meshing_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Cell_replacement.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_change_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_editor_3.h>
@@ -165,7 +165,7 @@ void test_replacement(const std::size_t n, std::mt19937& rng)
   for(const auto c : replace.new_cells())
     assert(CGAL::orientation(c->vertex(0)->point(), c->vertex(1)->point(), c->vertex(2)->point(),
                              c->vertex(3)->point()) == CGAL::POSITIVE);
-  CGAL::Default_boundary_recovery_visitor_3 visitor;
+  CGAL::Default_meshing_visitor_3 visitor;
   cells.assign(replace.new_cells().begin(), replace.new_cells().end());
   replace(tr, cells, old, visitor, vertices);
   assert(have_vertices(replace.new_cells(), old) && before == br3_test::Mesh_portrait<Tr>(tr, names));
@@ -175,7 +175,7 @@ struct Refusal { };
 
 // Throws at the given announcement, the first one being that of a removal of cells.
 struct Refusing_visitor
-  : public CGAL::Default_boundary_recovery_visitor_3
+  : public CGAL::Default_meshing_visitor_3
 {
   template <typename CellRange>
   void before_cells_removal(const CellRange&) { count(); }

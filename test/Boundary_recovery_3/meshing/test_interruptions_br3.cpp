@@ -6,8 +6,8 @@
 #include "mesh_validity_br3.h"
 
 #include <CGAL/Boundary_constrained_mesh_triangulation_3.h>
-#include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/Cell_quality_3.h>
+#include <CGAL/Boundary_recovery_3/Meshing_visitor_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Unique_hash_map.h>
 #include <CGAL/improve_mesh_quality.h>
@@ -137,14 +137,15 @@ struct Size
 
 // Says no to one question, and from then on.
 struct Visitor
-  : public CGAL::Default_boundary_constrained_mesh_visitor_3
+  : public CGAL::Default_meshing_visitor_3
 {
-  typedef CGAL::Default_boundary_constrained_mesh_visitor_3 Base;
-  using Base::on_progress;
-
   explicit Visitor(User& user) : user(user) { }
 
-  void on_progress(const BR3::Meshing_phase, std::size_t, std::size_t) { user.call(visitor); }
+  void on_progress(const BR3::Phase phase, std::size_t, std::size_t)
+  {
+    if(phase > BR3::Phase::recount)
+      user.call(visitor);
+  }
 
   bool go_further()
   {

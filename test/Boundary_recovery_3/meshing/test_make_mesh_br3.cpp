@@ -124,7 +124,7 @@ struct Scene
     int i, j;
     for(const auto& e : result.constrained_edges)
       assert(tr.is_edge(e[0], e[1], c, i, j));
-    assert(result.phases.size() >= 1 && result.phases[0].phase == BR3::Meshing_phase::domain_marking);
+    assert(result.phases.size() >= 1 && result.phases[0].phase == BR3::Phase::domain_marking);
     const auto& counts = result.improvement.counts;
     const std::size_t number_of_points = result.filling.number_of_field_points + counts.number_of_inserted_points;
     assert(tr.number_of_vertices() + counts.number_of_removed_vertices ==
@@ -161,9 +161,9 @@ struct Scene
     assert(result && result.status == BR3::Meshing_status::meshed && result.filling);
     assert(result.filling.number_of_field_points > 0);
     assert(result.phases.size() == 4);
-    assert(result.phases[1].phase == BR3::Meshing_phase::forecast);
-    assert(result.phases[2].phase == BR3::Meshing_phase::field_point_insertion);
-    assert(result.phases[3].phase == BR3::Meshing_phase::quality_improvement);
+    assert(result.phases[1].phase == BR3::Phase::forecast);
+    assert(result.phases[2].phase == BR3::Phase::field_point_insertion);
+    assert(result.phases[3].phase == BR3::Phase::quality_improvement);
     assert(result.phases[3].number_of_vertices == tr.number_of_vertices());
     assert(result.phases[3].number_of_cells == tr.number_of_finite_cells());
     check_improvement();

@@ -5,7 +5,7 @@
 
 #include "mesh_validity_br3.h"
 
-#include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_visitor_3.h>
+#include <CGAL/Boundary_recovery_3/Meshing_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/meshing/Boundary_constrained_meshing_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
@@ -29,45 +29,47 @@ typedef std::function<double(const K::Point_3&)>                      Size;
 
 struct Interruption { };
 
-// A model of BoundaryConstrainedMeshVisitor_3 that has what the concept asks for, and nothing else. It holds the mesher
+// A model of MeshingVisitor_3 that has what the concept asks for, and nothing else. It holds the mesher
 // to the order of calls, counts them, and says no, or throws, at one of them.
 struct Visitor
 {
   typedef Triangulation::Cell_handle Cell_handle;
 
-  void on_phase_begin(const BR3::Recovery_phase) { call(); begin(); assert(phases.empty()); }
-  void on_phase_end(const BR3::Phase_report&) { call(); end(); }
-  void on_progress(const BR3::Recovery_phase, std::size_t, std::size_t) { call(); assert(is_in_phase); }
-
-  void on_phase_begin(const BR3::Meshing_phase phase)
+  void on_phase_begin(const BR3::Phase phase)
   {
     call();
     begin();
-    assert(phases.empty() || phases.back() < phase);
-    phases.push_back(phase);
+    assert(is_of_recovery(phase) ? phases.empty() : phases.empty() || phases.back() < phase);
+    current = phase;
     progress = 0;
+    if(! is_of_recovery(phase))
+      phases.push_back(phase);
   }
 
-  void on_phase_end(const BR3::Meshing_phase_report& report)
+  void on_phase_end(const BR3::Phase_report& report)
   {
     call();
     end();
-    assert(report.phase == phases.back() && report.seconds >= 0);
-    if(report.phase == BR3::Meshing_phase::forecast) // which tells about the mesh that is to be
+    assert(report.phase == current && report.seconds >= 0);
+    if(is_of_recovery(current) || current == BR3::Phase::forecast) // which tells about the mesh that is to be
       return;
     assert(report.number_of_vertices == tr->number_of_vertices());
     assert(report.number_of_cells == tr->number_of_finite_cells());
   }
 
-  void on_progress(const BR3::Meshing_phase phase, const std::size_t done, const std::size_t total)
+  void on_progress(const BR3::Phase phase, const std::size_t done, const std::size_t total)
   {
     call();
-    assert(is_in_phase && phase == phases.back() && phase != BR3::Meshing_phase::domain_marking);
+    assert(is_in_phase && phase == current && phase != BR3::Phase::domain_marking);
     assert(0 < total && done <= total);
+    if(is_of_recovery(phase)) // which has several passes
+      return;
     const double quotient = double(done) / double(total);
     assert(quotient >= progress);
     progress = quotient;
   }
+
+  static bool is_of_recovery(const BR3::Phase phase) { return phase <= BR3::Phase::recount; }
 
   bool go_further()
   {
@@ -112,7 +114,8 @@ struct Visitor
   }
 
   const Triangulation* tr = nullptr;
-  std::vector<BR3::Meshing_phase> phases;
+  BR3::Phase current = BR3::Phase::insertion;
+  std::vector<BR3::Phase> phases; // of the meshing
   double progress = 0;
   bool is_in_phase = false, was_stopped = false;
   std::size_t number_of_questions = 0, last_question = std::size_t(-1);
@@ -209,7 +212,7 @@ void test_recorder()
   Triangulation tr;
   Visitor visitor;
   visitor.last_question = 1;
-  std::vector<BR3::Meshing_phase_report> reports;
+  std::vector<BR3::Phase_report> reports;
   BR3::internal::Meshing_recorder_3<Visitor> recorder(visitor, reports, std::numeric_limits<double>::infinity());
   assert(recorder.can_go_further() && recorder.seconds_left() > 1e9 && recorder.seconds() >= 0);
   assert(! recorder.go_further() && ! recorder.go_further() && ! recorder.can_go_further());
@@ -242,7 +245,7 @@ void test_overloads(const Surface& surface)
   check(a, of_function);
   const auto of_surface = CGAL::make_boundary_constrained_mesh_3(
     b, surface, of_0_4, parameters::maximum_running_time(1e6), parameters::maximum_number_of_vertices(100000),
-    parameters::visitor(CGAL::Default_boundary_constrained_mesh_visitor_3()));
+    parameters::visitor(CGAL::Default_meshing_visitor_3()));
   assert(of_surface && a.number_of_vertices() == b.number_of_vertices() && a.number_of_cells() == b.number_of_cells());
 
   const auto coarse = CGAL::make_boundary_constrained_mesh_3(c, surface, parameters::grading(0.2));

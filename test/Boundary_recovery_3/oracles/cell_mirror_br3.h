@@ -5,7 +5,7 @@
 
 #include "brute_force_checker_br3.h"
 
-#include <CGAL/Boundary_recovery_3/Boundary_recovery_visitor_3.h>
+#include <CGAL/Boundary_recovery_3/Meshing_visitor_3.h>
 
 #include <map>
 #include <set>
@@ -16,7 +16,7 @@ namespace br3_test {
 // visitor sees a valid data structure.
 template <typename Tr>
 class Cell_mirror
-  : public CGAL::Default_boundary_recovery_visitor_3
+  : public CGAL::Default_meshing_visitor_3
 {
 public:
   typedef std::map<const void*, std::set<const void*> > Cells;

@@ -6,7 +6,7 @@
 #include "constraint_sets_br3.h"
 #include "random_triangulations_br3.h"
 
-#include <CGAL/Boundary_recovery_3/Boundary_recovery_visitor_3.h>
+#include <CGAL/Boundary_recovery_3/Meshing_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Exact_positions_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_editor_3.h>
@@ -34,7 +34,7 @@ struct Interruption { };
 
 // Remembers what it was told last, and interrupts one of the next calls if it is asked to.
 struct Change_recorder
-  : public CGAL::Default_boundary_recovery_visitor_3
+  : public CGAL::Default_meshing_visitor_3
 {
   typedef std::vector<const void*> Addresses;
 

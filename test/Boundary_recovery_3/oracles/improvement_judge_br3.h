@@ -7,7 +7,7 @@
 #include "random_numbers_br3.h"
 
 #include <CGAL/Boundary_constrained_mesh_triangulation_3.h>
-#include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_visitor_3.h>
+#include <CGAL/Boundary_recovery_3/Meshing_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Improved_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/Unit_frame_3.h>
@@ -632,7 +632,7 @@ struct Improvement_trial
   typedef Scene_                                              Scene;
   typedef Quality_                                            Quality;
   typedef typename Scene::Domain                              Domain;
-  typedef CGAL::Default_boundary_constrained_mesh_visitor_3   Visitor;
+  typedef CGAL::Default_meshing_visitor_3   Visitor;
   typedef CGAL::Boundary_recovery_3::internal::Improved_mesh_3<typename Scene::Tr, Domain, Quality, Visitor>  Mesh;
 
   Improvement_trial(const unsigned seed, const Improvement_options& options, const Quality& q, const double enough)

@@ -5,7 +5,7 @@
 
 #include "brute_force_input_br3.h"
 
-#include <CGAL/Boundary_recovery_3/Boundary_recovery_visitor_3.h>
+#include <CGAL/Boundary_recovery_3/Meshing_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/lost/Recovery_state_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
@@ -26,7 +26,7 @@ typedef CGAL::Delaunay_triangulation_3<Scene_kernel>        Scene_triangulation;
 
 // The visitor of scenes that need none.
 struct Silent_scene_visitor
-  : public CGAL::Default_boundary_recovery_visitor_3
+  : public CGAL::Default_meshing_visitor_3
 {
   explicit Silent_scene_visitor(const Scene_triangulation&) { }
 };

@@ -3,7 +3,7 @@
 #ifndef BR3_TEST_STOPPING_VISITOR_H
 #define BR3_TEST_STOPPING_VISITOR_H
 
-#include <CGAL/Boundary_recovery_3/Boundary_recovery_visitor_3.h>
+#include <CGAL/Boundary_recovery_3/Meshing_visitor_3.h>
 
 #include <cstddef>
 
@@ -11,7 +11,7 @@ namespace br3_test {
 
 // Counts the questions, and says no to one of them.
 struct Stopping_visitor
-  : public CGAL::Default_boundary_recovery_visitor_3
+  : public CGAL::Default_meshing_visitor_3
 {
   bool go_further() { return number_of_questions++ != last_question; }
 

@@ -55,12 +55,12 @@ struct Traits
   Construct_bbox_3 construct_bbox_3_object() const { return Construct_bbox_3(); }
 };
 
-// BoundaryRecoveryVisitor_3; it holds the recovery to what the concept says about the order of calls
+// MeshingVisitor_3; it holds the recovery to what the concept says about the order of calls
 struct Visitor
 {
   explicit Visitor(std::size_t number_of_cells) : number_of_cells(number_of_cells) { }
 
-  void on_phase_begin(const BR3::Recovery_phase p)
+  void on_phase_begin(const BR3::Phase p)
   {
     assert(! in_phase);
     in_phase = true;
@@ -73,11 +73,11 @@ struct Visitor
     in_phase = false;
   }
 
-  void on_progress(const BR3::Recovery_phase p, const std::size_t done, const std::size_t total)
+  void on_progress(const BR3::Phase p, const std::size_t done, const std::size_t total)
   {
     assert(in_phase && p == phase && done <= total && total > 0);
-    assert(p != BR3::Recovery_phase::insertion && p != BR3::Recovery_phase::search);
-    assert(p != BR3::Recovery_phase::recount);
+    assert(p != BR3::Phase::insertion && p != BR3::Phase::search);
+    assert(p != BR3::Phase::recount);
   }
 
   bool go_further()
@@ -109,7 +109,7 @@ struct Visitor
   std::size_t number_of_cells;
   std::size_t questions_left = std::size_t(-1);
   bool in_phase = false, was_stopped = false;
-  BR3::Recovery_phase phase = BR3::Recovery_phase::insertion;
+  BR3::Phase phase = BR3::Phase::insertion;
 };
 
 void recover(const Surface& surface, const BR3::Recovery_mode mode, const std::size_t number_of_questions)

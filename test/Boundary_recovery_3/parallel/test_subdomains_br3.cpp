@@ -304,14 +304,14 @@ void test_many_subdomains()
 }
 
 struct Stopping_visitor
-  : public CGAL::Default_boundary_constrained_mesh_visitor_3
+  : public CGAL::Default_meshing_visitor_3
 {
-  using Default_boundary_constrained_mesh_visitor_3::on_progress;
-
   explicit Stopping_visitor(const std::size_t number_of_questions) : questions_left(number_of_questions) { }
 
-  void on_progress(BR3::Meshing_phase phase, const std::size_t done, const std::size_t total)
+  void on_progress(BR3::Phase phase, const std::size_t done, const std::size_t total)
   {
+    if(phase <= BR3::Phase::recount) // which has several passes
+      return;
     const double share = static_cast<double>(done) / static_cast<double>(total);
     assert(share <= 1 && (phase != last_phase || share >= last_share));
     last_phase = phase;
@@ -321,7 +321,7 @@ struct Stopping_visitor
   bool go_further() { return questions_left == 0 || --questions_left > 0; }
 
   std::size_t questions_left; // 0: it goes on
-  BR3::Meshing_phase last_phase = BR3::Meshing_phase::forecast;
+  BR3::Phase last_phase = BR3::Phase::forecast;
   double last_share = 0;
 };
 

@@ -6,8 +6,8 @@
 #include "improvement_judge_br3.h"
 #include "mesh_validity_br3.h"
 
-#include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/Cell_quality_3.h>
+#include <CGAL/Boundary_recovery_3/Meshing_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Improve_bad_cells_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Improve_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
@@ -42,7 +42,7 @@ struct Interruption { };
 // Judges each exchange of cells; stops, or throws, at a certain call.
 template <typename Scene>
 class Judging_visitor
-  : public CGAL::Default_boundary_constrained_mesh_visitor_3
+  : public CGAL::Default_meshing_visitor_3
 {
 public:
   typedef typename Scene::Vertex_handle Vertex_handle;

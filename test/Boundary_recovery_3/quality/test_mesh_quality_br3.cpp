@@ -690,20 +690,17 @@ struct Half_quality
 };
 
 struct Phases
-  : public CGAL::Default_boundary_constrained_mesh_visitor_3
+  : public CGAL::Default_meshing_visitor_3
 {
-  using CGAL::Default_boundary_constrained_mesh_visitor_3::on_phase_begin;
-  using CGAL::Default_boundary_constrained_mesh_visitor_3::on_phase_end;
-
-  void on_phase_begin(const BR3::Meshing_phase phase)
+  void on_phase_begin(const BR3::Phase phase)
   {
-    assert(phase == BR3::Meshing_phase::quality_improvement);
+    assert(phase == BR3::Phase::quality_improvement);
     ++number_of_begins;
   }
 
-  void on_phase_end(const BR3::Meshing_phase_report& report)
+  void on_phase_end(const BR3::Phase_report& report)
   {
-    assert(report.phase == BR3::Meshing_phase::quality_improvement && report.number_of_cells > 0);
+    assert(report.phase == BR3::Phase::quality_improvement && report.number_of_cells > 0);
     ++number_of_ends;
   }
 

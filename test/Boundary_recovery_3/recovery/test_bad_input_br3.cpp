@@ -37,7 +37,7 @@
 
 namespace params = CGAL::parameters;
 typedef CGAL::Boundary_recovery_3::Input_defect_kind Kind;
-typedef CGAL::Boundary_recovery_3::Recovery_phase Phase;
+typedef CGAL::Boundary_recovery_3::Phase Phase;
 using CGAL::Boundary_recovery_3::Recovery_status;
 typedef std::vector<std::size_t> Indices;
 typedef std::vector<Indices> Faces;
@@ -261,7 +261,7 @@ struct Test
   }
 
   // Says stop once, at one of the questions; who is asked again says something else. No points are inserted then.
-  struct Stopping_visitor : CGAL::Default_boundary_recovery_visitor_3
+  struct Stopping_visitor : CGAL::Default_meshing_visitor_3
   {
     explicit Stopping_visitor(const std::size_t last_question) : last_question(last_question) { }
 

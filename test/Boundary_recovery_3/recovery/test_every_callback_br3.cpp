@@ -28,7 +28,7 @@ typedef CGAL::Delaunay_triangulation_3<Kernel>              Triangulation;
 typedef CGAL::Boundary_recovery_result_3<Triangulation>     Result;
 typedef br3_test::Portrait<Triangulation>                   Portrait;
 typedef CGAL::Boundary_recovery_3::Recovery_mode            Mode;
-typedef CGAL::Boundary_recovery_3::Recovery_phase           Phase;
+typedef CGAL::Boundary_recovery_3::Phase           Phase;
 typedef CGAL::Boundary_recovery_3::Recovery_status          Status;
 namespace params = CGAL::parameters;
 

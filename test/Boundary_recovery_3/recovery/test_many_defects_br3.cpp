@@ -38,7 +38,7 @@ typedef CGAL::Delaunay_triangulation_3<Kernel>                     Triangulation
 typedef Triangulation::Vertex_handle                               Vertex_handle;
 typedef CGAL::Boundary_recovery_result_3<Triangulation>            Result;
 typedef CGAL::Boundary_recovery_3::Input_defect_kind               Kind;
-typedef CGAL::Boundary_recovery_3::Recovery_phase                  Phase;
+typedef CGAL::Boundary_recovery_3::Phase                  Phase;
 typedef CGAL::Boundary_recovery_3::Recovery_status                 Status;
 
 struct Soup
@@ -90,7 +90,7 @@ bool has_run(const Result& result, const Phase phase)
 }
 
 struct Phase_counter
-  : public CGAL::Default_boundary_recovery_visitor_3
+  : public CGAL::Default_meshing_visitor_3
 {
   void on_phase_begin(const Phase) { ++number_of_begins; }
   void on_phase_end(const CGAL::Boundary_recovery_3::Phase_report&) { ++number_of_ends; }

@@ -42,7 +42,7 @@
 namespace params = CGAL::parameters;
 using CGAL::Boundary_recovery_3::Phase_report;
 using CGAL::Boundary_recovery_3::Recovery_mode;
-using CGAL::Boundary_recovery_3::Recovery_phase;
+using CGAL::Boundary_recovery_3::Phase;
 using CGAL::Boundary_recovery_3::Recovery_status;
 
 template <typename K>
@@ -168,10 +168,10 @@ CGAL::Boundary_recovery_result_3<Tr> recover_and_check(Tr& tr, const Soup& soup,
   assert(br3_test::is_valid_mesh(tr));
   check_account(tr, soup, result);
   check_facets(tr, soup, result);
-  assert(result.phases.front().phase == Recovery_phase::insertion);
-  assert(result.phases[1].phase == Recovery_phase::search);
+  assert(result.phases.front().phase == Phase::insertion);
+  assert(result.phases[1].phase == Phase::search);
   const bool was_complete = result.phases[1].lost_edges == 0 && result.phases[1].lost_facets == 0;
-  assert(result.phases.back().phase == (was_complete ? Recovery_phase::search : Recovery_phase::recount));
+  assert(result.phases.back().phase == (was_complete ? Phase::search : Phase::recount));
   return result;
 }
 
@@ -185,7 +185,7 @@ void test_surfaces()
     Tr tr;
     const auto result = recover_and_check(tr, read<K>(name));
     assert(result.status == Recovery_status::recovered);
-    assert(result.phases[1].phase == Recovery_phase::search && result.phases[1].lost_edges > 0);
+    assert(result.phases[1].phase == Phase::search && result.phases[1].lost_edges > 0);
     assert(result.number_of_shell_transformations > 0);
   }
   // A point is needed: without, nobody can recover this, and it is no fault of the input.
@@ -439,7 +439,7 @@ void test_index_form()
 {
   namespace internal = CGAL::Boundary_recovery_3::internal;
   typedef CGAL::Delaunay_triangulation_3<K> Tr;
-  typedef CGAL::Default_boundary_recovery_visitor_3 Visitor;
+  typedef CGAL::Default_meshing_visitor_3 Visitor;
   const Soup<K> soup = read<K>("gear_br3.off");
   Tr expected, tr;
   const auto result = CGAL::recover_boundary(expected, soup.points, soup.triangles);
@@ -480,11 +480,11 @@ void test_determinism()
 
 // Keeps the set of finite and infinite cells by their addresses, and stops at the n-th question.
 struct Watching_visitor
-  : public CGAL::Default_boundary_recovery_visitor_3
+  : public CGAL::Default_meshing_visitor_3
 {
   explicit Watching_visitor(const std::size_t n) : last_question(n) { }
 
-  void on_phase_begin(const Recovery_phase phase)
+  void on_phase_begin(const Phase phase)
   {
     assert(! is_in_phase);
     is_in_phase = true;
@@ -509,12 +509,12 @@ struct Watching_visitor
   std::size_t last_question, questions = 0, number_of_phases = 0;
   long number_of_cells = 0;
   bool is_in_phase = false;
-  Recovery_phase current = Recovery_phase::insertion;
+  Phase current = Phase::insertion;
 };
 
 // Given by value, a copy of it is called.
 struct Visitor_to_be_copied
-  : public CGAL::Default_boundary_recovery_visitor_3
+  : public CGAL::Default_meshing_visitor_3
 {
   explicit Visitor_to_be_copied(std::size_t& calls) : calls(calls) { }
   void on_phase_end(const CGAL::Boundary_recovery_3::Phase_report&) { ++calls; ++own_calls; }
@@ -577,7 +577,7 @@ bool has_planar_phase(const Result& result)
 {
   return std::any_of(result.phases.begin(), result.phases.end(), [](const CGAL::Boundary_recovery_3::Phase_report& r)
   {
-    return r.phase == Recovery_phase::planar_edge_recovery;
+    return r.phase == Phase::planar_edge_recovery;
   });
 }
 
@@ -600,11 +600,11 @@ void test_tangled_planar_edges()
 }
 
 struct Throwing_visitor
-  : public CGAL::Default_boundary_recovery_visitor_3
+  : public CGAL::Default_meshing_visitor_3
 {
-  void on_progress(const Recovery_phase phase, const std::size_t done, const std::size_t total)
+  void on_progress(const Phase phase, const std::size_t done, const std::size_t total)
   {
-    if(phase == Recovery_phase::planar_edge_recovery && 2 * done > total)
+    if(phase == Phase::planar_edge_recovery && 2 * done > total)
       throw std::runtime_error("in the middle of a plane");
   }
 };
@@ -643,7 +643,7 @@ void test_points_beside_planes_are_taken_back()
       continue;
     ++stopped;
     const auto& report = result.phases[2]; // after the insertion and the search
-    assert(report.phase == Recovery_phase::planar_edge_recovery);
+    assert(report.phase == Phase::planar_edge_recovery);
     assert(result.steiner_vertices.empty() || report.lost_edges < result.phases[1].lost_edges);
   }
   assert(stopped > 0);

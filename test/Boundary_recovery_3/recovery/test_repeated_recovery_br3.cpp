@@ -19,11 +19,11 @@ typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef CGAL::Delaunay_triangulation_3<Kernel>              Triangulation;
 typedef Triangulation::Vertex_handle                        Vertex_handle;
 typedef CGAL::Boundary_recovery_3::Recovery_mode            Mode;
-typedef CGAL::Boundary_recovery_3::Recovery_phase           Phase;
+typedef CGAL::Boundary_recovery_3::Phase           Phase;
 
 // Compares what each phase reports with the triangulation.
 struct Counting_visitor
-  : public CGAL::Default_boundary_recovery_visitor_3
+  : public CGAL::Default_meshing_visitor_3
 {
   const Triangulation* tr = nullptr;
   std::vector<std::array<Vertex_handle, 3> > facets;

@@ -22,7 +22,7 @@
 typedef CGAL::Boundary_recovery_3::Recovery_mode Mode;
 
 // Counts the replacements of cells, if it is given a counter.
-struct Counting_visitor : CGAL::Default_boundary_recovery_visitor_3
+struct Counting_visitor : CGAL::Default_meshing_visitor_3
 {
   explicit Counting_visitor(long* const counter) : counter(counter) { }
 

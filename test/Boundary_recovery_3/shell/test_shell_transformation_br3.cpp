@@ -4,7 +4,7 @@
 
 #include "reference_covering_mesh.h"
 
-#include <CGAL/Boundary_recovery_3/Cell_replacement_visitor_3.h>
+#include <CGAL/Boundary_recovery_3/Meshing_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
 #include <CGAL/Shell_transformation_3.h>
 
@@ -62,7 +62,7 @@ bool is_valid_triangulation(const CGAL::Triangulation_3<Kernel, Tds, Lock>& tr)
 // Keeps a copy of the triangulation from what it is told, and a number in each cell.
 template <typename Tr>
 class Mirror
-  : public CGAL::Default_cell_replacement_visitor_3
+  : public CGAL::Default_meshing_visitor_3
 {
 public:
   typedef typename Tr::Cell_handle Cell_handle;

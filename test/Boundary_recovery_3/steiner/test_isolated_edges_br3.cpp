@@ -45,11 +45,11 @@ namespace internal = CGAL::Boundary_recovery_3::internal;
 typedef br3_test::Scene_triangulation              Tr;
 typedef Tr::Vertex_handle                          Vertex_handle;
 typedef CGAL::Boundary_recovery_3::Recovery_mode   Mode;
-typedef CGAL::Boundary_recovery_3::Recovery_phase  Phase;
+typedef CGAL::Boundary_recovery_3::Phase  Phase;
 
 // Looks when a phase ends, and at one of its calls, stops the recovery or throws.
 struct Visitor
-  : public CGAL::Default_boundary_recovery_visitor_3
+  : public CGAL::Default_meshing_visitor_3
 {
   struct Disturbance { };
 

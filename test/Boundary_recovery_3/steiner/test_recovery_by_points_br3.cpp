@@ -34,7 +34,7 @@ namespace BR = CGAL::Boundary_recovery_3;
 namespace internal = CGAL::Boundary_recovery_3::internal;
 using br3_test::Plc;
 typedef BR::Recovery_mode   Mode;
-typedef BR::Recovery_phase  Phase;
+typedef BR::Phase  Phase;
 
 struct Thrown { };
 

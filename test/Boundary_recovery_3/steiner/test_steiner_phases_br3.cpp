@@ -60,7 +60,7 @@ using br3_test::require;
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Epick;
 typedef CGAL::Exact_predicates_exact_constructions_kernel   Epeck;
 typedef CGAL::Boundary_recovery_3::Recovery_mode            Recovery_mode;
-typedef CGAL::Boundary_recovery_3::Recovery_phase           Phase;
+typedef CGAL::Boundary_recovery_3::Phase           Phase;
 typedef CGAL::Boundary_recovery_3::Recovery_status          Status;
 
 #ifndef BR3_TEST_EPICK_ONLY
@@ -422,7 +422,7 @@ struct Thrown { };
 
 // Throws at one of the calls in a phase.
 struct Throwing_visitor
-  : public CGAL::Default_boundary_recovery_visitor_3
+  : public CGAL::Default_meshing_visitor_3
 {
   void on_phase_begin(const Phase phase) { is_in_phase = phase == phase_to_throw_in; }
   void on_progress(Phase, std::size_t, std::size_t) { count(); }
@@ -480,7 +480,7 @@ void test_exceptions()
 
 // Stops after the first Steiner point that is split.
 struct Half_splitting_visitor
-  : public CGAL::Default_boundary_recovery_visitor_3
+  : public CGAL::Default_meshing_visitor_3
 {
   bool go_further() const { return ! is_over; }
   void on_progress(const Phase phase, std::size_t, std::size_t) { is_over = phase == Phase::steiner_splitting; }

@@ -69,12 +69,10 @@ void test_enumerations()
   test_names<BR3::Recovery_mode>(3);
   test_names<BR3::Recovery_effort>(2);
   test_names<BR3::Recovery_status>(4);
-  test_names<BR3::Recovery_phase>(15);
+  test_names<BR3::Phase>(25);
   test_names<BR3::Input_defect_kind>(16);
   test_names<BR3::Meshing_status>(6);
   test_names<BR3::Improvement_effort>(3);
-  test_names<BR3::Meshing_phase>(5);
-  test_names<BR3::Hole_remeshing_phase>(5);
   test_names<BR3::Bad_cell_reason>(4);
   test_names<BR3::Size_source_3<CGAL::Simple_cartesian<double>>::Shape>(4);
 }

@@ -176,7 +176,7 @@ public:
     m_sizes.set_scale(scale.factor());
     m_context.set_maximum_running_time(maximum_running_time);
     if(m_tr.dimension() == 3 && is_possible(max_number_of_vertices))
-      run(Meshing_phase::field_point_insertion, [&] { fill(max_number_of_vertices); });
+      run(Phase::field_point_insertion, [&] { fill(max_number_of_vertices); });
     return finish();
   }
 
@@ -214,7 +214,7 @@ private:
 
   bool is_possible(const std::size_t max_number_of_vertices)
   {
-    run(Meshing_phase::forecast, [this] { forecast(); });
+    run(Phase::forecast, [this] { forecast(); });
     if(! m_sizes.is_valid())
       refuse_size();
     else if(! m_context.go_further())
@@ -233,16 +233,16 @@ private:
   }
 
   template <typename Work>
-  void run(const Meshing_phase phase, const Work& work)
+  void run(const Phase phase, const Work& work)
   {
     const double start = m_context.seconds();
     m_context.visitor().on_phase_begin(phase);
     work();
-    Meshing_phase_report report;
+    Phase_report report;
     report.phase = phase;
     report.number_of_vertices = m_tr.number_of_vertices();
     report.number_of_cells = m_tr.number_of_finite_cells();
-    if(phase == Meshing_phase::forecast)
+    if(phase == Phase::forecast)
     {
       report.number_of_vertices = rounded(m_result.forecast_of_vertices);
       report.number_of_cells = rounded(m_result.forecast_of_cells);

@@ -403,7 +403,7 @@ private:
 
   void tell_progress(const std::size_t expected_number)
   {
-    m_context.visitor().on_progress(Meshing_phase::field_point_insertion, m_vertices.size(), expected_number);
+    m_context.visitor().on_progress(Phase::field_point_insertion, m_vertices.size(), expected_number);
   }
 
   Tr& m_tr;

@@ -30,7 +30,7 @@ namespace internal {
  * table of the edges of the cavity, which is as large as the cavity needs: most have some ten faces, but the center of
  * a sphere sees all of it. Regions, and the marks of the faces, are carried over.
  *
- * The visitor is told of the cells that go and come, see `CellReplacementVisitor_3`.
+ * The visitor is told of the cells that go and come, see `MeshingVisitor_3`.
  */
 template <typename Tr, typename Domain, typename Visitor>
 class Insert_field_point_3

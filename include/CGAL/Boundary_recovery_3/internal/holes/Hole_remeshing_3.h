@@ -61,7 +61,6 @@ public:
   typedef Moved_mesh_3<Point_3>             Mesh;
   typedef Hole_remeshing_result_3<Point_3>  Result;
   typedef Hole_remeshing_options_3<Point_3> Options;
-  typedef Hole_remeshing_phase              Phase;
 
   Hole_remeshing_3(const Mesh& mesh, const Options& options, Recorder& recorder, Result& result)
     : m_mesh(mesh), m_options(options), m_recorder(recorder), m_result(result)
@@ -71,17 +70,17 @@ public:
   void operator()()
   {
     m_result.status = Meshing_status::meshed;
-    run(Phase::selection, [this] { select(); });
+    run(Phase::hole_selection, [this] { select(); });
     for(int round = 0; round < max_number_of_rounds; ++round)
     {
-      run(Phase::recovery, [this] { recover_holes(); });
-      run(Phase::filling, [this] { fill_holes(); });
+      run(Phase::hole_recovery, [this] { recover_holes(); });
+      run(Phase::hole_filling, [this] { fill_holes(); });
       if(m_options.improve_quality)
-        run(Phase::improvement, [this] { improve_holes(); });
+        run(Phase::hole_improvement, [this] { improve_holes(); });
       if(round + 1 == max_number_of_rounds || m_result.status != Meshing_status::meshed || ! grow_at_bad_cells())
         break;
     }
-    run(Phase::sewing, [this] { sew(); });
+    run(Phase::hole_sewing, [this] { sew(); });
   }
 
 private:
@@ -175,7 +174,7 @@ private:
       for(std::size_t hole = first; hole < last && can_recover_more(); ++hole)
       {
         recover(hole, is_first_round, growing);
-        m_recorder.progress(Phase::recovery, hole - first + 1, last - first);
+        m_recorder.progress(Phase::hole_recovery, hole - first + 1, last - first);
       }
       if(growing.empty() || ! goes_on())
         break;
@@ -301,7 +300,7 @@ private:
       const auto filling = hole.triangulation->fill(sizes(hole));
       m_result.status = filling.status;
       m_result.invalid_sizes = filling.invalid_sizes;
-      m_recorder.progress(Phase::filling, k + 1, m_holes.size());
+      m_recorder.progress(Phase::hole_filling, k + 1, m_holes.size());
     }
   }
 
@@ -332,7 +331,7 @@ private:
                                      improvement.certificate.number_of_cells(Bad_cell_reason::not_improved) }};
       for(const std::size_t v : hole.triangulation->vertices_of_bad_cells(improvement, m_options.min_dihedral_angle))
         hole.bad_vertices.push_back(hole.surface.vertices[v]);
-      m_recorder.progress(Phase::improvement, k + 1, m_holes.size());
+      m_recorder.progress(Phase::hole_improvement, k + 1, m_holes.size());
     }
   }
 

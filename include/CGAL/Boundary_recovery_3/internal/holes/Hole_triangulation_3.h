@@ -13,8 +13,8 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_constrained_mesh_triangulation_3.h>
-#include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/Constrained_edge_map_3.h>
+#include <CGAL/Boundary_recovery_3/Meshing_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Field_point_insertion_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Hole_surface_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Moved_mesh_3.h>
@@ -222,7 +222,7 @@ private:
 
 // Asks somebody whether to go on, and tells nothing.
 struct Hole_visitor_3
-  : public Default_boundary_constrained_mesh_visitor_3
+  : public Default_meshing_visitor_3
 {
   explicit Hole_visitor_3(const std::function<bool()>& question) : question(question) { }
 

@@ -43,11 +43,8 @@ template <typename Visitor>
 class Hole_remeshing_recorder_3
 {
 public:
-  typedef Hole_remeshing_phase        Phase;
-  typedef Hole_remeshing_phase_report Report;
-
   // `maximum_running_time` is in seconds, from now on.
-  Hole_remeshing_recorder_3(Visitor& visitor, std::vector<Report>& reports, const double maximum_running_time)
+  Hole_remeshing_recorder_3(Visitor& visitor, std::vector<Phase_report>& reports, const double maximum_running_time)
     : m_context(visitor), m_reports(reports)
   {
     m_context.set_maximum_running_time(maximum_running_time);
@@ -61,8 +58,12 @@ public:
 
   void end(const Phase phase, const std::size_t number_of_holes)
   {
-    m_reports.push_back(Report{ phase, number_of_holes, seconds() - m_start_of_phase });
-    m_context.visitor().on_phase_end(m_reports.back());
+    Phase_report report;
+    report.phase = phase;
+    report.number_of_holes = number_of_holes;
+    report.seconds = seconds() - m_start_of_phase;
+    m_reports.push_back(report);
+    m_context.visitor().on_phase_end(report);
   }
 
   void progress(const Phase phase, const std::size_t done, const std::size_t total)
@@ -76,7 +77,7 @@ public:
 
 private:
   Recovery_context<Visitor> m_context;
-  std::vector<Report>& m_reports;
+  std::vector<Phase_report>& m_reports;
   double m_start_of_phase = 0;
 };
 
@@ -113,7 +114,7 @@ public:
   // `options` has the sizes, the selection, and what named parameters cannot say.
   Result operator()(Mesh&& mesh, Options options) const
   {
-    decltype(auto) visitor = internal::visitor_of<Default_hole_remeshing_visitor_3>(m_np);
+    decltype(auto) visitor = internal::visitor_of(m_np);
     typedef Hole_remeshing_recorder_3<std::decay_t<decltype(visitor)> > Recorder;
     Result result;
     Recorder recorder(visitor, result.phases, get(internal_np::maximum_running_time,

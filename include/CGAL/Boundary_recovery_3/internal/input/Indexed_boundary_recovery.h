@@ -129,11 +129,11 @@ private:
       list_unknown_vertices();
     if(is_invalid() || m_context.is_stopped())
       return;
-    m_context.visitor().on_phase_begin(Recovery_phase::insertion);
+    m_context.visitor().on_phase_begin(Phase::insertion);
     if(! is_complete)
       m_result.number_of_inserted_vertices = insert_points(m_tr, m_input.points, m_result.vertices, m_context);
     Phase_report report;
-    report.phase = Recovery_phase::insertion;
+    report.phase = Phase::insertion;
     report.seconds = m_context.seconds() - start;
     m_result.phases.push_back(report);
     m_context.visitor().on_phase_end(report);

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/Boundary_recovery_visitor_3.h>
+#include <CGAL/Boundary_recovery_3/Meshing_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/input/Indexed_boundary_recovery.h>
 #include <CGAL/Boundary_recovery_3/parameters.h>
 
@@ -56,7 +56,7 @@ Boundary_recovery_result_3<Tr>
 recover_indexed_boundary(Tr& tr, const Indexed_input_3<typename Tr::Geom_traits::Point_3>& input,
                          std::vector<typename Tr::Vertex_handle> vertices, const NamedParameters& np)
 {
-  decltype(auto) visitor = internal::visitor_of<Default_boundary_recovery_visitor_3>(np);
+  decltype(auto) visitor = internal::visitor_of(np);
   const auto traits = parameters::choose_parameter(parameters::get_parameter(np, internal_np::geom_traits),
                                                    tr.geom_traits());
   const Recovery_options options = recovery_options(np);

@@ -156,7 +156,6 @@ class Recovery_by_flips_3
 public:
   typedef typename Tr::Vertex_handle         Vertex_handle;
   typedef Recovery_state_3<Tr, Visitor>      State;
-  typedef Recovery_phase                     Phase;
 
   // `state` has to outlive this object.
   explicit Recovery_by_flips_3(State& state)

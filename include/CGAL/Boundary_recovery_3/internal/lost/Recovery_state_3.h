@@ -51,9 +51,9 @@ struct Recovery_state_3
 
   // Runs a phase, unless the recovery was stopped; what decides on the outcome always runs.
   template <typename Work>
-  void run(const Recovery_phase phase, const Work& work)
+  void run(const Phase phase, const Work& work)
   {
-    if(phase != Recovery_phase::recount && phase != Recovery_phase::search && ! context.go_further())
+    if(phase != Phase::recount && phase != Phase::search && ! context.go_further())
       return;
     const double start = context.seconds();
     context.visitor().on_phase_begin(phase);

@@ -155,7 +155,6 @@ public:
   typedef Constraints_3<Tr>             Constraints;
   typedef Vertex_predicates_3<Tr>       Predicates;
   typedef Recovery_context<Visitor>     Context;
-  typedef Recovery_phase                Phase;
   typedef Recursion_level_report        Report;
 
   // `lost` is in increasing order. All arguments have to outlive this object.

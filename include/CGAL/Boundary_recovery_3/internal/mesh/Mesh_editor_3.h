@@ -257,11 +257,11 @@ public:
 
   // --- as a visitor -------------------------------------------------------------------------------------------------
 
-  void on_phase_begin(const Recovery_phase phase) { m_visitor.on_phase_begin(phase); }
+  void on_phase_begin(const Phase phase) { m_visitor.on_phase_begin(phase); }
 
   void on_phase_end(const Phase_report& report) { m_visitor.on_phase_end(report); }
 
-  void on_progress(const Recovery_phase phase, const std::size_t done, const std::size_t total)
+  void on_progress(const Phase phase, const std::size_t done, const std::size_t total)
   {
     m_visitor.on_progress(phase, done, total);
   }

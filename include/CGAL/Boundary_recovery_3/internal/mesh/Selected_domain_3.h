@@ -94,6 +94,9 @@ private:
 template <typename Tr, typename NamedParameters>
 auto selected_domain(const Tr& tr, const NamedParameters& np)
 {
+  static_assert(Has_cell_indices<typename Tr::Cell>::value,
+                "The cells of this triangulation have no regions and patches; mark_domain() gives them to those of "
+                "CGAL::Boundary_constrained_mesh_triangulation_3<Kernel>::type.");
   using parameters::choose_parameter;
   using parameters::get_parameter;
   typedef typename Tr::Cell_handle                       Cell_handle;

@@ -54,6 +54,15 @@ struct Has_meshing_info<Vertex, std::void_t<decltype(std::declval<Vertex&>().set
   : std::true_type
 { };
 
+// To be made in functions that write them.
+template <typename Tr>
+struct Require_mesh_indices
+{
+  static_assert(Has_cell_indices<typename Tr::Cell>::value && Has_vertex_indices<typename Tr::Vertex>::value,
+                "Cells and vertices of this triangulation have no room for regions and patches; those of "
+                "CGAL::Boundary_constrained_mesh_triangulation_3<Kernel>::type do.");
+};
+
 // A mesh index that is made of another, or of a number. What cannot be made is the default one.
 template <typename Index, typename T>
 Index mesh_index(const T& value)

@@ -13,9 +13,9 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_result_3.h>
-#include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
 #include <CGAL/Boundary_recovery_3/Constrained_edge_map_3.h>
+#include <CGAL/Boundary_recovery_3/Meshing_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/Surface_sizing_field_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mark_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Subdomain_meshing_3.h>
@@ -49,23 +49,20 @@ class Meshing_recorder_3
 {
 public:
   // `maximum_running_time` is in seconds, from now on.
-  Meshing_recorder_3(Visitor& visitor, std::vector<Meshing_phase_report>& reports, const double maximum_running_time)
+  Meshing_recorder_3(Visitor& visitor, std::vector<Phase_report>& reports, const double maximum_running_time)
     : m_visitor(visitor), m_reports(reports), m_start(Clock::now()), m_maximum_running_time(maximum_running_time)
   { }
 
-  void on_phase_begin(const Recovery_phase phase) { m_visitor.on_phase_begin(phase); }
+  void on_phase_begin(const Phase phase) { m_visitor.on_phase_begin(phase); }
 
-  void on_phase_begin(const Meshing_phase phase) { m_visitor.on_phase_begin(phase); }
-
-  void on_phase_end(const Phase_report& report) { m_visitor.on_phase_end(report); }
-
-  void on_phase_end(const Meshing_phase_report& report)
+  // What the recovery reports is in its own result.
+  void on_phase_end(const Phase_report& report)
   {
-    m_reports.push_back(report);
+    if(report.phase > Phase::recount)
+      m_reports.push_back(report);
     m_visitor.on_phase_end(report);
   }
 
-  template <typename Phase>
   void on_progress(const Phase phase, const std::size_t done, const std::size_t total)
   {
     m_visitor.on_progress(phase, done, total);
@@ -95,7 +92,7 @@ private:
   typedef std::chrono::steady_clock Clock;
 
   Visitor& m_visitor;
-  std::vector<Meshing_phase_report>& m_reports;
+  std::vector<Phase_report>& m_reports;
   Clock::time_point m_start;
   double m_maximum_running_time;
   bool m_is_stopped = false;
@@ -229,7 +226,7 @@ public:
   template <typename Recover, typename Patches, typename SizingField>
   Result operator()(const Recover& recover, const Patches& patches, const SizingField& size)
   {
-    decltype(auto) visitor = internal::visitor_of<Default_boundary_constrained_mesh_visitor_3>(m_np);
+    decltype(auto) visitor = internal::visitor_of(m_np);
     typedef Meshing_recorder_3<std::decay_t<decltype(visitor)> > Recorder;
     Result result;
     Recorder recorder(visitor, result.phases, maximum_running_time());
@@ -276,13 +273,13 @@ private:
   void mark_domain(const Patches& patches, Recorder& recorder, Result& result)
   {
     const double start = recorder.seconds();
-    recorder.on_phase_begin(Meshing_phase::domain_marking);
+    recorder.on_phase_begin(Phase::domain_marking);
     const auto facets = result.recovery.surface_facets();
     const Edges edges(result.recovery, m_np);
     result.number_of_regions = Mark_domain_3<Tr>(m_tr)(facets, patches(facets), edges.edges, edges.numbers);
     result.constrained_edges = edges.edges;
-    Meshing_phase_report report;
-    report.phase = Meshing_phase::domain_marking;
+    Phase_report report;
+    report.phase = Phase::domain_marking;
     report.number_of_vertices = m_tr.number_of_vertices();
     report.number_of_cells = m_tr.number_of_finite_cells();
     report.seconds = recorder.seconds() - start;

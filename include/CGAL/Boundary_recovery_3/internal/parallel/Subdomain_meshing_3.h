@@ -80,9 +80,9 @@ public:
     const double start = m_recorder.seconds();
     if(! forecast())
       return;
-    run(Meshing_phase::decomposition, [&] { decompose(number_of_subdomains); });
+    run(Phase::decomposition, [&] { decompose(number_of_subdomains); });
     if(m_result.filling)
-      run(Meshing_phase::field_point_insertion, [&] { do_rounds(false); });
+      run(Phase::field_point_insertion, [&] { do_rounds(false); });
     m_result.filling.seconds = m_recorder.seconds() - start;
     if(m_result.filling && improve)
       this->improve();
@@ -113,12 +113,12 @@ private:
   Domain whole_domain() const { return Domain(m_tr, m_result.constrained_edges); }
 
   template <typename Work>
-  void run(const Meshing_phase phase, const Work& work)
+  void run(const Phase phase, const Work& work)
   {
     const double start = m_recorder.seconds();
     m_recorder.on_phase_begin(phase);
     work();
-    Meshing_phase_report report;
+    Phase_report report;
     report.phase = phase;
     report.number_of_vertices = m_tr.number_of_vertices() + m_number_of_vertices - m_number_of_old_vertices;
     report.number_of_cells = m_tr.number_of_finite_cells() + number_of_cells(m_parts) - m_number_of_old_cells;
@@ -171,7 +171,7 @@ private:
   {
     const double start = m_recorder.seconds();
     if(internal::is_possible_target(m_min_dihedral_angle))
-      run(Meshing_phase::quality_improvement, [&] { do_rounds(true); });
+      run(Phase::quality_improvement, [&] { do_rounds(true); });
     else
       m_result.improvement.status = Meshing_status::invalid_input;
     put_into_triangulation();
@@ -209,7 +209,7 @@ private:
     for(std::size_t k = 0; k < rounds.size(); ++k)
     {
       std::vector<Task> tasks = rounds[k].works_on_parts() ? parts() : zones(rounds[k]);
-      m_task_visitor.begin(improving ? Meshing_phase::quality_improvement : Meshing_phase::field_point_insertion,
+      m_task_visitor.begin(improving ? Phase::quality_improvement : Phase::field_point_insertion,
                            k, rounds.size(), weight(tasks));
       if(! do_tasks(tasks, rounds[k]))
         return;

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_visitor_3.h>
+#include <CGAL/Boundary_recovery_3/Meshing_visitor_3.h>
 
 #include <CGAL/tags.h>
 
@@ -73,13 +73,13 @@ void for_each_task(const std::vector<std::size_t>& weights, const Work& work, co
  */
 template <typename Visitor>
 class Task_visitor_3
-  : public Default_boundary_constrained_mesh_visitor_3
+  : public Default_meshing_visitor_3
 {
 public:
   explicit Task_visitor_3(Visitor& visitor) : m_visitor(visitor) { }
 
   // From now on, progress is that of tasks with this weight, which are one of several rounds of the phase.
-  void begin(const Meshing_phase phase, const std::size_t round, const std::size_t number_of_rounds,
+  void begin(const Phase phase, const std::size_t round, const std::size_t number_of_rounds,
              const std::size_t weight)
   {
     m_phase = phase;
@@ -107,7 +107,7 @@ private:
   Visitor& m_visitor;
   std::mutex m_mutex;
   std::atomic<bool> m_is_stopped{ false };
-  Meshing_phase m_phase = Meshing_phase::field_point_insertion;
+  Phase m_phase = Phase::field_point_insertion;
   std::size_t m_done = 0;
   std::size_t m_total = 0;
 };

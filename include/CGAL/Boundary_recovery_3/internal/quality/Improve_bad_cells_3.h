@@ -334,7 +334,7 @@ private:
     if(! (share >= m_told_share)) // nor is there anything to be told if nothing is bad
       return;
     m_told_share = share;
-    m_context.visitor().on_progress(Meshing_phase::quality_improvement, m_number_of_visits, expected_visits);
+    m_context.visitor().on_progress(Phase::quality_improvement, m_number_of_visits, expected_visits);
   }
 
   Recovery_context<Visitor>& m_context;

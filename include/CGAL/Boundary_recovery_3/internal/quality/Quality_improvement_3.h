@@ -70,7 +70,7 @@ public:
     m_context.set_maximum_running_time(maximum_running_time);
     if(is_possible_target(min_dihedral_angle))
     {
-      m_context.visitor().on_phase_begin(Meshing_phase::quality_improvement);
+      m_context.visitor().on_phase_begin(Phase::quality_improvement);
       improve(min_dihedral_angle, effort);
       m_context.visitor().on_phase_end(report());
     }
@@ -120,10 +120,10 @@ private:
       examine, [this] { return m_context.can_finish_after_short_step(); });
   }
 
-  Meshing_phase_report report() const
+  Phase_report report() const
   {
-    Meshing_phase_report report;
-    report.phase = Meshing_phase::quality_improvement;
+    Phase_report report;
+    report.phase = Phase::quality_improvement;
     report.number_of_vertices = m_tr.number_of_vertices();
     report.number_of_cells = m_tr.number_of_finite_cells();
     report.seconds = m_context.seconds();

@@ -272,7 +272,7 @@ private:
     {
       if(! recover_edge(edges[i].second))
         edges[kept++] = edges[i];
-      m_mesh.context.visitor().on_progress(Recovery_phase::planar_edge_recovery, i + 1, total);
+      m_mesh.context.visitor().on_progress(Phase::planar_edge_recovery, i + 1, total);
     }
     edges.resize(kept);
   }

@@ -13,7 +13,7 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
-#include <CGAL/Boundary_recovery_3/Boundary_recovery_visitor_3.h>
+#include <CGAL/Boundary_recovery_3/Meshing_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/lost/Recovery_state_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_editor_3.h>
@@ -52,7 +52,6 @@ public:
   typedef typename Tr::Vertex_handle         Vertex_handle;
   typedef Recovery_state_3<Tr, Visitor>      State;
   typedef Steiner_ledger_3<Tr>               Ledger;
-  typedef Recovery_phase                     Phase;
   typedef Recovery_mode                      Mode;
 
   // Of the flips that are tried for each part of an edge.
@@ -354,7 +353,7 @@ private:
         take_back(depth, m_state.context.visitor());
     } catch(...) {
       // Cells may be inverted now. Whoever threw, maybe the visitor, is not called again.
-      Default_boundary_recovery_visitor_3 no_visitor;
+      Default_meshing_visitor_3 no_visitor;
       take_back(depth, no_visitor);
       m_ledger.unsettle();
       throw;

@@ -257,7 +257,7 @@ private:
       if(m_mesh.ledger.is_free(v) && (which == ALL_POINTS || ! internal::contains(*m_exterior_points, v)))
         work(v);
       CGAL_expensive_assertion(internal::is_mesh_valid(m_mesh.tr, m_mesh.predicates));
-      m_mesh.context.visitor().on_progress(Recovery_phase::steiner_suppression, points.size() - number_of_points(),
+      m_mesh.context.visitor().on_progress(Phase::steiner_suppression, points.size() - number_of_points(),
                                       points.size());
     }
   }
