@@ -12,6 +12,8 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <CGAL/Boundary_recovery_3/internal/mesh/mesh_indices.h>
+
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/property_map.h>
 
