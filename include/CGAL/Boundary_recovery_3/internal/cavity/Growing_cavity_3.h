@@ -35,12 +35,12 @@ namespace Boundary_recovery_3 {
 namespace internal {
 
 /*
- * Cavities that contain the cells of the mesh that their vertices span: those behind faces of the cavity that have no
- * other vertices, as long as there are such. What is behind a constrained face has nothing to do with what is in front
- * of it, so the cavity does not grow through these, nor through the hull.
+ * Functions that let a `Cavity_3` grow. A cavity *spans* a cell if all four vertices of the cell are in the cavity.
+ * Spanned cells behind a face of the boundary are added, until there are none left. A cavity never grows through
+ * constrained facets or through the hull: what is behind these faces has nothing to do with what is in front.
  */
 
-// Adds the cells that the vertices span behind those from the given one on.
+// Adds the cells that the cavity spans. Only faces of the cells from position `first_new` on are looked behind.
 template <typename Cavity>
 void add_spanned_cells(Cavity& cavity, const std::size_t first_new = 0)
 {
@@ -92,10 +92,12 @@ typename Cavity::Vertices vertices_behind(Cavity& cavity)
 }
 
 /*
- * Reconnection of a cavity around a Steiner point without this point; the cavity grows until that succeeds.
+ * Searches for tetrahedra that fill a cavity around a Steiner point without using this point. As long as there are
+ * none, the cavity grows, and the search is repeated.
  *
- * It may grow to where it has to: if it cannot be filled, this follows from faces that no vertex of the cavity makes a
- * tetrahedron with, so the next vertices are those that do, see "Tuning constants" in the manual.
+ * A cavity can grow towards its *dead ends*: if no tetrahedra fill it, this follows from some faces that make no
+ * tetrahedron with any vertex of the cavity. The next vertices are those outside that make tetrahedra with these faces,
+ * see "Tuning constants" in the manual.
  */
 template <typename Tr>
 class Growing_cavity_3
@@ -123,8 +125,9 @@ public:
       m_candidates(predicates)
   { }
 
-  // Looks for tetrahedra that fill a cavity that contains the ball of v, without v. They need not use any of the
-  // `points`. There are none if constraints and the hull enclose a cavity that cannot be filled.
+  // Searches for tetrahedra that fill a cavity around the ball of v without v. The tetrahedra need not use the
+  // `points`, which may be deleted. Returns `NONE` if constraints and the hull enclose a cavity that cannot be filled,
+  // and `GAVE_UP` if a bound was reached or the context says stop.
   template <typename Context>
   Outcome operator()(const std::vector<Cell_handle>& ball, const Vertex_handle v, const Vertices& points,
                      const Growth growth, const Bounds& bounds, Context& context)
@@ -163,8 +166,9 @@ private:
         m_boxes.push_back(m_predicates.bbox(f.face[0]) + m_predicates.bbox(f.face[1]) + m_predicates.bbox(f.face[2]));
     }
 
-    // For each of the faces, whether x is on its positive side, and neither a constraint nor, if `with_open_faces`,
-    // another face than those that x is behind of is between x and one of its vertices.
+    // For each of the faces, whether x is on its positive side and sees its three vertices. Constrained facets and hull
+    // facets on the boundary block the view; if `with_open_faces`, so do all other faces of the boundary, except those
+    // that x is right behind.
     std::vector<char> are_seen(const Vertex_handle x, const std::vector<Vertex_triple>& faces,
                                const bool with_open_faces) const
     {
@@ -241,8 +245,9 @@ private:
         m_dropped_points.push_back(w);
   }
 
-  // Adds vertices, with all the cells that these bring. Returns false if there would be too many, of them or of
-  // tetrahedra, by an estimate: mostly, their number grows with the square of that of the vertices, or faster.
+  // Adds vertices to the cavity, with the cells that it spans then. Returns false if no vertex was added, or if there
+  // would be too many tetrahedra by an estimate: their number mostly grows with the square of the number of vertices,
+  // or faster.
   template <typename Context>
   bool grow(const Growth growth, const Bounds& bounds, Context& context)
   {
@@ -271,9 +276,10 @@ private:
     return result;
   }
 
-  // A vertex behind the boundary that makes tetrahedra with some of the faces, which are then taken out. First choice
-  // is one that will, most likely, with the cells that it brings; then one that may when the cavity is larger; then the
-  // one that touches the cavity most.
+  // The vertex behind the boundary that sees the most of the `faces`, and most likely makes tetrahedra with them. The
+  // faces that it sees are taken out of the list. If no vertex sees a face, the same without regard to open faces of
+  // the boundary, since the cavity may grow beyond them; then no face is taken out. If that finds no vertex, or if
+  // there are no `faces`, the vertex behind the most boundary faces; none if all boundary faces are closed.
   Vertex_handle next_vertex(std::vector<Vertex_triple>& faces)
   {
     const Vertices vertices = internal::vertices_behind(m_cavity);

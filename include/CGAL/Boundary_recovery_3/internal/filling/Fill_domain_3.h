@@ -40,18 +40,19 @@ namespace internal {
  * Fills a domain with field points [CZZ+17, Section 4.1, step 6]: one point for each cell that is too large for the
  * sizes around it, at its circumcenter, or where that cannot be, at its centroid.
  *
- * A cell is too large if its circumradius is longer than `largest_radius` times the size. Each cell is looked at once:
- * those that are there at first, and after each of them those around the new vertices. No vertex of the cavity of a
- * point is nearer to it than `smallest_distance` times the size there, so the work ends.
+ * A cell is too large if its circumradius is longer than `largest_radius` times the size at its centroid. Each cell is
+ * examined once: the cells of the domain, and after each insertion the cells around the new vertices. A point is
+ * inserted only if no vertex of its cavity is nearer than `smallest_distance` times the size at the point, so the work
+ * ends.
  *
- * Where the sizes grow fast, a cell that is not too large for the size at its centroid may be so elsewhere: it gets a
- * point at a place where the size is far smaller, if there is one.
+ * Where sizes grow fast, a cell may be small enough for the size at its centroid, but not for sizes elsewhere in the
+ * cell. Such a cell gets a point where the size is far smaller, if there is such a place.
  *
- * Nor does a point encroach on walls that are far larger than the sizes beside them: no cell at such a wall could be
- * good. Where it would, there may be a place beside it.
+ * No point may encroach on a wall that is far larger than the sizes beside the wall: the cells between the point and
+ * the wall would be bad. If a centroid encroaches, a place farther from the wall is tried.
  *
- * Cells that got no point are few, mostly where the mesh is far from Delaunay, as recoveries leave it. Some have edges
- * that miss the size by far. In the end, these edges are removed or divided.
+ * Few cells are too large and get no point, mostly where the mesh is far from Delaunay after the recovery. Some of them
+ * have edges that are much longer than the size; in the end, these edges are removed or divided.
  */
 template <typename Tr, typename Domain, typename Sizes, typename Visitor>
 class Fill_domain_3
@@ -101,7 +102,7 @@ public:
   // Whether no small size can be in a cell unseen.
   bool is_resolved() const { return m_search.is_complete(); }
 
-  // Whether there would be more of them if that was allowed.
+  // Whether a point was not inserted because the largest number of vertices was reached.
   bool is_full() const { return m_is_full; }
 
 private:
@@ -125,7 +126,8 @@ private:
 
   bool can_go_on() { return m_sizes.is_valid() && ! m_is_full && m_context.go_further_after_short_step(); }
 
-  // Whether the cell is still there, and no new vertex is at it. Where it was, there may be a new cell.
+  // Whether the handle belongs to a cell without pending vertices. If the cell that had the handle is gone, a newer
+  // cell may have it, which does no harm.
   bool is_there(const Cell_handle c) const
   {
     if(! m_tr.tds().cells().is_used(c))
@@ -158,7 +160,7 @@ private:
         look_at(c);
   }
 
-  // What is large compared with the size in its cell.
+  // The walls that are large compared with the size in the cells beside them; no seams, since these do not stay.
   Encroached_walls_3 large_walls(const std::vector<Cell_handle>& cells)
   {
     std::vector<Encroached_walls_3::Wall> walls;
@@ -252,7 +254,8 @@ private:
     }
   }
 
-  // The longest one that can be removed, or else divided in the middle. Then the cell is gone.
+  // Goes through the edges of the cell that are too long, the longest one first, until one is removed, or else divided
+  // in the middle: then the cell is gone.
   void shorten_long_edge(const Cell_handle c)
   {
     const Corners p = internal::corners(c);
@@ -275,8 +278,8 @@ private:
     }
   }
 
-  // Whether an edge is on a wall, or its cells are at walls that are not much smaller: such cells have to be long. So
-  // are those at edges with very many cells.
+  // Whether an edge has to be long: it is on a wall, or one of its cells has a wall that is not much smaller than the
+  // edge. Also true for edges with too many cells for a removal.
   bool is_at_large_wall(const Cell_handle c, const Tetrahedron_edge_3& e) const
   {
     auto around = m_tr.tds().incident_cells(c, e.i, e.j);
@@ -327,14 +330,14 @@ private:
     return box.contains(q);
   }
 
-  // The cell contains the point. Returns whether a vertex is there now. At a seam that is much too large, points would
-  // make flat cells, which nobody would get rid of when the seam is gone.
+  // Inserts a vertex at a point in this cell, if the point is allowed. Returns whether it was inserted. Points are not
+  // allowed beside a seam that is much too large: the flat cells at the seam would stay after the seam is gone.
   bool try_point(const Coordinates_3& coordinates, const Cell_handle c, const Size& size)
   {
     return try_point(coordinates, c, smallest_distance, size, [] { return true; });
   }
 
-  // The same where vertices may be nearer, but no cell may be worse than all those that were there.
+  // The same, but vertices may be nearer, and no new cell may be worse than the worst cell of the cavity.
   bool try_point_on_edge(const Coordinates_3& coordinates, const Cell_handle c, const Size& size)
   {
     return try_point(coordinates, c, smallest_distance_on_edge, size, [&]

@@ -74,7 +74,7 @@ public:
 
   int number_of_crossings(const Vertex_handle u, const Vertex_handle v, const Vertex_handle w)
   {
-    // where a lost facet has its edges, a mesh face can meet it along its own edges only
+    // the edges of a lost facet are mesh edges, so a mesh face crosses the facet only where an edge of this face does
     return N == 3 ? 0 : remembered_count(Face{{ u, v, w }}, m_faces);
   }
 
@@ -143,8 +143,8 @@ private:
  * Recovery of the lost constraints of one dimension N - 1, edges (N = 2) or facets whose edges are mesh edges (N = 3),
  * by recursive shell transformations: [CZZ+17, Alg. 4 and Alg. 5], and the same for facets [CZZ+17, Section 4.2.2].
  *
- * Takes the indices of what it recovers out of the list of the lost constraints, and appends the counts of each pass to
- * that of the levels.
+ * Removes the indices of recovered constraints from the list of lost constraints. The two callings of Alg. 5 append a
+ * report to `levels` before their first pass, and after each pass.
  */
 template <typename Tr, std::size_t N, typename Visitor>
 class Recursive_recovery_3
@@ -166,8 +166,9 @@ public:
 
   // These three return the number of covering meshes that were replaced.
 
-  // Complete removals of single shells, as long as a pass halves what is lost: what is left then needs recursion, and
-  // further passes would churn the mesh, see "Tuning constants" in the manual.
+  // Passes without recursion, which try to remove each crossing edge or facet by a single shell transformation. They go
+  // on as long as a pass at least halves the number of lost constraints: the others need recursion, and more passes
+  // would change the mesh without much use, see "Tuning constants" in the manual.
   std::size_t remove_plainly(const Phase phase)
   {
     typedef Shell_transformation_3<Tr, No_shell_quality_3, Target_validity, Visitor> Transformation;
@@ -228,7 +229,7 @@ private:
   // fans of hundreds of triangles, recursion goes astray.
   static constexpr std::size_t max_number_of_shells_per_constraint = 1000;
 
-  // What takes time, in about that for a mesh entity that a lost edge is found to cross.
+  // Units of work: one unit takes about as long as to find one mesh edge or facet that a lost edge crosses.
   static constexpr std::size_t work_per_shell = 10;
   static constexpr std::size_t work_per_crossing = N == 2 ? 1 : 10;
 
@@ -242,7 +243,8 @@ private:
       return m_constraints.facets();
   }
 
-  // BRC1 and BRC2 are about the constraint that is being recovered, BRC3 and BRC4 about all of them.
+  // Makes the condition BRC1 or BRC2, which depends on the constraint that is being recovered. BRC3 and BRC4 are the
+  // same for all lost constraints.
   struct Target_validity_of
   {
     Target_validity operator()(const Constraint& target) const
@@ -297,7 +299,8 @@ private:
     return result;
   }
 
-  // The state of the lost constraints, and their order; n_4 counts the mesh entities that they cross, each once.
+  // Reports how many constraints are lost and what they cross, and sorts them for the next pass. n4 counts the crossed
+  // mesh entities, each once.
   Report report()
   {
     Report result;

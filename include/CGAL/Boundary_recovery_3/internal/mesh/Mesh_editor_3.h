@@ -27,13 +27,15 @@ namespace Boundary_recovery_3 {
 namespace internal {
 
 /*
- * Takes changes of a mesh back, in time that depends on what has changed only, not on the size of the mesh.
+ * Records the changes of a mesh, and can undo them, in a time that depends on the size of the changes, not on the size
+ * of the mesh.
  *
- * Between begin() and commit() or undo() it has to be told of every change; `Mesh_editor_3` does so. Such transactions
- * may be nested: an operation can be tried and taken back inside a longer one. Each keeps its net change.
+ * From begin() to commit() or undo(), the journal has to be told of every change; `Mesh_editor_3` does that. Such
+ * transactions may be nested, so that a part of a longer operation can be undone. Each transaction keeps its net
+ * change.
  *
- * What is taken back are cells with their indices of CGAL's mesh cells, and vertices with theirs, their points and
- * sizes. It is combinatorial: it does not matter if cells are inverted. Other data is up to visitors.
+ * The journal restores cells with their subdomain and surface patch indices, and vertices with their indices, points
+ * and sizes. It uses no predicates, so cells may be inverted. All other data has to be restored by visitors.
  */
 template <typename Tr>
 class Mesh_journal_3
@@ -64,11 +66,12 @@ public:
     m_changes.pop_back();
   }
 
-  // Ends a transaction, and makes the mesh what it was when it began. What had been removed has new handles: returns
-  // the handle that each such vertex had, and the one that it has now.
+  // Ends the innermost transaction, and restores the mesh as it was when this transaction began. Restored cells and
+  // vertices have new handles: returns the old and the new handle of each restored vertex.
   //
-  // The visitor is told which cells go and come, if there are any. If it throws when it is told what goes, or memory is
-  // lacking, nothing changes, and the transaction goes on. If it throws later, all is done.
+  // The visitor is told which cells go and come, if there are any. If before_cells_removal() throws, or memory is
+  // lacking, nothing changes, and the transaction goes on. If after_cells_creation() throws, the mesh is restored
+  // nevertheless, and the transaction has ended.
   template <typename Visitor>
   std::vector<Vertex_pair> undo(Tr& tr, Visitor& visitor)
   {
@@ -83,7 +86,7 @@ public:
     }
     visitor.before_cells_removal(restoration.new_cells());
     restoration.restore();
-    // visitors may have ideas of their own of the indices of cells
+    // visitors may set indices of cells when they are told of them; the old indices count
     const auto finish = [&] { restoration.restore_indices(); m_changes.pop_back(); };
     try {
       visitor.after_cells_creation(restoration.cells());
@@ -97,8 +100,8 @@ public:
 
   // --- what it has to be told while it is active --------------------------------------------------------------------
 
-  // Before cells are exchanged: nothing fails afterwards, if there are no more new cells. What is not followed by
-  // after_exchange() did not happen.
+  // To be called before cells are replaced. after_exchange() needs no more memory, and cannot fail, if there are at
+  // most `number_of_new_cells` new cells. If after_exchange() is not called, the cells count as not replaced.
   template <typename CellRange>
   void before_exchange(const CellRange& old_cells, const std::size_t number_of_new_cells)
   {
@@ -120,7 +123,7 @@ public:
   void make_room_for_new_vertices(const std::size_t n) { m_changes.back().make_room_for_new_vertices(n); }
   void after_creation(const Vertex_handle v) { m_changes.back().add_vertex(v); }
 
-  // Before vertices are removed, and for each of them, when no cell has it any more.
+  // Before n vertices are removed, and before each of them is removed, when it is no vertex of a cell any more.
   void make_room_for_removed_vertices(const std::size_t n) { m_changes.back().make_room_for_removed_vertices(n); }
   void before_removal(const Vertex_handle v) { m_changes.back().remove_vertex(Old_vertex(v)); }
 
@@ -143,14 +146,15 @@ private:
 };
 
 /*
- * The one way in which cells and vertices of a mesh are changed: phases share it, it tells a visitor, and while a
- * transaction is on, also a journal, so that all changes since can be taken back.
+ * Replaces the cells of a mesh, and creates, moves and deletes vertices. A visitor is told of replaced cells. During a
+ * transaction, a journal is told of all changes, so that they can be undone.
  *
- * It is itself a visitor, which hands on everything to the other one: what is changed by functors with a visitor, such
- * as `Shell_transformation_3`, gets into the journal, too. Announced like that, cells may at most be doubled in number
- * if memory is lacking; and vertices are neither created nor removed.
+ * The editor is a visitor, too, which forwards everything to the other visitor. If a functor such as
+ * `Shell_transformation_3` has the editor as its visitor, its changes get into the journal. Such a functor must not
+ * create or delete vertices. The journal makes room for twice as many new cells as old ones; if there are more and
+ * memory is lacking, they cannot be undone.
  *
- * The journal is told first: whatever the visitor throws, it can be taken back.
+ * The journal is told of each change before the visitor, so the change can be undone if the visitor throws.
  */
 template <typename Tr_, typename Visitor_>
 class Mesh_editor_3
@@ -234,7 +238,7 @@ public:
     v->set_point(p);
   }
 
-  // Has to be called before somebody else moves a vertex that was there when the transaction began.
+  // To be called before a vertex is moved in another way than by move(), if the vertex existed before the transaction.
   void before_move(const Vertex_handle v)
   {
     if(m_journal.is_active())
@@ -251,7 +255,7 @@ public:
 
   std::vector<Vertex_pair> undo() { return m_journal.undo(m_tr, m_visitor); }
 
-  // Another visitor is told, for one that threw is not called again.
+  // The same, but another visitor is told of the cells: after a visitor has thrown, it is not called again.
   template <typename Other_visitor>
   std::vector<Vertex_pair> undo(Other_visitor& visitor) { return m_journal.undo(m_tr, visitor); }
 

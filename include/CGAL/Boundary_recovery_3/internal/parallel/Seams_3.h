@@ -31,27 +31,28 @@ namespace CGAL {
 namespace Boundary_recovery_3 {
 namespace internal {
 
-// What processes tell each other, if there is only one. Several ones call the member at the same time.
+// How processes exchange data if there is only one of them. If there are several, all call gather() at the same time.
 struct No_exchange
 {
-  // Adds to the array what the others have in theirs. `T` can be copied as bytes.
+  // Appends the elements of this array in all other processes. `T` is trivially copyable.
   template <typename T>
   void gather(std::vector<T>&) const { }
 };
 
 /*
- * Where parts of a mesh meet, zones of cells are found, to be worked on at the same time, since no cell is in two of
- * them. In three rounds, hardly any seam is left:
- *  - around the vertices of two parts, for each two of them, without the cells at vertices of more parts;
- *  - the same for three;
- *  - around the vertices of four or more, as far as these are connected by edges, and not too many.
- * What is left can be the start of further ones.
+ * Finds zones of cells around the *seams*, where the parts of a mesh meet. No cell is in two zones, so all zones can be
+ * worked on at the same time. There are three rounds, after which hardly any seam is left:
+ *  - zones around vertices of two parts, one for each pair of parts, without the cells at vertices of more parts;
+ *  - the same for three parts;
+ *  - zones around the vertices of four or more parts: vertices that are connected by edges, up to a number of them.
+ * In further rounds, zones are around cells that are chosen by the caller, the *starts*.
  *
- * Each zone has some layers of cells, and belongs to one of its parts thereafter, so the next seam is elsewhere. That
- * is the part that has the fewest cells then, where the largest zones come first.
+ * A zone has several layers of cells. One of the parts that have cells in the zone is its *owner*, and gets all of its
+ * cells afterwards, so the next seams are elsewhere. Owners are chosen for the largest zone first: always the part that
+ * has the fewest cells so far.
  *
- * A process looks at its own parts only, and tells the others about vertices that are shared. Which cells are in a zone
- * depends on the parts and the numbers of the vertices, and not on who has them.
+ * A process looks only at its own parts, and exchanges data on shared vertices with the other processes. The zones
+ * depend on the parts and on the numbers of the vertices, but not on which process has which part.
  */
 template <typename Exchange = No_exchange>
 class Seams_3
@@ -76,9 +77,9 @@ public:
     : m_parts(parts), m_number_of_layers(number_of_layers), m_exchange(exchange), m_shared(parts, exchange)
   { }
 
-  // The round is the number of the parts that meet: from 2 to `last_round`, which is for more of them, too; with 0,
-  // zones are around the starts of the parts. The zones of the cells are in the parts then, by their positions in this
-  // list, or none. Zones are around so many vertices at most that are connected, if they are starts or of more parts.
+  // Finds the zones of a round: the number of parts that meet, where `last_round` stands for this number and all larger
+  // ones; 0 for zones around the starts. Sets `zone_of_cell` in the parts to positions in the returned list, or to
+  // `none`. In round 0 and in the last one, a zone is around at most `max_number` vertices, which are connected.
   std::vector<Zone> find(const std::size_t round, const std::size_t max_number = max_number_of_connected_vertices)
   {
     if(round == 0)
@@ -109,8 +110,9 @@ private:
     }
   }
 
-  // Of vertices given by numbers: those of a group are connected, and some of those that are make up a component, which
-  // has the position of its first vertex. The order of the groups makes no difference.
+  // Connected components of vertices that are given by numbers: all vertices of a group are connected to each other. A
+  // component that would have too many vertices is divided. Each component is denoted by the position of its first
+  // vertex among the sorted numbers. The order of the groups makes no difference.
   class Components
   {
   public:
@@ -246,8 +248,8 @@ private:
             edges.push_back({{ indices[t[i]], indices[t[j]] }});
   }
 
-  // Of layers around the vertices that have one, in the order of their first cells. Cells at vertices of more than
-  // `blocked` parts stay.
+  // Adds layers of cells around the vertices that have a zone, and returns the list of zones, in the order of their
+  // first cells. Cells at vertices of more than `blocked` parts get no zone.
   std::vector<Zone> zones(const std::size_t blocked)
   {
     for(Part& part : m_parts)
@@ -262,7 +264,8 @@ private:
     return list_zones();
   }
 
-  // The cells at the vertices of a zone come to it, then their vertices; the zone with the smallest number is first.
+  // Adds the cells at the vertices of each zone to the zone, then the vertices of these cells. A cell or vertex that
+  // several zones could get goes to the zone with the smallest number.
   void add_layer()
   {
     std::vector<std::vector<Zone_of_vertex> > found(m_parts.size());

@@ -35,13 +35,13 @@ namespace Boundary_recovery_3 {
 namespace internal {
 
 /*
- * What an operation costs where a mesh is improved, and what it earns there, by kind of cell. What does not pay is not
- * tried any more.
+ * The account of an operation: what it costs and what it yields, for each kind of cell. An operation that does not pay
+ * for a kind of cell is not tried at such cells any more.
  *
- * The price of a try is the number of cell qualities that it asks for, its yield is by how much the cells are less bad
- * afterwards: both are counted, so the same input leads to the same mesh. Each account begins with a credit that grows
- * with the mesh. So where bad cells are few, all of them are worth any effort; where they are many, an operation has to
- * go on earning what it costs, at the least rate.
+ * The price of a try is the number of qualities that it computes; its yield is by how much the sum of badness
+ * decreases. Both are counted, and no time is measured, so the same input leads to the same mesh. Each account begins
+ * with a credit that grows with the number of cells. Where bad cells are few, the credit is enough for any effort;
+ * where they are many, an operation has to yield at least `m_least_rate` for each quality.
  */
 class Work_account
 {
@@ -53,7 +53,7 @@ public:
     NEARLY_GOOD
   };
 
-  // That of a cell, by its quality as a part of what is enough.
+  // The kind of a cell of this quality; `enough` is the quality from which on a cell is good.
   static Kind kind(const double quality, const double enough)
   {
     return quality < very_bad * enough ? VERY_BAD : quality < half_bad * enough ? BAD : NEARLY_GOOD;
@@ -98,16 +98,17 @@ private:
 };
 
 /*
- * Works through the list of the bad cells of a mesh, again and again. What is cheap is done for all of them; the
- * expensive operations follow, for what that leaves. The worst one comes first, but at first, when there are many, that
- * is so in blocks of cells that are near each other, which is faster.
+ * Improves the bad cells of a mesh in rounds, each of which visits the list of bad cells. Cheap operations are tried
+ * from the first round on, expensive ones only in later rounds, at the cells that are still bad. In each block of cells
+ * that are near each other in space, the worst cell is visited first; without blocks, the work would be slower.
  *
- * An operation is tried at a cell as long as it pays, see `Work_account`, and not again where it failed, before
- * something around the cell has changed.
+ * An operation is tried at a cell as long as it pays, see `Work_account`. Where it has failed, it is not tried again
+ * before something around the cell has changed.
  *
- * No operation leaves a cell that is worse than the worst one of those that it changes, or than the measure of badness
- * tolerates, and each makes the sum of the badness of the cells smaller, or the worst one better by far, where that is
- * nearly flat. So the worst cell of the mesh does not get worse. Rounds end when they take too little badness away.
+ * No new cell is worse than the worst of the old cells, or, if the measure of badness is lenient, than that measure
+ * tolerates. Each operation decreases the sum of badness, or makes the worst cell far better, if this one is nearly
+ * flat. So the worst cell of the mesh never gets worse. The rounds end when one of them decreases the sum of badness
+ * too little.
  */
 template <typename Tr, typename Domain, typename Quality, typename Visitor>
 class Improve_bad_cells_3
@@ -128,7 +129,8 @@ public:
   Quality_improvement_counts& counts() { return m_counts; }
   const Quality_improvement_counts& counts() const { return m_counts; }
 
-  // From now on, what operations cost is booked, against what they earn.
+  // Gives each operation its credit and its least rate; before the first call, all operations pay. Prices and yields of
+  // earlier work stay booked.
   void open_accounts(const Improvement_effort effort, const std::size_t number_of_cells)
   {
     for_each_entry([&](auto& entry)
@@ -139,7 +141,8 @@ public:
     });
   }
 
-  // Whether cells where nothing has changed are left out also in the first round.
+  // Whether a cell is skipped in all rounds, if its last visit was before these rounds, and nothing around the cell has
+  // changed since that visit.
   void set_visits_only_changed(const bool b) { m_visits_only_changed = b; }
 
   // Works until nothing helps or pays, or the context says stop.
@@ -149,7 +152,8 @@ public:
     improve(no_limit);
   }
 
-  // The same for an attempt, which has an account of its own: visits so many bad cells at most.
+  // The same as a part of an attempt of `Search_locally_3`, which keeps one account for the attempt: operations need
+  // not pay here. At most `max_number_of_visits` bad cells are visited.
   void attempt(const std::size_t max_number_of_visits)
   {
     m_is_attempt = true;
@@ -179,7 +183,8 @@ private:
   //   new_cells()                                     // the cells that have come, or changed
   //   void count(Quality_improvement_counts& counts)
   //
-  // from which round on, how often in a row, in the cell and in what comes from it, and what that costs and earns.
+  // An entry is such an operation, with the first round in which it is tried, how many times in a row it is applied at
+  // most, at the cell and at the new cells, and its accounts.
   template <typename Operation, int first_round_, std::size_t max_number_in_a_row_ = 1>
   struct Entry
   {
@@ -261,8 +266,8 @@ private:
         visit(c);
   }
 
-  // Where nothing has changed since the last round, there is only what was not tried in it; or nothing, if only what
-  // changed before is visited.
+  // If nothing around the cell has changed since its last visit, only those operations are tried that begin with this
+  // round. If there are none, or if only changed cells are to be visited, the cell goes back to the list.
   void visit(const Bad_cell& c)
   {
     if(++m_number_of_visits % visits_per_report == 0)
@@ -275,7 +280,8 @@ private:
       m_bad_cells.push(c.cell, m_mesh.time());
   }
 
-  // By one of the operations from that round on. Returns whether the cell was changed.
+  // Tries the operations whose first round is at least `first_round` and has come, until one of them changes the mesh.
+  // Returns whether one did.
   bool improve(const Cell_handle c, const int first_round)
   {
     const Work_account::Kind kind = Work_account::kind(m_mesh.quality(c), m_mesh.enough());
@@ -308,7 +314,8 @@ private:
     return is_done;
   }
 
-  // In the cell, and in what comes from it, until that does not help any more. Returns how often.
+  // Applies an operation at the cell, then at the new cells that are bad, at most `max_number_in_a_row` times. Returns
+  // how many times it was applied.
   template <typename Entry_>
   std::size_t apply_at(const Cell_handle c, Entry_& entry)
   {

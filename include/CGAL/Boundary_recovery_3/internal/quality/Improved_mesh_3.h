@@ -104,7 +104,8 @@ public:
   double quality(const Corners& corners) const { return m_quality(corners); }
   double quality(const Cell_handle c) const { return m_quality(internal::corners(c)); }
 
-  // That of the cell of a face, seen from inside, and a point.
+  // The quality of the cell between a face and the point p, from where the vertices of the face are seen
+  // counterclockwise.
   double quality(const std::array<Vertex_handle, 3>& face, const Coordinates_3& p) const
   {
     return m_quality(corners(face, p));
@@ -141,7 +142,7 @@ public:
   }
   const Badness_3& measure_of_badness() const { return m_badness; }
 
-  // Whether nothing is tolerated: no cell gets worse than the worst one of those that go, however flat that is.
+  // From now on, operations that make a nearly flat cell far better, but others worse, are not tried.
   void be_strict() { m_is_strict = true; }
   bool is_strict() const { return m_is_strict; }
 
@@ -157,14 +158,15 @@ public:
   // circles. See "Tuning constants" in the manual.
   static constexpr double least_gain = 1e-10;
 
-  // Whether this quality, instead of that of the worst cell, which is nearly flat, is worth that others get worse.
+  // Whether the worst new cell, with this quality, is so much better than the worst old one that the other cells may
+  // get worse for it. Only asked for nearly flat cells.
   static bool is_far_better(const double quality, const double worst)
   {
     return quality > least_factor * (std::max)(0., worst);
   }
 
-  // What cells are together, maybe such that are none yet, given by vertices or corners: the quality of the worst one,
-  // and the sum of badness.
+  // The quality of the worst of several cells, and the sum of their badness. The cells need not be in the mesh: they
+  // are given by handles, vertices or corners.
   struct Account
   {
     double worst = 2;
@@ -203,8 +205,8 @@ public:
 
   static Point_3 point(const Vertex_handle v) { return internal::bare_point<Point_3>(v->point()); }
 
-  // Whether the length of an edge between two vertices would be allowed, or is not more extreme than that of an edge
-  // that goes for it.
+  // Whether a new edge between u and v, which replaces an edge with the length `length_before`, has an allowed length.
+  // If the old edge is longer or shorter than allowed, the new edge may be as long or as short as the old one.
   bool is_edge_in_size(const Vertex_handle u, const Vertex_handle v, const double length_before) const
   {
     auto range = m_lengths.at(u, v);
@@ -219,8 +221,9 @@ public:
 
   const Allowed_lengths_3<Tr>& allowed_lengths() const { return m_lengths; }
 
-  // Makes known how long edges may be beside the constrained facets: to be called for each cell of the domain, and then
-  // the other one, which `goes_on` may end. Without that, there is nothing but the sizes.
+  // Allows edges near constrained facets to be about as long or as short as the edges of these facets. `add_lengths()`
+  // has to be called for each cell of the domain, then `spread_lengths()` once, which stops when `goes_on` returns
+  // false. Without these calls, only the sizes at the vertices tell which lengths are allowed.
   void add_lengths(const Cell_handle c) { m_lengths.add(m_domain, c); }
   template <typename Question>
   void spread_lengths(const Question& goes_on) { m_lengths.spread(goes_on); }
@@ -245,13 +248,14 @@ public:
   // Grows with each change, and with each new measure of badness; never 0.
   std::size_t time() const { return m_time; }
 
-  // From now on, nobody asks for them.
+  // From now on, changes are not recorded for has_changed(), since nobody will call it any more.
   void note_no_more_changes() { m_are_changes_noted = false; }
 
-  // When it was said last what is bad.
+  // The time when the measure of badness was set last.
   std::size_t time_of_measure() const { return m_time_of_measure; }
 
-  // Whether a cell around a vertex, or of those at a cell, has changed since.
+  // Whether a cell around the vertex has changed after this time; for a cell: whether one around any of its vertices
+  // has.
   bool has_changed(const Vertex_handle v, const std::size_t time) const
   {
     return m_times.is_defined(v) && m_times[v] > time;
@@ -281,9 +285,9 @@ public:
     return true;
   }
 
-  // Exchanges cells of a region for the star of a new vertex at p, which has this size, and edges that may have the
-  // length `least`. The `vertices` of the faces, seen from inside, are those of the outer facets of the cells; those
-  // that are `dropped` go with the cells.
+  // Replaces cells of one region by the star of a new vertex at p. The new vertex gets this size, and its edges may be
+  // as short as `least`. `faces` are the outer facets of the old cells; p sees the `vertices` of each face
+  // counterclockwise. The vertices in `dropped`, which are on none of these faces, are deleted.
   template <typename CellRange, typename FaceRange, typename VertexRange>
   const Cells& star(const CellRange& old_cells, const FaceRange& faces, const Point_3& p, const double size,
                     const double least, const VertexRange& dropped)
@@ -336,8 +340,8 @@ public:
 
   void keep_attempt() { m_editor.commit(); }
 
-  // Takes all back. Returns the cells that came back, and those around vertices that moved back. They have new handles,
-  // and so may vertices of theirs.
+  // Undoes all changes of the attempt. Returns the restored cells, and the cells around vertices that moved back.
+  // Restored cells have new handles, and so have restored vertices.
   std::vector<Cell_handle> undo_attempt()
   {
     std::vector<Vertex_handle> moved;
@@ -436,7 +440,8 @@ private:
         m_times[c->vertex(i)] = m_time;
   }
 
-  // The first one that had the handle: others got the room that it had left.
+  // The lengths that were known at a vertex when the attempt deleted it. If several deleted vertices had this handle,
+  // it is the first of them: the others were created later, in the same place in memory.
   const Range& constraints_at_dropped_vertex(const Vertex_handle v) const
   {
     return std::find_if(m_dropped_vertices.begin(), m_dropped_vertices.end(),

@@ -36,11 +36,13 @@ namespace Boundary_recovery_3 {
 namespace internal {
 
 /*
- * The center of a bad cell. The cavity grows where the star would have its worst cell, as long as that helps; then the
- * point is moved to where the cells are less bad; and so on in turns.
+ * Seeds of `Insert_vertex_3`: the centroid of a bad cell. The cavity grows through the face where the new cell is the
+ * worst, until that face is a wall, all new cells are good enough, or the cavity is large. Then the point is moved to
+ * where the new cells are least bad. Both steps alternate.
  *
- * Once more, without regard to what the walls of the cell get, for a nearly flat one: if that is at a wall, the center
- * is in the plane of the wall.
+ * A nearly flat cell is tried a second time, where the cavity also grows while the worst new cell is at a wall: if the
+ * flat cell is at a wall, its centroid is nearly in the plane of the wall, so the new cell there is bad until the point
+ * is moved.
  */
 template <typename Mesh>
 class Seeds_in_cell_3
@@ -90,8 +92,8 @@ private:
     return cavity.cells().size() > number;
   }
 
-  // None if there is nothing behind it, or nothing bad, or the cavity is large. If walls are not minded, the worst one
-  // of the other faces.
+  // The face with the worst new cell, if the cavity can grow through it; none if this face is a wall, if all new cells
+  // are good enough, or if the cavity is large. If `minds_walls` is false, faces at walls are ignored.
   const Face* worst_face(const Cavity& cavity, const bool minds_walls) const
   {
     double worst = m_mesh.enough();
@@ -149,8 +151,8 @@ private:
 
   static constexpr int max_number_of_steps = 20; // see "Tuning constants" in the manual
 
-  // The cells at the walls of the bad cell stay whatever the cavity grows to, so nothing is worth while if they are too
-  // bad.
+  // Whether the new cells between p and the walls of the bad cell are good enough. These cells stay however far the
+  // cavity grows, since it does not grow through walls; if one is too bad, the point is useless.
   bool are_walls_good_with(const Coordinates_3& p) const
   {
     for(int i = 0; i < 4; ++i)
@@ -160,8 +162,8 @@ private:
     return true;
   }
 
-  // Collects the cells from the bad one to the one that the point is in, none of them twice. Returns false if there is
-  // a wall before, or it is far.
+  // Collects the cells on a walk from the bad cell to the cell that contains p, each once. Returns false if a wall is
+  // in the way, or if the walk takes too many steps.
   bool walk(const Coordinates_3& p)
   {
     Cell_handle c = m_cell;
@@ -218,8 +220,8 @@ private:
     return best > 0;
   }
 
-  // The worst new cell, and its face, if it may be gone through, or that of another one; and the worst one at a wall,
-  // which stays whatever the cavity grows to. Returns how bad all are.
+  // Sets the worst quality of all new cells, and of those at walls, and the worst face that is not a wall, through
+  // which the cavity can grow next. Returns the sum of the badness of the new cells.
   double set_worst_face(const Cavity& cavity)
   {
     double badness = 0, worst = m_mesh.enough();
@@ -250,16 +252,17 @@ private:
   double m_worst = 0;             // of the qualities of the new cells
   double m_worst_at_wall = 0;
   double m_least_gain = 0;
-  double m_least_at_wall = 0; // of the qualities of the cells at the walls of the bad cell
+  double m_least_at_wall = 0; // the least quality that new cells at the walls of the bad cell may have
 };
 
 /*
- * The deepest point of the visibility kernel of the shell of an edge of a nearly flat cell, at which the cell has an
- * obtuse angle.
+ * Seeds of `Insert_vertex_3` for a nearly flat cell: the shell of each edge at which the cell has an obtuse angle, with
+ * the deepest point of the visibility kernel of the shell.
  *
- * That is the way out where the cell fills the angle of nearly 180 degrees between two walls: it stays as long as the
- * edge opposite to theirs does, and all points of the cell are in the plane of the walls, so no cavity grows from them.
- * The worst cell is better by far then; together, the cells may be worse than before.
+ * They are for cells that fill the angle of nearly 180 degrees between two walls. Such a cell exists as long as the
+ * edge does that is opposite to the common edge of the walls. All points of the cell are nearly in the plane of the
+ * walls, so the other seeds find no good cavity. The insertion makes the worst cell far better, but the sum of badness
+ * may increase.
  */
 template <typename Mesh>
 class Seeds_in_shells_3
@@ -345,15 +348,14 @@ private:
 };
 
 /*
- * Inserts a vertex where a bad cell is, or near it: some cells are exchanged for the star of the vertex. `Seeds` tells
- * where to try that:
+ * Inserts a vertex in a bad cell or near it: replaces a cavity by the star of the vertex. `Seeds` makes the cavities:
  *
- *   bool is_for(Cell_handle c)                                // whether it helps cells that are as bad as c
- *   std::size_t start(Cell_handle c, double tolerated_loss)   // how many seeds there are at a cell
- *   bool grow(std::size_t k, Star_cavity_3<Mesh>& cavity)     // whether a cavity around one of them will do
+ *   bool is_for(Cell_handle c)                                // whether the seeds are meant for a cell as bad as c
+ *   std::size_t start(Cell_handle c, double tolerated_loss)   // finds the seeds at a cell, and returns their number
+ *   bool grow(std::size_t k, Star_cavity_3<Mesh>& cavity)     // makes the cavity of a seed; returns whether it helps
  *
- * and whether the first one that will do is taken, or the one that helps most. Nothing is changed before the whole star
- * is known.
+ * `Seeds::is_first_one_taken` tells whether the first cavity that helps is taken, or the one with the largest gain. The
+ * mesh is not changed before the whole star is known.
  */
 template <typename Mesh, typename Seeds>
 class Insert_vertex_3
@@ -364,8 +366,9 @@ public:
 
   explicit Insert_vertex_3(Mesh& mesh) : m_mesh(mesh), m_cavity(mesh), m_seeds(mesh) { }
 
-  // Searches for a cavity and a place. Returns whether the cells would be less bad then, and none worse than the worst
-  // one now, or, if the mesh has it so, than what is tolerated; or as the seeds say, if those are for flat cells.
+  // Searches for a cavity and a point such that an insertion helps. Returns whether there is one. Then the sum of
+  // badness decreases, and no new cell is worse than `least_quality()` of the worst old cell; `Seeds_in_shells_3` has
+  // weaker conditions, for nearly flat cells.
   bool find(const Cell_handle c)
   {
     if(! m_seeds.is_for(c) || ! m_mesh.has_room())

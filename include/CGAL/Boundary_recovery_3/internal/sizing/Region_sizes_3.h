@@ -33,12 +33,12 @@ namespace Boundary_recovery_3 {
 namespace internal {
 
 /*
- * What the filling wants to know of a size field: the sizes at places in cells, and bounds of them that follow from the
- * sizes at vertices, without asking.
+ * The sizes that the filling asks for: sizes at points in cells, from the size field, and lower bounds of sizes, which
+ * follow from the sizes at vertices without asking the field.
  *
- * In a cell, sizes grow from those at its vertices by no more than `largest_growth`, whatever the field says: meshes
- * whose sizes grow faster have bad cells. For that, vertices of walls have the size of the walls, if it is smaller than
- * what the field says. `restore_sizes_of_field()` makes an end of that.
+ * In a cell, sizes grow from the sizes at its vertices by at most `largest_growth` per length, even if the sizes of the
+ * field grow faster: a mesh with a larger grading has bad cells. Therefore `set_walls()` lowers the sizes at vertices
+ * of walls to the size of the walls. `restore_sizes_of_field()` undoes this when the filling is done.
  */
 template <typename Tr, typename SizingField>
 class Region_sizes_3
@@ -49,13 +49,14 @@ public:
   typedef typename Tr::Geom_traits::Point_3   Point_3;
   typedef Size_query_3<Tr, SizingField>       Query;
 
-  // What the field says about a place, and what is possible there; NaN if the field has none.
+  // The size that the field asks for at a point, and the size that cells can have there, which is smaller if the sizes
+  // at the vertices of the cell are. Both are NaN if the field has no size there.
   struct Size { double asked, possible; };
 
   Region_sizes_3(const Tr& tr, const SizingField& field) : m_query(field), m_at_vertices(tr) { }
 
-  // Asks for the sizes at the vertices of these cells; at a vertex of several regions, for each of them: the smallest
-  // one counts. Returns false if there is none somewhere.
+  // Asks the field for the sizes at the vertices of these cells. At a vertex of several regions, it asks for the size
+  // in each of them, and the smallest one counts. Returns false if the field has no size at one of the vertices.
   bool ask_at_vertices(const std::vector<Cell_handle>& cells)
   {
     Unique_hash_map<Vertex_handle, int> last_region(0);
@@ -119,7 +120,7 @@ public:
       return m_query(Point_3(p[0], p[1], p[2]), 3, region);
   }
 
-  // A size that those at the centroid of a cell are known not to fall below, maybe 0; `corners` are those of the cell.
+  // A lower bound of the size at the centroid of a cell, 0 if none is known; `corners` are the corners of the cell.
   double least_size_inside(const Cell_handle c, const std::array<Coordinates_3, 4>& corners) const
   {
     const Coordinates_3 center = internal::centroid(corners);
@@ -127,7 +128,8 @@ public:
     return least > 0 ? possible_size(least, center, c) : 0;
   }
 
-  // A number that the field is known not to fall below in a cell within a distance of a place in it, maybe 0.
+  // A lower bound of the field in a cell within the distance `radius` of `center`, a point of the cell; 0 if none is
+  // known. It follows from the sizes at the vertices.
   double known_least_size(const Cell_handle c, const std::array<Coordinates_3, 4>& corners, const Coordinates_3& center,
                           const double radius) const
   {
@@ -158,7 +160,7 @@ public:
     return likely;
   }
 
-  // The mesh is larger by this power of two than the field knows it.
+  // Sets the ratio of lengths in the mesh to lengths in the coordinates of the field, a power of two.
   void set_scale(const double scale) { m_query.set_scale(scale); }
 
   // By how much sizes grow per length, at most; maybe infinite.
@@ -205,7 +207,8 @@ private:
     m_at_vertices.set(v, (std::min)(known, size));
   }
 
-  // NaN if the field has no size there. The largest number asks for no points at all.
+  // The size that the field asks for, or the largest size that the vertices of the cell allow, if that is smaller. NaN
+  // stays NaN. The largest number means that no points are wanted, and stays, too.
   double possible_size(const double asked, const Coordinates_3& p, const Cell_handle c) const
   {
     return asked < (std::numeric_limits<double>::max)() ? (std::min)(asked, largest_size(p, c)) : asked;
@@ -224,7 +227,9 @@ private:
     return largest;
   }
 
-  // What is small on one side of a wall need not be so on the other one.
+  // The size at a vertex that limits the sizes in the cells around this vertex. At a vertex where the field has
+  // different sizes by region, only the size of the walls counts: a small size on one side of a wall says nothing about
+  // the other side.
   double size_of_mesh(const Vertex_handle v) const
   {
     return m_has_different_regions && m_between_regions.is_defined(v) ? m_between_regions[v] : m_at_vertices[v];

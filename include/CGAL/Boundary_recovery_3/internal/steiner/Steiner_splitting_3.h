@@ -162,11 +162,13 @@ private:
 };
 
 /*
- * Adds a fan at a Steiner point s on an edge along no constrained facet: where an edge has less than two fans (it is
- * isolated, or of one facet), they cut the ball of s into less than two sectors.
+ * Adds an artificial fan, which is in no constrained facet, at a Steiner point s on a constrained edge. This is needed
+ * if the edge has fewer than two fans, since the edge is isolated or belongs to one facet: a single fan does not cut
+ * the ball of s into sectors.
  *
- * The fan is in a half plane through the edge and a neighbor of s. Points are put on the mesh facets at s that it cuts,
- * halfway to the boundary of the ball; the neighbor with the fewest of these is taken.
+ * The fan is in the half plane through the edge and a neighbor of s. Each mesh facet at s that is cut by this half
+ * plane gets a new point, halfway between s and the boundary of the ball. The neighbor with the fewest cut facets is
+ * taken.
  */
 template <typename Tr, typename Visitor>
 class Insert_artificial_fan_3
@@ -181,8 +183,8 @@ public:
 
   explicit Insert_artificial_fan_3(Mesh& mesh) : m_mesh(mesh) { }
 
-  // Adds the fan to those between the neighbors of s on its edge, and brings the star up to date. The points that come
-  // into the mesh are appended to `points`. Returns false if there is no place for a fan.
+  // Adds the fan to `fans`, and updates the star of s. The new points are appended to `points`. Returns false if there
+  // is no place for a fan; new points stay in the mesh then, too.
   bool operator()(Star& star, Fans& fans, Vertices& points)
   {
     m_p = fans.ends()[0];
@@ -275,14 +277,15 @@ private:
 };
 
 /*
- * The main procedure of [CZZ+17, Section 4], second half: takes a Steiner point s off its constraint
- * [CZZ+17, Alg. A.1 to A.3].
+ * Second half of the main procedure of [CZZ+17, Section 4]: takes a Steiner point s off its constraint, by Algorithms
+ * A.1 to A.3 of the article.
  *
- * The mesh facets at s that are parts of one constrained facet form a *fan*: a planar polygon around s, closed if s is
- * in the interior of the facet, and from one neighbor of s on the edge to the other if s is on an edge. So do the hull
- * facets at s. The fans cut the ball of s into sectors. The ball is removed, each fan is triangulated without s, and
- * each sector gets a point s_i that sees all of its boundary, and is starred from it. So A.1 (two sectors), A.2 and A.3
- * (as many as facets at the edge) are one algorithm here. An edge with less than two fans gets artificial ones.
+ * The mesh facets at s that are parts of one constrained facet form a *fan*, a planar polygon around s. The fan is
+ * closed if s is in the interior of the constrained facet. If s is on an edge, the fan goes from one neighbor of s on
+ * the edge to the other. The hull facets at s form fans, too. The fans cut the ball of s into sectors. The ball is
+ * removed, and each fan is triangulated without s. Each sector gets a point s_i that sees all of its boundary, and
+ * becomes the star of s_i. Here, A.1 (two sectors), A.2 and A.3 (as many sectors as facets at the edge) are one
+ * algorithm. If an edge has fewer than two fans, artificial fans are added, see `Insert_artificial_fan_3`.
  */
 template <typename Tr, typename Visitor>
 class Steiner_splitting_3
@@ -299,8 +302,9 @@ public:
       m_suppress(mesh, mesh.ledger)
   { }
 
-  // Takes s off its constraint. The points that come in its place are free points of the ledger, and may have exact
-  // positions. Returns false if there is none for one of them; then s stays.
+  // Takes s off its constraint. The new points are free points of the ledger, and may have exact positions. Returns
+  // false if a fan, its triangulation, or the position of a new point is not found: then s stays, and the points of
+  // artificial fans stay as free points.
   bool operator()(const Vertex_handle s)
   {
     m_points_of_fans.clear();
@@ -374,8 +378,9 @@ private:
       m_mesh.ledger.insert_free(v, origin);
   }
 
-  // An artificial fan brings many points at once. They go, or move to the middle of what room they have, before the
-  // ball of the next Steiner point is cut up: else the balls get so thin that no number fits into them.
+  // Removes the new points of a split with artificial fans, or moves them to the deepest point of the kernel of their
+  // ball. This is done before the ball of the next Steiner point is cut: else balls get so thin that no floating point
+  // numbers are inside.
   void suppress_new_points()
   {
     Vertices points = m_sector_points.vertices();
