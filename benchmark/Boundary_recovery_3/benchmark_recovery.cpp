@@ -52,7 +52,7 @@ constexpr const char* usage =
   "  --table                add the numbers n1 to n4 of each recursion level\n"
   "  --write-surface FILE   write the surface as it is recovered, in OFF, for other programs\n"
   "  --write-mesh FILE      write the tetrahedra of the domain, in MEDIT's format\n"
-  "benchmark_recovery --phases prints the names of all phases, in the order in which they run.\n"
+  "benchmark_recovery --phases prints the names of the phases, in the order in which they run.\n"
   "exit status: 0 measured, 1 usage or file error, 2 an exception left the library\n";
 
 struct Options
@@ -601,11 +601,11 @@ bool measure(const Options& options, const Surface& surface)
       || write_mesh(options.mesh, result, cells_of_domain(tr, result));
 }
 
-// All phases, a name per line; there is none beyond the last one that has a name.
+// The phases of a recovery, a name per line.
 void print_names_of_phases(std::ostream& os)
 {
-  for(int i = 0; *to_string(static_cast<Phase>(i)) != '\0'; ++i)
-    os << to_string(static_cast<Phase>(i)) << '\n';
+  for(int i = 0; i <= static_cast<int>(Phase::recount); ++i)
+    os << static_cast<Phase>(i) << '\n';
 }
 
 int main(int argc, char* argv[])

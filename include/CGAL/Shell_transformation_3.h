@@ -31,6 +31,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <ostream>
 
 namespace CGAL {
 
@@ -51,7 +52,7 @@ namespace CGAL {
  * \tparam Tr an instance of `CGAL::Triangulation_3`, or of a class derived from it. It has to be 3-dimensional.
  * \tparam Quality a model of `ShellQuality_3`
  * \tparam Validity a model of `ShellValidity_3`
- * \tparam Visitor a model of `MeshingVisitor_3`
+ * \tparam Visitor a model of `MeshingVisitor_3`, of which only the replacement of cells is used
  */
 template <typename Tr,
           typename Quality_ = Boundary_recovery_3::Worst_element_quality_3<Tr>,
@@ -83,6 +84,21 @@ public:
     REDUCED,   ///< the degree of the shell is smaller now
     REMOVED    ///< the supporting edge is gone
   };
+
+  /// returns the name of an outcome, as it is spelled in the enumeration.
+  friend const char* to_string(const Outcome outcome)
+  {
+    switch(outcome)
+    {
+      case UNCHANGED: return "UNCHANGED";
+      case REDUCED:   return "REDUCED";
+      case REMOVED:   return "REMOVED";
+    }
+    return "";
+  }
+
+  /// writes the name of an outcome.
+  friend std::ostream& operator<<(std::ostream& os, const Outcome outcome) { return os << to_string(outcome); }
 
   /*!
    * \param tr the triangulation to change

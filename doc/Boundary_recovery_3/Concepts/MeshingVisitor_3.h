@@ -3,7 +3,8 @@
 \cgalConcept
 
 The concept `MeshingVisitor_3` describes what is told about the work while it runs, and asked: phases, progress, whether
-to go on, and the cells of the triangulation that go and come. All calls come from the thread that called the function.
+to go on, and the cells of the triangulation that go and come. All calls come from the thread that called the function;
+only while sub-domains are meshed, `on_progress()` and `go_further()` are called by several threads, one at a time.
 
 A visitor must not change the triangulation. It may look at it, and it sees a valid data structure; only in
 `before_cells_removal()`, vertices that are about to get their first cells have none. It may write to the cells that
@@ -48,8 +49,8 @@ public:
   void on_phase_begin(CGAL::Boundary_recovery_3::Phase phase);
 
   /*!
-  is called after a phase ended, also where it was stopped, with its duration, and what was lost then, or how large the
-  mesh was; after the forecast, how large it is expected to be.
+  is called after a phase ended, also where it was stopped, with its duration, and what was lost then, how large the
+  mesh was, or how many holes there were; after the forecast, how large the mesh is expected to be.
   */
   void on_phase_end(const CGAL::Boundary_recovery_3::Phase_report& report);
 
@@ -62,7 +63,8 @@ public:
   `hole_recovery`, holes that have grown make another round, which is counted by itself. In the meshing, it is from time
   to time, and the quotient never falls.
 
-  The phases `insertion`, `search`, `recount`, `domain_marking`, `hole_selection` and `hole_sewing` do not call it.
+  The phases `insertion`, `search`, `recount`, `domain_marking`, `forecast`, `decomposition`, `hole_selection` and
+  `hole_sewing` do not call it.
   */
   void on_progress(CGAL::Boundary_recovery_3::Phase phase, std::size_t done, std::size_t total);
 
@@ -74,14 +76,15 @@ public:
   /*!
   is asked again and again, between the phases and inside of them, and while the input is searched for defects, but not
   while old and new are put together in a remeshing. Once it returned `false`, it is not asked again, and the work stops
-  soon, with a valid triangulation.
+  soon, with a valid triangulation; a mesh of which holes are remeshed is returned as it was.
   */
   bool go_further();
 
   /// @}
 
   /// \name Replacement of Cells
-  /// What the insertion of input points replaces is not announced, nor are cells inside of holes that are remeshed.
+  /// What the insertion of input points replaces is not announced, nor are cells of sub-domains, or of holes that are
+  /// remeshed.
   /// @{
 
   /*!

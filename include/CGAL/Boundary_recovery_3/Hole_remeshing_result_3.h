@@ -114,8 +114,8 @@ struct Hole_remeshing_result_3
   /// the place where the size field has no size, if that made the status `invalid_input`: none, or one
   std::vector<Invalid_size> invalid_sizes;
 
-  std::vector<Phase_report> phases; ///< one entry for each run of a phase; those from `recovery` to
-                                                   ///< `improvement` run again if holes grow for quality
+  std::vector<Phase_report> phases; ///< one entry for each run of a phase; those from `hole_recovery` to
+                                    ///< `hole_improvement` run again if holes grow for quality
 
   double seconds = 0; ///< duration of all in seconds (wall clock)
 

@@ -12,11 +12,10 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/enumerations.h>
-
 #include <array>
 #include <cmath>
 #include <limits>
+#include <ostream>
 
 namespace CGAL {
 namespace Boundary_recovery_3 {
@@ -84,6 +83,9 @@ public:
     }
     return "";
   }
+
+  /// writes the name of a shape.
+  friend std::ostream& operator<<(std::ostream& os, const Shape shape) { return os << to_string(shape); }
 
   /// makes a source of a point.
   static Size_source_3 point(const Point_3& p, const double size, const double radius, const Size_growth& growth)

@@ -13,7 +13,6 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <ostream>
-#include <type_traits>
 
 namespace CGAL {
 namespace Boundary_recovery_3 {
@@ -44,6 +43,10 @@ inline const char* to_string(const Recovery_mode value)
 }
 
 /// \ingroup PkgBoundaryRecovery3Classes
+/// writes the name of a mode.
+inline std::ostream& operator<<(std::ostream& os, const Recovery_mode value) { return os << to_string(value); }
+
+/// \ingroup PkgBoundaryRecovery3Classes
 /// what a boundary recovery may give up for the other: time, or Steiner points. The mode `flips_only`, where no point
 /// may be left, and the constraints that are recovered are the same for all of them.
 enum class Recovery_effort
@@ -63,6 +66,10 @@ inline const char* to_string(const Recovery_effort value)
   }
   return "";
 }
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// writes the name of an effort.
+inline std::ostream& operator<<(std::ostream& os, const Recovery_effort value) { return os << to_string(value); }
 
 /// \ingroup PkgBoundaryRecovery3Classes
 /// how a boundary recovery ended.
@@ -94,6 +101,10 @@ inline const char* to_string(const Recovery_status status)
 }
 
 /// \ingroup PkgBoundaryRecovery3Classes
+/// writes the name of a status.
+inline std::ostream& operator<<(std::ostream& os, const Recovery_status value) { return os << to_string(value); }
+
+/// \ingroup PkgBoundaryRecovery3Classes
 /// the phases of the work, in the order in which they run first: those of a boundary recovery, from `insertion` to
 /// `recount`, by the names of [CZZ+17, Section 4]; those of the meshing, from `domain_marking` to
 /// `quality_improvement`; and those of the remeshing of holes.
@@ -114,7 +125,8 @@ enum class Phase
   conforming_facet_recovery,  ///< Steiner points on lost facets
   steiner_splitting,          ///< Steiner points come off the constraints [CZZ+17, Alg. A.1 to A.5]
   steiner_suppression,        ///< Steiner points are removed [CZZ+17, Section 4.3]
-  recount,                    ///< if any was lost, every constraint is looked up again; only this decides the status
+  recount,                    ///< if any was lost, every constraint is looked up again; only this decides the status;
+                              ///< the last phase of a recovery
 
   domain_marking,             ///< step 5: what is outside, and the regions of the domain
   forecast,                   ///< the number of cells is estimated from the size field
@@ -163,6 +175,10 @@ inline const char* to_string(const Phase phase)
   }
   return "";
 }
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// writes the name of a phase.
+inline std::ostream& operator<<(std::ostream& os, const Phase value) { return os << to_string(value); }
 
 /// \ingroup PkgBoundaryRecovery3Classes
 /// what can be wrong with an input.
@@ -217,6 +233,10 @@ inline const char* to_string(const Input_defect_kind kind)
 }
 
 /// \ingroup PkgBoundaryRecovery3Classes
+/// writes the name of a kind of defect.
+inline std::ostream& operator<<(std::ostream& os, const Input_defect_kind value) { return os << to_string(value); }
+
+/// \ingroup PkgBoundaryRecovery3Classes
 /// how `CGAL::make_boundary_constrained_mesh_3()`, or one of its steps, ended.
 enum class Meshing_status
 {
@@ -247,6 +267,10 @@ inline const char* to_string(const Meshing_status status)
 }
 
 /// \ingroup PkgBoundaryRecovery3Classes
+/// writes the name of a status.
+inline std::ostream& operator<<(std::ostream& os, const Meshing_status value) { return os << to_string(value); }
+
+/// \ingroup PkgBoundaryRecovery3Classes
 /// how much work the improvement of a mesh is worth. An operation is tried on bad cells of one kind as long as it makes
 /// them better at a sufficient rate; work is counted, not timed, so the mesh does not depend on the machine.
 enum class Improvement_effort
@@ -268,6 +292,10 @@ inline const char* to_string(const Improvement_effort value)
   }
   return "";
 }
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// writes the name of an effort.
+inline std::ostream& operator<<(std::ostream& os, const Improvement_effort value) { return os << to_string(value); }
 
 /// \ingroup PkgBoundaryRecovery3Classes
 /// why a cell has a dihedral angle below the target.
@@ -297,13 +325,8 @@ inline const char* to_string(const Bad_cell_reason reason)
 }
 
 /// \ingroup PkgBoundaryRecovery3Classes
-/// writes the name of a value of any enumeration of this package, as `to_string()` returns it.
-template <typename Enumeration>
-auto operator<<(std::ostream& os, const Enumeration value)
-  -> std::enable_if_t<std::is_enum<Enumeration>::value, decltype(os << to_string(value))>
-{
-  return os << to_string(value);
-}
+/// writes the name of a reason.
+inline std::ostream& operator<<(std::ostream& os, const Bad_cell_reason value) { return os << to_string(value); }
 
 } // namespace Boundary_recovery_3
 } // namespace CGAL

@@ -99,6 +99,7 @@ decltype(auto) visitor_of(const NamedParameters& np)
     typedef decltype(internal::visitor_to_call(parameters::get_parameter(np, internal_np::visitor))) Visitor;
     static_assert(Is_meshing_visitor<std::remove_reference_t<Visitor> >::value,
                   "A visitor is a model of MeshingVisitor_3: derive it from CGAL::Default_meshing_visitor_3.");
+    static_assert(! std::is_const<std::remove_reference_t<Visitor> >::value, "A visitor is not constant.");
     return internal::visitor_to_call(parameters::get_parameter(np, internal_np::visitor));
   }
 }

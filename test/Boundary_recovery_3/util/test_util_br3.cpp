@@ -14,6 +14,7 @@
 #include "random_numbers_br3.h"
 #include "stopping_visitor_br3.h"
 
+#include <CGAL/Boundary_recovery_3/Meshing_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/Size_source_3.h>
 #include <CGAL/Boundary_recovery_3/enumerations.h>
 #include <CGAL/Boundary_recovery_3/internal/input/Constraint_intersections_3.h>
@@ -23,6 +24,7 @@
 #include <CGAL/Boundary_recovery_3/internal/util/bare_point.h>
 #include <CGAL/Boundary_recovery_3/internal/util/bits.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
+#include <CGAL/Boundary_recovery_3/parameters.h>
 
 #include <CGAL/Simple_cartesian.h>
 
@@ -75,6 +77,37 @@ void test_enumerations()
   test_names<BR3::Improvement_effort>(3);
   test_names<BR3::Bad_cell_reason>(4);
   test_names<BR3::Size_source_3<CGAL::Simple_cartesian<double>>::Shape>(4);
+}
+
+struct Visitor_of_references
+{
+  void on_phase_begin(const CGAL::Boundary_recovery_3::Phase&) { }
+  void on_phase_end(CGAL::Boundary_recovery_3::Phase_report) { }
+  template <typename Phase>
+  void on_progress(Phase, double, double) { }
+  int go_further() { return 1; }
+};
+
+struct Visitor_that_is_never_asked
+  : public CGAL::Default_meshing_visitor_3
+{
+private:
+  using CGAL::Default_meshing_visitor_3::go_further;
+};
+
+struct Visitor_of_numbers
+  : public CGAL::Default_meshing_visitor_3
+{
+  void on_phase_begin(std::string) { }
+};
+
+void test_which_visitors_are_refused()
+{
+  static_assert(internal::Is_meshing_visitor<CGAL::Default_meshing_visitor_3>::value, "");
+  static_assert(internal::Is_meshing_visitor<Visitor_of_references>::value, "");
+  static_assert(! internal::Is_meshing_visitor<Visitor_that_is_never_asked>::value, "");
+  static_assert(! internal::Is_meshing_visitor<Visitor_of_numbers>::value, "");
+  static_assert(! internal::Is_meshing_visitor<int>::value, "");
 }
 
 void test_contains()
@@ -404,6 +437,7 @@ void test_bare_point()
 int main()
 {
   test_enumerations();
+  test_which_visitors_are_refused();
   test_bare_point();
   test_smallest_elements();
   test_examination();

@@ -129,17 +129,20 @@ public:
   Quality_improvement_counts& counts() { return m_counts; }
   const Quality_improvement_counts& counts() const { return m_counts; }
 
-  // Gives each operation its credit and its least rate; before the first call, all operations pay. Prices and yields of
-  // earlier work stay booked.
+  // Gives each operation its credit and its least rate; before that call, all operations pay. Accounts of the work on
+  // nearly flat cells are apart, and are for high effort.
   void open_accounts(const Improvement_effort effort, const std::size_t number_of_cells)
   {
     for_each_entry([&](auto& entry)
     {
-      for(Work_account& account : entry.accounts)
-        account.open(effort, number_of_cells);
+      for(std::size_t i = 0; i < entry.accounts.size(); ++i)
+        entry.accounts[i].open(i < 2 ? effort : Improvement_effort::high, number_of_cells);
       return false;
     });
   }
+
+  // Whether the accounts of the work on nearly flat cells are booked from now on.
+  void set_works_on_nearly_flat_cells(const bool b) { m_works_on_nearly_flat_cells = b; }
 
   // Whether a cell is skipped in all rounds, if its last visit was before these rounds, and nothing around the cell has
   // changed since that visit.
@@ -192,7 +195,8 @@ private:
     static constexpr std::size_t max_number_in_a_row = max_number_in_a_row_;
 
     Operation operation;
-    std::array<Work_account, 2> accounts; // of a strict and a lenient measure, which do not count in the same unit
+    std::array<Work_account, 4> accounts; // of a strict and a lenient measure, which do not count in the same unit;
+                                          // the last two for nearly flat cells
 
     Entry(Mesh& mesh) : operation(mesh) { } // also a conversion
   };
@@ -304,7 +308,8 @@ private:
   {
     if(m_is_attempt)
       return apply_at(c, entry) > 0;
-    Work_account& account = entry.accounts[m_mesh.measure_of_badness().is_lenient()];
+    const bool is_lenient = m_mesh.measure_of_badness().is_lenient();
+    Work_account& account = entry.accounts[2 * m_works_on_nearly_flat_cells + is_lenient];
     if(! account.pays(kind))
       return false;
     const std::size_t price_before = m_mesh.quality().number();
@@ -355,6 +360,7 @@ private:
   double m_gain = 0; // of an operation in a row
   bool m_is_attempt = false;
   bool m_visits_only_changed = false;
+  bool m_works_on_nearly_flat_cells = false;
   std::size_t m_number_of_visits = 0;
   std::size_t m_expected_visits = 0;
   double m_told_share = 0;

@@ -53,8 +53,10 @@ public:
       m_walls_at_edge(domain), m_insert_near(m_mesh), m_move_at_random(m_mesh)
   { }
 
+  // Begins a new account.
   void open_account(const Improvement_effort effort, const std::size_t number_of_cells)
   {
+    m_account = Work_account();
     m_account.open(effort, number_of_cells);
   }
 
@@ -270,7 +272,7 @@ private:
   void improve()
   {
     m_mesh.spread_lengths([this] { return m_context.go_further_after_short_step(); });
-    open_accounts(m_effort);
+    m_improve.open_accounts(m_effort, m_number_of_cells);
     m_improve();
     if(m_target > really_bad_angle && ! m_mesh.is_strict() && m_context.go_further())
       improve_worst_cells();
@@ -278,17 +280,13 @@ private:
       center_vertices();
   }
 
-  void open_accounts(const Improvement_effort effort)
-  {
-    m_improve.open_accounts(effort, m_number_of_cells);
-    m_search_locally.open_account(effort, m_number_of_cells);
-  }
-
   // A mesh is as good as its worst cell, so nearly flat ones are worth any effort. There are few of them.
   void improve_worst_cells()
   {
     const std::size_t end_of_first_pass = m_mesh.time();
+    m_improve.set_works_on_nearly_flat_cells(true);
     improve_cells_below(nearly_flat_angle, Improvement_effort::high, end_of_first_pass);
+    m_improve.set_works_on_nearly_flat_cells(false);
     improve_cells_below(really_bad_angle, m_effort, end_of_first_pass);
     if(m_mesh.time() != end_of_first_pass)
       m_improve();
@@ -299,8 +297,8 @@ private:
   {
     if(! is_any_below(angle))
       return;
-    open_accounts(effort);
     set_enough(angle);
+    m_search_locally.open_account(effort, m_number_of_cells);
     m_improve.set_visits_only_changed(false);
     m_improve();
     improve_leniently();
