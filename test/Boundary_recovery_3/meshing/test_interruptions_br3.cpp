@@ -356,7 +356,7 @@ void test_stops(const Scene& scene)
     assert(br3_test::is_valid_mesh(copy.tr));
   }
   std::cout << "at most " << most << " qualities after one of " << number << " questions" << std::endl;
-  assert(number > 100 && most < 100);
+  assert(number > 50 && most < 100);
 }
 
 // After a no, the selection of the cells takes so long that nobody waits for figures.
