@@ -20,7 +20,7 @@
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef CGAL::Hole_remeshing_result_3<Kernel::Point_3>      Result;
-typedef CGAL::Boundary_recovery_3::Phase     Phase;
+typedef CGAL::Boundary_recovery_3::Phase                    Phase;
 typedef std::array<std::size_t, 4>                          Tetrahedron;
 
 // A grid of n * n * length cubes, whose inner vertices are not quite in their places. A longer one begins with the same

@@ -33,7 +33,7 @@
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel   Epick;
 typedef CGAL::Exact_predicates_exact_constructions_kernel     Epeck;
-typedef CGAL::Boundary_recovery_3::Phase             Phase;
+typedef CGAL::Boundary_recovery_3::Phase                      Phase;
 typedef CGAL::Boundary_recovery_3::Recovery_status            Status;
 typedef CGAL::Boundary_recovery_3::Recovery_mode              Mode;
 typedef std::array<std::size_t, 2>                            Edge;

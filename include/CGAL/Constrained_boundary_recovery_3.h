@@ -53,7 +53,7 @@ public:
   typedef Tr       Triangulation;                         ///< the triangulation type
   typedef Visitor_ Visitor;                               ///< the visitor type
   typedef typename Tr::Vertex_handle Vertex_handle;       ///< the vertex handle of the triangulation
-  typedef Boundary_recovery_3::Phase Phase;      ///< the phases
+  typedef Boundary_recovery_3::Phase Phase;               ///< the phases
   typedef Boundary_recovery_3::Recovery_mode Mode;        ///< the modes
   typedef Boundary_recovery_3::Recovery_effort Effort;    ///< what may be given up
   typedef Boundary_recovery_3::Phase_report Phase_report; ///< the counts of a phase

@@ -70,7 +70,7 @@ struct Phase_report
 /// one row of the tables of [CZZ+17, Section 5.1.2]: the state after a pass with one maximal recursion level.
 struct Recursion_level_report
 {
-  Phase phase;             ///< the calling
+  Phase phase;                      ///< the calling
   int max_recursion_level = -1;     ///< the maximal recursion level of the pass; -1: before the first one
   std::size_t n1 = 0;               ///< number of lost edges (or facets)
   std::size_t n2 = 0;               ///< number of intersections of lost edges (facets) with mesh entities

@@ -125,8 +125,7 @@ enum class Phase
   conforming_facet_recovery,  ///< Steiner points on lost facets
   steiner_splitting,          ///< Steiner points come off the constraints [CZZ+17, Alg. A.1 to A.5]
   steiner_suppression,        ///< Steiner points are removed [CZZ+17, Section 4.3]
-  recount,                    ///< if any was lost, every constraint is looked up again; only this decides the status;
-                              ///< the last phase of a recovery
+  recount,                    ///< if any was lost, every constraint is looked up again; only this decides the status
 
   domain_marking,             ///< step 5: what is outside, and the regions of the domain
   forecast,                   ///< the number of cells is estimated from the size field
@@ -179,6 +178,13 @@ inline const char* to_string(const Phase phase)
 /// \ingroup PkgBoundaryRecovery3Classes
 /// writes the name of a phase.
 inline std::ostream& operator<<(std::ostream& os, const Phase value) { return os << to_string(value); }
+
+namespace internal {
+
+// The phases of a recovery come first.
+inline bool is_of_recovery(const Phase phase) { return phase <= Phase::recount; }
+
+} // namespace internal
 
 /// \ingroup PkgBoundaryRecovery3Classes
 /// what can be wrong with an input.

@@ -143,7 +143,7 @@ struct Visitor
 
   void on_progress(const BR3::Phase phase, std::size_t, std::size_t)
   {
-    if(phase > BR3::Phase::recount)
+    if(! BR3::internal::is_of_recovery(phase))
       user.call(visitor);
   }
 
@@ -214,6 +214,7 @@ struct Scene
   {
     Visitor visitor(user);
     return CGAL::improve_mesh_quality(tr, parameters::min_dihedral_angle(degrees),
+                                      parameters::improvement_effort(BR3::Improvement_effort::high),
                                       parameters::cell_quality(Quality{ &user }),
                                       parameters::cell_is_selected_map(Selection_map{ &user })
                                         .edge_is_constrained_map(Edge_map{ &user }).visitor(std::ref(visitor)));
@@ -356,7 +357,7 @@ void test_stops(const Scene& scene)
     assert(br3_test::is_valid_mesh(copy.tr));
   }
   std::cout << "at most " << most << " qualities after one of " << number << " questions" << std::endl;
-  assert(number > 50 && most < 100);
+  assert(number > 100 && most < 100);
 }
 
 // After a no, the selection of the cells takes so long that nobody waits for figures.

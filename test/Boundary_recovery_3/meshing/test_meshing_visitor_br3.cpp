@@ -39,10 +39,10 @@ struct Visitor
   {
     call();
     begin();
-    assert(is_of_recovery(phase) ? phases.empty() : phases.empty() || phases.back() < phase);
+    assert(BR3::internal::is_of_recovery(phase) ? phases.empty() : phases.empty() || phases.back() < phase);
     current = phase;
     progress = 0;
-    if(! is_of_recovery(phase))
+    if(! BR3::internal::is_of_recovery(phase))
       phases.push_back(phase);
   }
 
@@ -51,7 +51,7 @@ struct Visitor
     call();
     end();
     assert(report.phase == current && report.seconds >= 0);
-    if(is_of_recovery(current) || current == BR3::Phase::forecast) // which tells about the mesh that is to be
+    if(BR3::internal::is_of_recovery(current) || current == BR3::Phase::forecast) // of the mesh that is to be
       return;
     assert(report.number_of_vertices == tr->number_of_vertices());
     assert(report.number_of_cells == tr->number_of_finite_cells());
@@ -62,14 +62,12 @@ struct Visitor
     call();
     assert(is_in_phase && phase == current && phase != BR3::Phase::domain_marking);
     assert(0 < total && done <= total);
-    if(is_of_recovery(phase)) // which has several passes
+    if(BR3::internal::is_of_recovery(phase)) // which has several passes
       return;
     const double quotient = double(done) / double(total);
     assert(quotient >= progress);
     progress = quotient;
   }
-
-  static bool is_of_recovery(const BR3::Phase phase) { return phase <= BR3::Phase::recount; }
 
   bool go_further()
   {

@@ -310,7 +310,7 @@ struct Stopping_visitor
 
   void on_progress(BR3::Phase phase, const std::size_t done, const std::size_t total)
   {
-    if(phase <= BR3::Phase::recount) // which has several passes
+    if(BR3::internal::is_of_recovery(phase)) // which has several passes
       return;
     const double share = static_cast<double>(done) / static_cast<double>(total);
     assert(share <= 1 && (phase != last_phase || share >= last_share));

@@ -25,7 +25,6 @@
 #include <array>
 #include <cstddef>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 namespace CGAL {

@@ -25,7 +25,6 @@
 #include <CGAL/property_map.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <iterator>
 #include <limits>

@@ -30,9 +30,6 @@
 #include <utility>
 #include <vector>
 
-// The expensive half of the diagnosis: which constraints intersect. PMP::self_intersections() accepts manifold meshes
-// only (no soups, no edges) up to CGAL 6.0.
-
 namespace CGAL {
 namespace Boundary_recovery_3 {
 namespace internal {
@@ -87,8 +84,6 @@ private:
   std::optional<T> m_bound; // the smallest that was discarded
   std::size_t m_number_of_insertions = 0;
 };
-
-// CGAL's box intersection, as in PMP::self_intersections(), that can be stopped.
 
 // A box with the number of what is in it. CGAL's own boxes number themselves by their address or by a global counter.
 // All the boxes of one search have to have different numbers, also where two ranges are searched.
@@ -146,7 +141,8 @@ void visit_intersecting_boxes(std::vector<Numbered_box_3>& boxes, const Visit& v
   } catch(const typename Callback::End_of_search&) { }
 }
 
-/// finds the pairs of constraints that intersect elsewhere than in a common vertex or a common edge.
+/// finds the pairs of constraints that intersect elsewhere than in a common vertex or a common edge: the expensive half
+/// of the diagnosis. (PMP::self_intersections() accepts manifold meshes only, no soups and no edges, up to CGAL 6.0.)
 /// Vertices at one point count as one vertex here. Left out are degenerate constraints, those with an unknown vertex,
 /// edges that are edges of a facet (the facet speaks for them), and repetitions of an edge.
 template <typename GT>

@@ -58,7 +58,7 @@ public:
   // What the recovery reports is in its own result.
   void on_phase_end(const Phase_report& report)
   {
-    if(report.phase > Phase::recount)
+    if(! internal::is_of_recovery(report.phase))
       m_reports.push_back(report);
     m_visitor.on_phase_end(report);
   }

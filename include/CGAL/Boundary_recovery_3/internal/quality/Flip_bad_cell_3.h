@@ -21,7 +21,6 @@
 #include <boost/container/static_vector.hpp>
 
 #include <algorithm>
-#include <array>
 
 namespace CGAL {
 namespace Boundary_recovery_3 {

@@ -53,16 +53,11 @@ public:
       m_walls_at_edge(domain), m_insert_near(m_mesh), m_move_at_random(m_mesh)
   { }
 
-  // Begins a new account.
-  void open_account(const Improvement_effort effort, const std::size_t number_of_cells)
+  // For all bad cells but those that are forced to be below `angle`, in degrees, as long as attempts pay. Without an
+  // account, all of them do.
+  void operator()(const double angle, const Work_account& account = Work_account())
   {
-    m_account = Work_account();
-    m_account.open(effort, number_of_cells);
-  }
-
-  // For all bad cells but those that are forced to be below `angle`, in degrees, as long as attempts pay.
-  void operator()(const double angle)
-  {
+    m_account = account;
     std::vector<Bad_cell> forced_cells;
     for(int k = 0; k < max_number_of_searches && pays() && m_context.go_further(); ++k)
     {
@@ -186,9 +181,9 @@ private:
  * Improves the cells of a domain, step 7 of [CZZ+17, Section 4.1]: first all that are below the target, see
  * `Improve_bad_cells_3`.
  *
- * Then, only those cells count that are really bad, and others may get worse for them; for those that this leaves, a
- * few cells may become very bad, and the mesh is searched around each of them. Where that has changed something, all
- * cells below the target have another turn. At last, all the others get rounder, where that is for nothing.
+ * Then only nearly flat cells count, and after that only really bad ones: others may get worse for them, in the end a
+ * few even very bad, and the mesh is searched around each cell that stays. Where that has changed something, all cells
+ * below the target have another turn. At last, all the others get rounder, where that is for nothing.
  */
 template <typename Tr, typename Domain, typename Quality, typename Visitor>
 class Improve_domain_3
@@ -298,12 +293,13 @@ private:
     if(! is_any_below(angle))
       return;
     set_enough(angle);
-    m_search_locally.open_account(effort, m_number_of_cells);
     m_improve.set_visits_only_changed(false);
     m_improve();
     improve_leniently();
     m_improve.set_visits_only_changed(true);
-    m_search_locally(angle);
+    Work_account account;
+    account.open(effort, m_number_of_cells);
+    m_search_locally(angle, account);
     set_enough(m_target);
     m_bad_cells.take(); // they were visited with another measure
     for_each_cell([&](const Cell_handle c) { m_bad_cells.push(c, time); });
