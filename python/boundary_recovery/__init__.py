@@ -14,5 +14,8 @@ from ._functions import improve, recover_boundary, remesh_holes, repair, tetrahe
 from ._results import BadCell, InvalidSurface, Mesh, RemeshedMesh
 from ._sizes import Source
 
+for _class in (BadCell, InvalidSurface, Mesh, RemeshedMesh, Source, Surface):
+    _class.__module__ = __name__  # where users find it
+
 __all__ = ["BadCell", "InvalidSurface", "Mesh", "RemeshedMesh", "Source", "Surface", "improve", "read",
            "recover_boundary", "remesh_holes", "repair", "tetrahedralize"]

@@ -64,6 +64,8 @@ def size_arguments(size: Size, number_of_points: int, grading: float, sources: U
         arguments["at_points"] = as_numbers(size, np.float64, number_of_points, "size")
     if isinstance(sources, (str, os.PathLike)):
         arguments["source_file"] = os.fspath(sources)
+        with open(arguments["source_file"], "rb"):
+            pass  # raises what says why it cannot be read
     elif len(sources) > 0:
         arguments["sources"] = list(sources)
     if isinstance(background, (str, os.PathLike)):

@@ -158,7 +158,7 @@ private:
       std::ifstream is(sizes.source_file);
       std::string what;
       if(! is || ! BR3::read_size_sources(is, sources, what))
-        throw std::runtime_error("cannot read " + sizes.source_file + (what.empty() ? "" : ": ") + what);
+        throw std::invalid_argument("cannot read " + sizes.source_file + (what.empty() ? "" : ": ") + what);
     }
     if(! sources.empty())
       m_sources = make_source_field(sources, "sources");
@@ -171,7 +171,7 @@ private:
     if(! sizes.background_file.empty())
     {
       if(! BR3::read_background_mesh(sizes.background_file, mesh, what))
-        throw std::runtime_error("cannot read " + sizes.background_file + ": " + what);
+        throw std::invalid_argument("cannot read " + sizes.background_file + ": " + what);
     }
     else if(sizes.background_sizes != nullptr)
     {
