@@ -17,6 +17,7 @@
 #include <CGAL/Boundary_recovery_3/internal/filling/Field_point_cavity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Insert_field_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Remove_long_edge_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/Cell_shape_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/Unit_frame_3.h>
@@ -54,17 +55,19 @@ namespace internal {
  * Few cells are too large and get no point, mostly where the mesh is far from Delaunay after the recovery. Some of them
  * have edges that are much longer than the size; in the end, these edges are removed or divided.
  */
-template <typename Tr, typename Domain, typename Sizes, typename Visitor>
+template <typename Tr>
 class Fill_domain_3
 {
 public:
+  typedef Selected_domain_3<Tr>               Domain;
+  typedef Region_sizes_3<Tr>                  Sizes;
   typedef typename Tr::Vertex_handle          Vertex_handle;
   typedef typename Tr::Cell_handle            Cell_handle;
   typedef typename Tr::Geom_traits::Point_3   Point_3;
   typedef std::vector<Vertex_handle>          Vertices;
   typedef std::array<Coordinates_3, 4>        Corners;
 
-  Fill_domain_3(Tr& tr, Domain& domain, Sizes& sizes, Recovery_context<Visitor>& context)
+  Fill_domain_3(Tr& tr, Domain& domain, Sizes& sizes, Recovery_context<Tr>& context)
     : m_tr(tr), m_domain(domain), m_sizes(sizes), m_context(context), m_cavity(tr, domain),
       m_search(sizes), m_insert(tr, domain, context.visitor()), m_remove_edge(tr, domain, context.visitor())
   { }
@@ -106,9 +109,9 @@ public:
   bool is_full() const { return m_is_full; }
 
 private:
-  typedef Remove_long_edge_3<Tr, Domain, Visitor> Remove_edge;
-  typedef Small_size_search_3<Sizes, Cell_handle> Search;
-  typedef typename Sizes::Size                    Size;
+  typedef Remove_long_edge_3<Tr>   Remove_edge;
+  typedef Small_size_search_3<Tr>  Search;
+  typedef typename Sizes::Size     Size;
 
   // As parts of the size, see "Tuning constants" in the manual.
   static constexpr double largest_radius = 0.75;
@@ -184,10 +187,7 @@ private:
 
   bool is_wall_that_stays(const Cell_handle c, const int i) const
   {
-    if constexpr(Domain::has_seams)
-      return m_domain.is_wall(c, i) && ! m_domain.is_seam(c, i);
-    else
-      return m_domain.is_wall(c, i);
+    return m_domain.is_wall(c, i) && ! m_domain.is_seam(c, i);
   }
 
   void look_at(const Cell_handle c)
@@ -412,10 +412,10 @@ private:
   Tr& m_tr;
   Domain& m_domain;
   Sizes& m_sizes;
-  Recovery_context<Visitor>& m_context;
-  Field_point_cavity_3<Tr, Domain> m_cavity;
+  Recovery_context<Tr>& m_context;
+  Field_point_cavity_3<Tr> m_cavity;
   Search m_search;
-  Insert_field_point_3<Tr, Domain, Visitor> m_insert;
+  Insert_field_point_3<Tr> m_insert;
   Remove_edge m_remove_edge;
   Encroached_walls_3 m_walls; // the large ones
   Vertices m_vertices;

@@ -50,10 +50,9 @@ struct Hole_remeshing_options_3
 };
 
 /*
- * The work behind remesh_holes(), one phase after the other. `Recorder` is told about phases, and knows whether to go
- * on.
+ * The work behind remesh_holes(), one phase after the other.
  */
-template <typename Kernel, typename Recorder>
+template <typename Kernel>
 class Hole_remeshing_3
 {
 public:
@@ -61,9 +60,10 @@ public:
   typedef Moved_mesh_3<Point_3>             Mesh;
   typedef Hole_remeshing_result_3<Point_3>  Result;
   typedef Hole_remeshing_options_3<Point_3> Options;
+  typedef Recovery_context<typename Hole_triangulation_3<Kernel>::Tr> Context;
 
-  Hole_remeshing_3(const Mesh& mesh, const Options& options, Recorder& recorder, Result& result)
-    : m_mesh(mesh), m_options(options), m_recorder(recorder), m_result(result)
+  Hole_remeshing_3(const Mesh& mesh, const Options& options, Context& context, Result& result)
+    : m_mesh(mesh), m_options(options), m_context(context), m_result(result)
   { }
 
   // Writes the status, the account, and, if all is done, the mesh.
@@ -108,16 +108,22 @@ private:
   {
     if(m_result.status != Meshing_status::meshed)
       return;
-    m_recorder.begin(phase);
-    if(goes_on())
-      work();
-    m_recorder.end(phase, m_holes.size());
+    m_context.run(phase, [&]
+    {
+      if(goes_on())
+        work();
+    },
+    [this](Phase_report& report)
+    {
+      report.number_of_holes = m_holes.size();
+      m_result.phases.push_back(report);
+    });
   }
 
   // Whether nothing has ended the work.
   bool goes_on()
   {
-    if(m_result.status == Meshing_status::meshed && ! m_recorder.can_go_further())
+    if(m_result.status == Meshing_status::meshed && ! m_context.go_further())
       m_result.status = Meshing_status::stopped;
     return m_result.status == Meshing_status::meshed;
   }
@@ -174,7 +180,7 @@ private:
       for(std::size_t hole = first; hole < last && can_recover_more(); ++hole)
       {
         recover(hole, is_first_round, growing);
-        m_recorder.progress(Phase::hole_recovery, hole - first + 1, last - first);
+        m_context.visitor().on_progress(Phase::hole_recovery, hole - first + 1, last - first);
       }
       if(growing.empty() || ! goes_on())
         break;
@@ -300,7 +306,7 @@ private:
       const auto filling = hole.triangulation->fill(sizes(hole));
       m_result.status = filling.status;
       m_result.invalid_sizes = filling.invalid_sizes;
-      m_recorder.progress(Phase::hole_filling, k + 1, m_holes.size());
+      m_context.visitor().on_progress(Phase::hole_filling, k + 1, m_holes.size());
     }
   }
 
@@ -331,7 +337,7 @@ private:
                                      improvement.certificate.number_of_cells(Bad_cell_reason::not_improved) }};
       for(const std::size_t v : hole.triangulation->vertices_of_bad_cells(improvement, m_options.min_dihedral_angle))
         hole.bad_vertices.push_back(hole.surface.vertices[v]);
-      m_recorder.progress(Phase::hole_improvement, k + 1, m_holes.size());
+      m_context.visitor().on_progress(Phase::hole_improvement, k + 1, m_holes.size());
     }
   }
 
@@ -356,7 +362,7 @@ private:
 
   const Mesh& m_mesh;
   const Options& m_options;
-  Recorder& m_recorder;
+  Context& m_context;
   Result& m_result;
   std::unique_ptr<Tetrahedra_incidences_3> m_incidences;
   std::unique_ptr<Constraints> m_constraints;

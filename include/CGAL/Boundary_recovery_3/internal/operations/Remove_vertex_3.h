@@ -71,14 +71,14 @@ void collapse_edge(Editor& editor, const CellRange& ball, const typename Editor:
  *
  * The search changes nothing; what it found is done then, or left.
  */
-template <typename Tr, typename Visitor, typename Constraints>
+template <typename Tr, typename Constraints>
 class Remove_vertex_3
 {
 public:
   typedef typename Tr::Vertex_handle           Vertex_handle;
   typedef typename Tr::Cell_handle             Cell_handle;
   typedef Vertex_predicates_3<Tr>              Predicates;
-  typedef Mesh_editor_3<Tr, Visitor>           Editor;
+  typedef Mesh_editor_3<Tr>           Editor;
   typedef std::array<Vertex_handle, 4>         Tetrahedron;
 
   Remove_vertex_3(Editor& editor, const Predicates& predicates, const Constraints& constraints)

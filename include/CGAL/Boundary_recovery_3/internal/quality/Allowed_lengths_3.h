@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_indices.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/distances_3.h>
@@ -66,12 +67,11 @@ public:
   { }
 
   // The constrained facets of a cell of the domain are taken into account.
-  template <typename Domain>
-  void add(const Domain& domain, const Cell_handle c)
+  void add(const Selected_domain_3<Tr>& domain, const Cell_handle c)
   {
     if constexpr(Has_meshing_info<typename Tr::Vertex>::value)
       for(int i = 0; i < 4; ++i)
-        if(may_be_wall<Domain>(c, i) && domain.is_wall(c, i))
+        if(may_be_wall(domain, c, i) && domain.is_wall(c, i))
           add_facet(c, i);
   }
 
@@ -137,11 +137,10 @@ private:
   }
 
   // Asks the vertices, if they know; that is cheaper than to ask the cell behind the facet.
-  template <typename Domain>
-  static bool may_be_wall(const Cell_handle c, const int i)
+  static bool may_be_wall([[maybe_unused]] const Selected_domain_3<Tr>& domain, const Cell_handle c, const int i)
   {
-    if constexpr(Has_vertex_indices<typename Tr::Vertex>::value && ! Domain::has_selection)
-      for(int k = 0; k < 4; ++k)
+    if constexpr(Has_vertex_indices<typename Tr::Vertex>::value)
+      for(int k = 0; k < 4 && ! domain.has_selection(); ++k)
         if(k != i && c->vertex(k)->in_dimension() == 3)
           return false;
     return true;

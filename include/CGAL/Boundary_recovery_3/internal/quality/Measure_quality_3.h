@@ -13,6 +13,7 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/Mesh_quality_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/numbers/binary_scale.h>
 #include <CGAL/Boundary_recovery_3/internal/numbers/exact_numbers.h>
@@ -54,12 +55,13 @@ constexpr double squares_of_cotangents[17] = {
  * An edge is counted in one of its cells, which is found without looking at the others: there is a fixed direction, and
  * exactly one cell around the edge is that way from it. That is the cell both of whose facets at the edge face there.
  */
-template <typename Tr, typename Domain>
+template <typename Tr>
 class Measure_quality_3
 {
 public:
   typedef typename Tr::Vertex_handle Vertex_handle;
   typedef typename Tr::Cell_handle   Cell_handle;
+  typedef Selected_domain_3<Tr>      Domain;
 
   Measure_quality_3(const Tr& tr, const Domain& domain) : m_tr(tr), m_domain(domain) { }
 
@@ -162,9 +164,9 @@ private:
   // Whether an edge is in no wall. Most cells need not look at their neighbors, which are far away in memory.
   bool is_inner_edge(const Cell_handle c, const int k) const
   {
-    if constexpr(! Domain::has_selection)
-      if(c->vertex(edges_of_cell[k][0])->in_dimension() == 3 || c->vertex(edges_of_cell[k][1])->in_dimension() == 3)
-        return true;
+    if(! m_domain.has_selection() && (c->vertex(edges_of_cell[k][0])->in_dimension() == 3 ||
+                                      c->vertex(edges_of_cell[k][1])->in_dimension() == 3))
+      return true;
     Edge_walk_3<Tr> walk(c, edges_of_cell[5 - k][0], edges_of_cell[5 - k][1]);
     do
     {

@@ -243,7 +243,7 @@ private:
 
   bool has_constrained_edge_inside() const
   {
-    if constexpr(Mesh::Domain::has_constrained_edges)
+    if(m_mesh.domain().has_constrained_edges())
       for(const Cell_handle c : m_cells)
         for(int i = 0; i < 4; ++i)
           for(int j = 0; j < i; ++j)

@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_indices.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/Unit_frame_3.h>
@@ -93,8 +94,7 @@ public:
   typedef typename Tr::Cell_handle     Cell_handle;
 
   // The cells are those of the domain.
-  template <typename Domain>
-  Wall_sizes_3(const std::vector<Cell_handle>& cells, const Domain& domain)
+  Wall_sizes_3(const std::vector<Cell_handle>& cells, const Selected_domain_3<Tr>& domain)
   {
     for(const Cell_handle c : cells)
       for(int i = 0; i < 4; ++i)
