@@ -372,7 +372,7 @@ class Checker:
 def self_test(scratch, root):
     """Applies one defect after the other to a copy of the package."""
     header = "include/CGAL/%s/parameters.h" % PACKAGE
-    util = "include/CGAL/%s/internal/util/Hash_index.h" % PACKAGE
+    util = "include/CGAL/%s/internal/util/Simplex_index_3.h" % PACKAGE
     lost = "include/CGAL/%s/internal/lost/Constraint_recovery_3.h" % PACKAGE
 
     def replace(path, old, new):
