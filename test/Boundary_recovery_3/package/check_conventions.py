@@ -18,16 +18,11 @@ FLOORS = [
     "license/Boundary_recovery_3.h",
     "Boundary_recovery_3/enumerations.h",
     "Boundary_recovery_3/Boundary_recovery_result_3.h",
-    "Boundary_recovery_3/Mesh_quality_3.h",
-    "Boundary_recovery_3/Quality_certificate_3.h",
     "Boundary_recovery_3/Quality_improvement_result_3.h",
     "Boundary_recovery_3/Boundary_constrained_mesh_result_3.h",
-    "Boundary_recovery_3/Boundary_constrained_mesh_vertex_base_3.h",
-    "Boundary_recovery_3/Boundary_constrained_mesh_cell_base_3.h",
     "Boundary_constrained_mesh_triangulation_3.h",
     "Boundary_recovery_3/Meshing_visitor_3.h",
     "Boundary_recovery_3/parameters.h",
-    "Boundary_recovery_3/Partial_triangulation.h",
     "Boundary_recovery_3/Shell_3.h",
     "util",         # ranges, hashing, bits, the context of a run
     "numbers",      # exact numbers, and floating point numbers near them
@@ -55,12 +50,8 @@ FLOORS = [
     "sizing",       # size fields, what is asked of them, whose size a vertex has
     "Boundary_recovery_3/Surface_sizing_field_3.h",
     "Boundary_recovery_3/Source_sizing_field_3.h",
-    "Boundary_recovery_3/read_size_sources.h",
     "Boundary_recovery_3/Background_mesh_sizing_field_3.h",
-    "Boundary_recovery_3/read_background_mesh.h",
-    "Boundary_recovery_3/Minimum_sizing_field_3.h",
-    "Boundary_recovery_3/Bounded_sizing_field_3.h",
-    "Boundary_recovery_3/Region_sizing_field_3.h",
+    "Boundary_recovery_3/Combined_sizing_fields_3.h",
     "filling",      # field points [CZZ+17, Section 4.1, step 6]
     "insert_field_points.h",
     "Boundary_recovery_3/Cell_quality_3.h",
@@ -71,7 +62,6 @@ FLOORS = [
     "meshing",      # all steps, one after the other
     "make_boundary_constrained_mesh_3.h",
     "Boundary_recovery_3/Hole_remeshing_result_3.h",
-    "Boundary_recovery_3/Cell_remeshing_result_3.h",
     "holes",        # meshes that were moved, given by arrays: cavities, and sewing
     "remesh_holes.h",
     "remesh_cells.h",
@@ -382,7 +372,7 @@ class Checker:
 def self_test(scratch, root):
     """Applies one defect after the other to a copy of the package."""
     header = "include/CGAL/%s/parameters.h" % PACKAGE
-    util = "include/CGAL/%s/internal/util/Hash_index.h" % PACKAGE
+    util = "include/CGAL/%s/internal/util/Simplex_index_3.h" % PACKAGE
     lost = "include/CGAL/%s/internal/lost/Constraint_recovery_3.h" % PACKAGE
 
     def replace(path, old, new):

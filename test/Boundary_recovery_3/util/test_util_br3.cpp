@@ -18,7 +18,6 @@
 #include <CGAL/Boundary_recovery_3/Size_source_3.h>
 #include <CGAL/Boundary_recovery_3/enumerations.h>
 #include <CGAL/Boundary_recovery_3/internal/input/Constraint_intersections_3.h>
-#include <CGAL/Boundary_recovery_3/internal/util/Hash_index.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/bare_point.h>

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/Cell_remeshing_result_3.h>
+#include <CGAL/Boundary_recovery_3/Hole_remeshing_result_3.h>
 #include <CGAL/Boundary_recovery_3/Mesh_indices_keeper_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Moved_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Remesh_arrays_3.h>

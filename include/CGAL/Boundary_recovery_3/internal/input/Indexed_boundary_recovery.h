@@ -15,7 +15,6 @@
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
 #include <CGAL/Boundary_recovery_3/internal/input/Indexed_input_3.h>
 #include <CGAL/Boundary_recovery_3/internal/input/Input_diagnosis_3.h>
-#include <CGAL/Boundary_recovery_3/internal/input/Recovery_diagnosis.h>
 #include <CGAL/Boundary_recovery_3/internal/input/Vertex_location.h>
 #include <CGAL/Boundary_recovery_3/internal/lost/Constraint_search_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>

@@ -13,7 +13,6 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
-#include <CGAL/Boundary_recovery_3/internal/util/Hash_index.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
 
 #include <CGAL/enum.h>
