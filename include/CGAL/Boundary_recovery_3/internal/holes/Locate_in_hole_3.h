@@ -13,6 +13,7 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/Hole_remeshing_result_3.h>
+#include <CGAL/Boundary_recovery_3/internal/geometry/walk_to.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Hole_cells_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Moved_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Tetrahedra_incidences_3.h>
@@ -31,6 +32,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <type_traits>
 #include <vector>
 
@@ -99,22 +101,26 @@ private:
 
   bool is_in_hole(const std::size_t cell) const { return m_hole_cells.are_in_same_hole(cell, m_cells.front()); }
 
-  // None if the way is barred.
-  std::size_t walk(const Point_3& p, const int region, std::size_t cell) const
+  // Whether it can be the cell of a place in that region, or be on the way there.
+  bool is_passable(const std::size_t cell, const int region) const
   {
-    for(int step = 0; step < max_number_of_steps; ++step)
+    return m_mesh.regions[cell] == region && m_mesh.is_positive(cell);
+  }
+
+  // None if the way is barred.
+  std::size_t walk(const Point_3& p, const int region, const std::size_t start) const
+  {
+    if(! is_in_hole(start) || ! is_passable(start, region))
+      return none;
+    const auto cell_behind = [&](const std::size_t c, const int i) -> std::optional<std::size_t>
     {
-      if(! is_in_hole(cell) || m_mesh.regions[cell] != region || ! m_mesh.is_positive(cell))
-        return none;
-      const std::size_t side = side_towards(p, cell);
-      if(side == none)
-        return cell;
-      const std::size_t opposite = m_incidences.opposite(side);
-      if(opposite == none)
-        return none;
-      cell = opposite / 4;
-    }
-    return none;
+      const std::size_t side = m_incidences.opposite(4 * c + static_cast<std::size_t>(i));
+      if(side == none || ! is_in_hole(side / 4) || ! is_passable(side / 4, region))
+        return std::nullopt;
+      return side / 4;
+    };
+    return internal::walk_to(start, max_number_of_steps,
+                             [&](const std::size_t c) { return facet_towards(p, c); }, cell_behind).value_or(none);
   }
 
   // Looks at the cells of the hole that are nearest to one of them, as steps go.
@@ -126,7 +132,7 @@ private:
     for(std::size_t k = 0; k < cells.size(); ++k)
     {
       const std::size_t c = cells[k];
-      if(m_mesh.regions[c] == region && m_mesh.is_positive(c) && side_towards(p, c) == none)
+      if(is_passable(c, region) && facet_towards(p, c) < 0)
         return c;
       for(std::size_t i = 0; i < 4 && cells.size() < max_number_of_neighbors; ++i)
       {
@@ -138,13 +144,13 @@ private:
     return none;
   }
 
-  // A side of a positive cell that p is beyond; none if p is inside, or on the boundary.
-  std::size_t side_towards(const Point_3& p, const std::size_t cell) const
+  // The index of a facet of a positive cell that has p behind it; negative if p is inside, or on the boundary.
+  int facet_towards(const Point_3& p, const std::size_t cell) const
   {
-    for(std::size_t i = 0; i < 4; ++i)
-      if(orientation_with(p, cell, i) == NEGATIVE)
-        return 4 * cell + i;
-    return none;
+    for(int i = 0; i < 4; ++i)
+      if(orientation_with(p, cell, static_cast<std::size_t>(i)) == NEGATIVE)
+        return i;
+    return -1;
   }
 
   Location search(const Point_3& p, const int region)
@@ -192,7 +198,7 @@ private:
 
   void look_at(const std::size_t cell, const Point_3& p, const int region, Best& best) const
   {
-    if(m_mesh.regions[cell] != region || side_towards(p, cell) != none)
+    if(m_mesh.regions[cell] != region || facet_towards(p, cell) >= 0)
       return;
     const double volume = Cell_shape_3(m_mesh.corners(cell)).volume_times_6;
     if(best.cell == none || volume > best.volume || (volume == best.volume && cell < best.cell))
