@@ -44,7 +44,7 @@ typedef std::array<std::size_t, 4>                          Tetrahedron;
 template <typename Kernel>
 internal::Moved_mesh_3<typename Kernel::Point_3> mesh_of(const Moved_grid& grid)
 {
-  return { grid.points<typename Kernel::Point_3>(), grid.tetrahedra, grid.regions, grid.facets, grid.edges };
+  return { { grid.points<typename Kernel::Point_3>(), grid.facets, grid.edges }, grid.tetrahedra, grid.regions };
 }
 
 Facet sorted(Facet f)

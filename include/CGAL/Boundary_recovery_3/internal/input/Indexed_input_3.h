@@ -80,15 +80,22 @@ bool has_geometry(const Indexed_input_3<Point_3>& input, const Simplex& simplex)
                      [&](const std::size_t v) { return has_finite_coordinates(input.points[v]); });
 }
 
+/// returns `true` iff a vertex of `simplex` is named twice.
+template <typename Simplex>
+bool has_repeated_vertex(Simplex simplex)
+{
+  std::sort(simplex.begin(), simplex.end());
+  return std::adjacent_find(simplex.begin(), simplex.end()) != simplex.end();
+}
+
 /// returns `true` iff the vertices of the facet are collinear.
 /// \pre `has_geometry(input, facet)`
 template <typename GT>
 bool is_degenerate(const Indexed_input_3<typename GT::Point_3>& input,
                    const std::array<std::size_t, 3>& facet, const GT& gt)
 {
-  if(facet[0] == facet[1] || facet[1] == facet[2] || facet[2] == facet[0])
-    return true;
-  return gt.collinear_3_object()(input.points[facet[0]], input.points[facet[1]], input.points[facet[2]]);
+  return has_repeated_vertex(facet)
+      || gt.collinear_3_object()(input.points[facet[0]], input.points[facet[1]], input.points[facet[2]]);
 }
 
 /// returns `true` iff both ends of the edge are at one point.
