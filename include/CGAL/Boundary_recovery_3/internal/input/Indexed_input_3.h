@@ -80,14 +80,6 @@ bool has_geometry(const Indexed_input_3<Point_3>& input, const Simplex& simplex)
                      [&](const std::size_t v) { return has_finite_coordinates(input.points[v]); });
 }
 
-/// returns `true` iff a vertex of `simplex` is named twice.
-template <typename Simplex>
-bool has_repeated_vertex(Simplex simplex)
-{
-  std::sort(simplex.begin(), simplex.end());
-  return std::adjacent_find(simplex.begin(), simplex.end()) != simplex.end();
-}
-
 /// returns `true` iff the vertices of the facet are collinear.
 /// \pre `has_geometry(input, facet)`
 template <typename GT>
