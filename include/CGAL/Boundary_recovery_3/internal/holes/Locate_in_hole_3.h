@@ -170,28 +170,25 @@ private:
   // Brings the positive cells into the order of a hierarchy of their boxes.
   void order_cells()
   {
-    std::vector<std::size_t> cells;
     Axis_box_3 box;
     for(const std::size_t c : m_cells)
       if(m_mesh.is_positive(c))
       {
-        cells.push_back(c);
+        m_positive_cells.push_back(c);
         for(const Coordinates_3& p : m_mesh.corners(c))
           box.add(p);
       }
     m_frame = Unit_frame_3(box);
-    m_hierarchy = Box_hierarchy_3<1>(boxes(cells));
-    for(const std::size_t k : m_hierarchy.order())
-      m_positive_cells.push_back(cells[k]);
-    m_hierarchy.forget_order();
+    m_hierarchy = Box_hierarchy_3<1>(boxes());
+    m_hierarchy.put_into_order(m_positive_cells);
     m_is_ordered = true;
   }
 
-  std::vector<Axis_box_3> boxes(const std::vector<std::size_t>& cells) const
+  std::vector<Axis_box_3> boxes() const
   {
-    std::vector<Axis_box_3> boxes(cells.size());
-    for(std::size_t k = 0; k < cells.size(); ++k)
-      for(const Coordinates_3& p : m_mesh.corners(cells[k]))
+    std::vector<Axis_box_3> boxes(m_positive_cells.size());
+    for(std::size_t k = 0; k < boxes.size(); ++k)
+      for(const Coordinates_3& p : m_mesh.corners(m_positive_cells[k]))
         boxes[k].add(m_frame.to_frame(p));
     return boxes;
   }
@@ -214,21 +211,14 @@ private:
     return Kernel().orientation_3_object()(*q[0], *q[1], *q[2], *q[3]);
   }
 
-  // Volumes with p in the place of a vertex, seen from p, where numbers are the most precise ones; exact ones if the
-  // cell is so thin that even this is not enough.
+  // By exact numbers if the cell is so thin that those seen from p are not precise enough.
   Weights coordinates(const std::size_t cell, const Point_3& p) const
   {
     const Cell_corners_3 t = m_mesh.corners(cell);
     const double volume = Cell_shape_3(t).volume_times_6;
     const bool is_ordinary = volume > least_number && volume < 1 / least_number &&
                              Cell_shape_3(internal::scaled_corners(t)).volume_times_6 >= least_volume;
-    Weights weights = is_ordinary ? volumes<double>(cell, p) : volumes<Rational>(cell, p);
-    double sum = 0;
-    for(double& w : weights)
-      sum += w = (std::max)(0., w);
-    for(double& w : weights)
-      w /= sum;
-    return weights;
+    return is_ordinary ? parts<double>(cell, p).coordinates() : parts<Rational>(cell, p).coordinates();
   }
 
   template <typename Number>
@@ -240,30 +230,14 @@ private:
       return NT_converter<typename Kernel::FT, Number>()(x);
   }
 
-  // As parts of their sum.
   template <typename Number>
-  Weights volumes(const std::size_t cell, const Point_3& p) const
+  Parts_of_cell_3<Number> parts(const std::size_t cell, const Point_3& p) const
   {
     std::array<std::array<Number, 3>, 4> q;
     for(std::size_t k = 0; k < 4; ++k)
       for(int j = 0; j < 3; ++j)
         q[k][j] = to_number<Number>(m_mesh.points[m_mesh.tetrahedra[cell][k]][j]) - to_number<Number>(p[j]);
-    static constexpr int facets[4][3] = { { 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 }, { 0, 2, 1 } };
-    std::array<Number, 4> parts;
-    Number sum = 0;
-    for(std::size_t i = 0; i < 4; ++i)
-    {
-      const auto& a = q[facets[i][0]];
-      const auto& b = q[facets[i][1]];
-      const auto& c = q[facets[i][2]];
-      parts[i] = (a[1] * b[2] - a[2] * b[1]) * c[0] + (a[2] * b[0] - a[0] * b[2]) * c[1] +
-                 (a[0] * b[1] - a[1] * b[0]) * c[2];
-      sum += parts[i];
-    }
-    Weights weights;
-    for(std::size_t i = 0; i < 4; ++i)
-      weights[i] = CGAL::to_double(Number(parts[i] / sum));
-    return weights;
+    return Parts_of_cell_3<Number>(q);
   }
 
   const Mesh& m_mesh;
