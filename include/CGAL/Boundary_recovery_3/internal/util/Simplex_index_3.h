@@ -74,8 +74,8 @@ struct Have_same_vertices
   }
 };
 
-// Whether two triples of vertices are the same, and in the same order but for the one that they begin with: facets that
-// have the same side in front.
+// Whether two triples of different vertices are the same, and in the same order but for the one that they begin with:
+// those of facets that have the same side in front.
 template <typename Vertex>
 bool is_rotation(const std::array<Vertex, 3>& x, const std::array<Vertex, 3>& y)
 {
