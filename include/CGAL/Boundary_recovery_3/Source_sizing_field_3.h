@@ -119,18 +119,15 @@ public:
   Source_minimum_3(const std::vector<Source>& sources, const double background)
     : m_frame(box_of(sources)), m_background(m_frame.to_frame(background))
   {
-    std::vector<Place> places;
     for(const Source& s : sources)
-      places.push_back(place_of(s));
-    remove_dominated(places);
+      m_places.push_back(place_of(s));
+    remove_dominated(m_places);
     std::vector<Axis_box_3> boxes;
-    for(const Place& place : places)
+    for(const Place& place : m_places)
       boxes.push_back(place.box);
     m_hierarchy = Box_hierarchy_3<1>(boxes);
-    for(const std::size_t i : m_hierarchy.order())
-      m_places.push_back(places[i]);
+    m_hierarchy.put_into_order(m_places);
     find_reaches();
-    m_hierarchy.forget_order();
   }
 
   double operator()(const Coordinates_3& p) const { return m_frame.from_frame(minimum(m_frame.to_frame(p), 0)); }

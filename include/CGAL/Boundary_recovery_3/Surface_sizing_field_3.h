@@ -16,8 +16,8 @@
 #include <CGAL/Boundary_recovery_3/internal/shape/Unit_frame_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/sizing/Cone_minimum_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
 
-#include <CGAL/Unique_hash_map.h>
 #include <CGAL/assertions.h>
 
 #include <algorithm>
@@ -78,15 +78,13 @@ template <typename Tr, typename VertexPairRange>
 Sized_surface_3 sized_surface_and(const Tr& tr, const VertexPairRange& edges)
 {
   Sized_surface_3 surface;
-  Unique_hash_map<typename Tr::Vertex_handle, std::size_t> numbers(tr.number_of_vertices());
+  Simplex_index_3<typename Tr::Vertex_handle, 1> numbers;
   const auto number = [&](const typename Tr::Vertex_handle v)
   {
-    if(! numbers.is_defined(v))
-    {
-      numbers[v] = surface.points.size();
+    const auto inserted = numbers.insert({{ v }});
+    if(inserted.second)
       surface.points.push_back(coordinates_of(v->point()));
-    }
-    return numbers[v];
+    return inserted.first;
   };
   // from both sides: which one CGAL's iterator over facets takes depends on addresses
   if(tr.dimension() == 3)

@@ -240,10 +240,7 @@ private:
     else if(kind == Input_defect_kind::empty_input)
       end(Meshing_status::incomplete);
     else
-    {
-      const std::size_t c = m_hole_cells->cells(hole.number).front();
-      refuse({ { kind, { m_mesh.describe(c, m_mesh.tetrahedra[c]) } } });
-    }
+      refuse({ { kind, { describe_tetrahedron(m_mesh, m_hole_cells->cells(hole.number).front()) } } });
   }
 
   // Whether there is a cell that is in no hole.

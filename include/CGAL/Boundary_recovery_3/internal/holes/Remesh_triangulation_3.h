@@ -129,12 +129,9 @@ private:
   {
     const std::vector<Cell_handle> old_cells = unnamed(m_cells, result.old_cells);
     const std::vector<Vertex_handle> old_vertices = unnamed(m_vertices, result.old_vertices);
+    New_vertices_3<Tr> new_vertices(m_tr);
     for(std::size_t v = result.number_of_kept_vertices; v < result.points.size(); ++v)
-    {
-      const Vertex_handle vertex = m_tr.tds().create_vertex();
-      vertex->set_point(typename Tr::Point(result.points[v]));
-      result.vertices.push_back(vertex);
-    }
+      result.vertices.push_back(new_vertices.create(typename Tr::Point(result.points[v])));
     std::vector<std::array<Vertex_handle, 4> > tetrahedra;
     for(std::size_t c = result.number_of_kept_cells; c < result.tetrahedra.size(); ++c)
     {

@@ -147,14 +147,11 @@ private:
 
   // A repeated index is enough; only for other constraints the coordinates must be good.
   template <typename Vertices>
-  bool is_known_to_be_degenerate(Vertices vertices) const
+  bool is_known_to_be_degenerate(const Vertices& vertices) const
   {
     if(! is_in_range(m_input, vertices))
       return false;
-    if(has_geometry(m_input, vertices))
-      return is_degenerate(m_input, vertices, m_gt);
-    std::sort(vertices.begin(), vertices.end());
-    return std::adjacent_find(vertices.begin(), vertices.end()) != vertices.end();
+    return has_geometry(m_input, vertices) ? is_degenerate(m_input, vertices, m_gt) : has_repeated_vertex(vertices);
   }
 
   bool is_every_vertex_known() const

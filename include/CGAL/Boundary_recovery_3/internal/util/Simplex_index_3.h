@@ -303,6 +303,23 @@ struct Have_same_vertices
   }
 };
 
+// Whether two triples of different vertices are the same, and in the same order but for the one that they begin with:
+// those of facets that have the same side in front.
+template <typename Vertex>
+bool is_rotation(const std::array<Vertex, 3>& x, const std::array<Vertex, 3>& y)
+{
+  const std::size_t i = x[0] == y[0] ? 0 : x[0] == y[1] ? 1 : 2;
+  return x[0] == y[i] && x[1] == y[(i + 1) % 3] && x[2] == y[(i + 2) % 3];
+}
+
+// Whether a vertex is named twice, so that it is none of its dimension.
+template <typename Simplex>
+bool has_repeated_vertex(Simplex simplex)
+{
+  std::sort(simplex.begin(), simplex.end());
+  return std::adjacent_find(simplex.begin(), simplex.end()) != simplex.end();
+}
+
 /*
  * Numbers simplices; the order of their vertices makes no difference. They are stored as they are: to sort the vertices
  * takes more time than to look the simplex up, for nobody can predict the branches.
