@@ -259,10 +259,10 @@ class Checker:
 
     def check_programs(self):
         """Every program is named in the CMakeLists.txt above it and every name there exists; examples also in the manual."""
-        for folder in ("examples", "test", "benchmark"):
-            base = "%s/%s" % (folder, PACKAGE)
+        examples = "examples/%s" % PACKAGE
+        for base in (examples, "test/%s" % PACKAGE, "benchmark/%s" % PACKAGE, "program"):
             if not os.path.exists(os.path.join(self.root, base, "CMakeLists.txt")):
-                self.require(folder == "benchmark", base, "no CMakeLists.txt")
+                self.require(base.startswith("benchmark/"), base, "no CMakeLists.txt")
                 continue
             cmake = re.sub(r"#[^\n]*", "", read(self.root, base + "/CMakeLists.txt"))
             self.require(cmake.lstrip().startswith("cmake_minimum_required"), base + "/CMakeLists.txt",
@@ -273,7 +273,7 @@ class Checker:
             for name in sorted(named ^ there):
                 self.require(False, "%s/%s" % (base, name),
                              "not named in CMakeLists.txt" if name in there else "does not exist, but is named in CMakeLists.txt")
-            if folder == "examples":
+            if base == examples:
                 self.check_examples_in_manual(base, there)
 
     def check_examples_in_manual(self, base, there):
@@ -413,6 +413,7 @@ def self_test(scratch, root):
         "assert": replace(header, code, "\nvoid f(int i) { assert(i); }\n" + code),
         "does not exist, but is named": append(examples + "CMakeLists.txt", 'create_single_source_cgal_program("no.cpp")\n'),
         "not named in CMakeLists.txt": lambda copy: write(copy, examples + "x_br3.cpp", "int main() { }\n"),
+        "program/y.cpp: not named": lambda copy: write(copy, "program/y.cpp", "int main() { }\n"),
         "mesh/y_br3.cpp: not named": lambda copy: write(copy, "test/%s/mesh/y_br3.cpp" % PACKAGE, "int main() { }\n"),
         "not named in doc": replace("doc/%s/examples.txt" % PACKAGE, "\\example %s/recover_boundary_minimal.cpp\n" % PACKAGE, ""),
         "has the name of": lambda copy: write(copy, examples + "PARAMETERS.h", "\n"),
