@@ -33,6 +33,9 @@ install_missing()
 
 # What compiling the package takes.
 build_packages=(g++ make cmake libcgal-dev libboost-dev libeigen3-dev libgmp-dev libmpfr-dev)
+# What sub-domains are divided by, and meshed at the same time with; what mesh_surface_mpi takes.
+subdomain_packages=(libtbb-dev libmetis-dev)
+mpi_packages=(libboost-mpi-dev openmpi-bin libopenmpi-dev)
 
 # What the Python module and its tests take, and for CMake the Python that has them.
 python_packages=(pybind11-dev python3-dev python3-numpy python3-scipy python3-meshio python3-vtk9 xvfb xauth)

@@ -64,7 +64,7 @@ public:
 
   /// the maximal recursion level of the flips while Steiner points are put on constraints.
   static constexpr int default_conforming_recursion_level
-    = Boundary_recovery_3::internal::Recovery_by_points_3<Tr, Visitor>::default_recursion_level;
+    = Boundary_recovery_3::internal::Recovery_by_points_3<Tr>::default_recursion_level;
 
   /*!
    * \param tr the triangulation to change. As long as this object is used, it must not be cleared, assigned to or
@@ -74,7 +74,7 @@ public:
    * \pre `tr.dimension() == 3`
    */
   Constrained_boundary_recovery_3(Tr& tr, Visitor& visitor)
-    : m_tr(tr), m_own_context(std::in_place, visitor), m_context(*m_own_context)
+    : m_tr(tr), m_visitor(std::in_place, visitor), m_own_context(std::in_place, *m_visitor), m_context(*m_own_context)
   {
     CGAL_precondition(tr.dimension() == 3);
   }
@@ -84,7 +84,7 @@ public:
 
 #ifndef DOXYGEN_RUNNING
   // As above, with the context of the caller: one visitor, one clock, one deadline.
-  Constrained_boundary_recovery_3(Tr& tr, Boundary_recovery_3::internal::Recovery_context<Visitor>& context)
+  Constrained_boundary_recovery_3(Tr& tr, Boundary_recovery_3::internal::Recovery_context<Tr>& context)
     : m_tr(tr), m_context(context)
   {
     CGAL_precondition(tr.dimension() == 3);
@@ -346,13 +346,14 @@ public:
   /// @}
 
 private:
-  typedef Boundary_recovery_3::internal::Recovery_context<Visitor>         Context;
-  typedef Boundary_recovery_3::internal::Constraints_3<Tr>                 Constraints;
-  typedef Boundary_recovery_3::internal::Steiner_ledger_3<Tr>              Ledger;
-  typedef Boundary_recovery_3::internal::Vertex_predicates_3<Tr>           Predicates;
-  typedef Boundary_recovery_3::internal::Recovery_state_3<Tr, Visitor>     State;
-  typedef Boundary_recovery_3::internal::Recovery_by_flips_3<Tr, Visitor>  Recovery_by_flips;
-  typedef Boundary_recovery_3::internal::Recovery_by_points_3<Tr, Visitor> Recovery_by_points;
+  typedef Boundary_recovery_3::internal::Recovery_context<Tr>            Context;
+  typedef Boundary_recovery_3::internal::Any_visitor_3<Tr, Visitor&>     Any_visitor;
+  typedef Boundary_recovery_3::internal::Constraints_3<Tr>               Constraints;
+  typedef Boundary_recovery_3::internal::Steiner_ledger_3<Tr>            Ledger;
+  typedef Boundary_recovery_3::internal::Vertex_predicates_3<Tr>         Predicates;
+  typedef Boundary_recovery_3::internal::Recovery_state_3<Tr>            State;
+  typedef Boundary_recovery_3::internal::Recovery_by_flips_3<Tr>         Recovery_by_flips;
+  typedef Boundary_recovery_3::internal::Recovery_by_points_3<Tr>        Recovery_by_points;
 
   // What flips keep are the constraints, not their parts.
   Recovery_by_flips& flips()
@@ -364,6 +365,7 @@ private:
   Tr& m_tr;
   // what the constructor without a visitor points to; other visitors need not be default constructible
   Default_meshing_visitor_3 m_no_visitor;
+  std::optional<Any_visitor> m_visitor; // none: the context has one
   std::optional<Context> m_own_context;
   Context& m_context;
   Constraints m_constraints;

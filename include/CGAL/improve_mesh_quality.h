@@ -126,7 +126,7 @@ improve_mesh_quality(Triangulation& tr, const CGAL_NP_CLASS& np = parameters::de
   namespace BR3 = Boundary_recovery_3::internal;
 
   auto domain = BR3::selected_domain(tr, np);
-  decltype(auto) visitor = BR3::visitor_of(np);
+  auto visitor = BR3::mesh_visitor<Triangulation>(np);
   const auto quality = choose_parameter<Boundary_recovery_3::Dihedral_angle_quality_3>(
     get_parameter(np, BR3::cell_quality));
   const double min_dihedral_angle = choose_parameter(get_parameter(np, BR3::min_dihedral_angle),
@@ -137,10 +137,9 @@ improve_mesh_quality(Triangulation& tr, const CGAL_NP_CLASS& np = parameters::de
     choose_parameter(get_parameter(np, BR3::maximum_number_of_vertices), (std::numeric_limits<std::size_t>::max)()));
   const double maximum_running_time = choose_parameter(get_parameter(np, internal_np::maximum_running_time),
                                                        std::numeric_limits<double>::infinity());
-  typedef BR3::Quality_improvement_3<Triangulation, decltype(domain), std::decay_t<decltype(quality)>,
-                                     std::decay_t<decltype(visitor)> > Improvement;
-  return Improvement(tr, domain, quality, max_number_of_vertices, visitor)(min_dihedral_angle, effort,
-                                                                           maximum_running_time);
+  BR3::Quality_improvement_3<Triangulation, std::decay_t<decltype(quality)> >
+    improve(tr, domain, quality, max_number_of_vertices, visitor);
+  return improve(min_dihedral_angle, effort, maximum_running_time);
 }
 
 #ifndef DOXYGEN_RUNNING

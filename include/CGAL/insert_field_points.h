@@ -120,14 +120,14 @@ insert_field_points(Triangulation& tr, const SizingField& size, const CGAL_NP_CL
   using parameters::get_parameter;
   namespace BR3 = Boundary_recovery_3::internal;
   auto domain = BR3::selected_domain(tr, np);
-  decltype(auto) visitor = BR3::visitor_of(np);
-  typedef std::decay_t<decltype(visitor)> Visitor;
+  auto visitor = BR3::mesh_visitor<Triangulation>(np);
   const std::size_t max_number_of_vertices = static_cast<std::size_t>(
     choose_parameter(get_parameter(np, BR3::maximum_number_of_vertices), (std::numeric_limits<std::size_t>::max)()));
   const double maximum_running_time = choose_parameter(get_parameter(np, internal_np::maximum_running_time),
                                                        std::numeric_limits<double>::infinity());
-  typedef BR3::Field_point_insertion_3<Triangulation, decltype(domain), SizingField, Visitor> Insertion;
-  return Insertion(tr, domain, size, visitor)(max_number_of_vertices, maximum_running_time);
+  const BR3::Any_size_field_3<typename Triangulation::Geom_traits, SizingField> any_size(size);
+  BR3::Field_point_insertion_3<Triangulation> insert(tr, domain, any_size, visitor);
+  return insert(max_number_of_vertices, maximum_running_time);
 }
 
 #ifndef DOXYGEN_RUNNING

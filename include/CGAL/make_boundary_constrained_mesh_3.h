@@ -17,6 +17,8 @@
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_indices.h>
 #include <CGAL/Boundary_recovery_3/internal/meshing/Boundary_constrained_meshing_3.h>
 #include <CGAL/Boundary_recovery_3/parameters.h>
+#include <CGAL/mark_domain.h>
+#include <CGAL/recover_boundary.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/property_map.h>
@@ -24,6 +26,7 @@
 #include <boost/range/has_range_iterator.hpp>
 
 #include <cstddef>
+#include <functional>
 #include <type_traits>
 #include <vector>
 
@@ -54,17 +57,48 @@ using Enable_if_sizes = std::enable_if_t<! Is_named_parameters<SizingField>::val
 
 inline auto merge_all() { return parameters::default_values(); }
 
+// In the place of a size field: the sizes come from the surface.
+struct Sizes_from_surface { };
+
+// From here on, the types of named parameters, size fields and visitors are no matter.
+template <typename Tr, typename SizingField, typename NamedParameters>
+Boundary_constrained_mesh_result_3<Tr>
+make_mesh(Tr& tr, Surface_to_mesh_3<Tr>& surface, const SizingField& size, const NamedParameters& np)
+{
+  internal::for_each_constrained_edge(np, [&](const std::size_t u, const std::size_t v)
+  {
+    surface.constrained_edges.push_back({{ u, v }});
+  });
+  const auto quality = parameters::choose_parameter<Dihedral_angle_quality_3>(
+    parameters::get_parameter(np, internal::cell_quality));
+  const Meshing_options options = internal::meshing_options(np);
+  auto visitor = internal::mesh_visitor<Tr>(np);
+  Boundary_constrained_meshing_3<Tr, std::decay_t<decltype(quality)> > mesh(tr, quality, options, visitor);
+  if constexpr(std::is_same<SizingField, Sizes_from_surface>::value)
+    return mesh(surface, nullptr);
+  else
+  {
+    const Any_size_field_3<typename Tr::Geom_traits, SizingField> any_size(size);
+    return mesh(surface, &any_size);
+  }
+}
+
 template <typename Tr, typename PointRange, typename TriangleRange, typename SizingField, typename NamedParameters>
 Boundary_constrained_mesh_result_3<Tr>
 make_mesh_of_soup(Tr& tr, const PointRange& points, const TriangleRange& triangles, const SizingField& size,
                   const NamedParameters& np)
 {
   static_cast<void>(internal::Require_mesh_indices<Tr>());
-  typedef typename Mark_domain_3<Tr>::Surface_patch_index Patch;
-  return Boundary_constrained_meshing_3<Tr, NamedParameters>(tr, np)(
-    [&](const auto& all_parameters) { return recover_boundary(tr, points, triangles, all_parameters); },
-    [&](const auto& facets) { return internal::patches_of_facets<Patch>(facets, np); },
-    size);
+  Surface_to_mesh_3<Tr> surface;
+  surface.recover = [&](Mesh_visitor_3<Tr>& visitor)
+  {
+    return recover_boundary(tr, points, triangles, internal::merge(np, parameters::visitor(std::ref(visitor))));
+  };
+  surface.patches = [&](const auto& facets)
+  {
+    return internal::patches_of_facets<typename Surface_to_mesh_3<Tr>::Patch>(facets, np);
+  };
+  return internal::make_mesh(tr, surface, size, np);
 }
 
 template <typename Tr, typename FaceListGraph, typename SizingField, typename NamedParameters>
@@ -72,23 +106,25 @@ Boundary_constrained_mesh_result_3<Tr>
 make_mesh_of_surface(Tr& tr, const FaceListGraph& surface, const SizingField& size, const NamedParameters& np)
 {
   static_cast<void>(internal::Require_mesh_indices<Tr>());
-  typedef typename Mark_domain_3<Tr>::Surface_patch_index Patch;
-  return Boundary_constrained_meshing_3<Tr, NamedParameters>(tr, np)(
-    [&](const auto& all_parameters) { return recover_boundary(tr, surface, all_parameters); },
-    [&](const auto& facets)
+  typedef typename Surface_to_mesh_3<Tr>::Patch Patch;
+  Surface_to_mesh_3<Tr> to_mesh;
+  to_mesh.recover = [&](Mesh_visitor_3<Tr>& visitor)
+  {
+    return recover_boundary(tr, surface, internal::merge(np, parameters::visitor(std::ref(visitor))));
+  };
+  to_mesh.patches = [&](const auto& facets)
+  {
+    if constexpr(parameters::is_default_parameter<NamedParameters, internal_np::face_patch_t>::value)
+      return internal::patches_of_facets<Patch>(facets, np);
+    else
     {
-      if constexpr(parameters::is_default_parameter<NamedParameters, internal_np::face_patch_t>::value)
-        return internal::patches_of_facets<Patch>(facets, np);
-      else
-      {
-        std::vector<Patch> patches;
-        for(const auto f : faces(surface))
-          patches.push_back(Patch(get(parameters::get_parameter(np, internal_np::face_patch), f)));
-        return internal::patches_of_facets<Patch>(
-          facets, parameters::face_patch_map(make_property_map(patches)));
-      }
-    },
-    size);
+      std::vector<Patch> patches;
+      for(const auto f : faces(surface))
+        patches.push_back(Patch(get(parameters::get_parameter(np, internal_np::face_patch), f)));
+      return internal::patches_of_facets<Patch>(facets, parameters::face_patch_map(make_property_map(patches)));
+    }
+  };
+  return internal::make_mesh(tr, to_mesh, size, np);
 }
 
 } // namespace internal

@@ -7,8 +7,12 @@
 
 #include <CGAL/Boundary_constrained_mesh_triangulation_3.h>
 #include <CGAL/Boundary_recovery_3/Meshing_visitor_3.h>
-#include <CGAL/Boundary_recovery_3/Mesh_quality_3.h>
+#include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#ifdef BOUNDARY_RECOVERY_3_IS_COMPILED // our CMakeLists.txt tells
+#include <CGAL/Boundary_recovery_3/compiled.h>
+#endif
 
 #include <boost/iterator/counting_iterator.hpp>
 #include <boost/iterator/transform_iterator.hpp>

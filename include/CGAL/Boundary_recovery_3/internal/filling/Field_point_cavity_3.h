@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/Cell_shape_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/circumsphere.h>
@@ -101,17 +102,14 @@ private:
  * without crossing a constrained facet. It is made star-shaped by exact orientations: cells at faces that the point
  * does not see are taken out. Nor may a constraint be inside, or a vertex be lost.
  *
- * `Domain` answers `is_wall()` for a cell and the index of a facet, if `has_seams`, `is_seam()`, and, if
- * `has_constrained_edges`, `is_constrained_edge()` for two vertices of a cell. Seams are walls that somebody will take
- * away.
- *
  * While a cavity is there, its cells are marked as in conflict; `clear()` ends that, or the destructor, if a property
  * map or a visitor threw.
  */
-template <typename Tr, typename Domain>
+template <typename Tr>
 class Field_point_cavity_3
 {
 public:
+  typedef Selected_domain_3<Tr>         Domain;
   typedef typename Tr::Vertex_handle    Vertex_handle;
   typedef typename Tr::Cell_handle      Cell_handle;
   typedef typename Tr::Geom_traits::Point_3 Point;
@@ -201,8 +199,8 @@ private:
 
   void add(const Cell_handle c)
   {
+    m_cells.push_back(c); // first, so that the mark is cleared in any case
     c->tds_data().mark_in_conflict();
-    m_cells.push_back(c);
   }
 
   // Returns false if there is a constrained facet inside, a vertex that is too near, or a seam that is too large.
@@ -225,10 +223,7 @@ private:
 
   bool is_at_large_seam(const Cell_handle c, const int i) const
   {
-    if constexpr(Domain::has_seams)
-      return m_domain.is_seam(c, i) && internal::longest_edge_of_facet(internal::corners(c), i) > m_max_seam;
-    else
-      return false;
+    return m_domain.is_seam(c, i) && internal::longest_edge_of_facet(internal::corners(c), i) > m_max_seam;
   }
 
   bool is_large() const { return m_cells.size() >= max_number_of_hidden_cells; }
@@ -245,8 +240,8 @@ private:
   {
     if(internal::is_in_circumsphere(internal::corners(n), m_coordinates))
       return true;
-    n->tds_data().mark_on_boundary();
     m_cells_around.push_back(n);
+    n->tds_data().mark_on_boundary();
     return false;
   }
 
@@ -319,13 +314,10 @@ private:
   // Each walk is done in both directions.
   bool has_constrained_edge_inside() const
   {
-    if constexpr(Domain::has_constrained_edges)
-    {
-      const std::size_t n = number_of_constrained_edges_of_cells();
-      return n > 0 && 2 * n != number_of_cells_at_constrained_edges_of_faces();
-    }
-    else
+    if(! m_domain.has_constrained_edges())
       return false;
+    const std::size_t n = number_of_constrained_edges_of_cells();
+    return n > 0 && 2 * n != number_of_cells_at_constrained_edges_of_faces();
   }
 
   std::size_t number_of_constrained_edges_of_cells() const

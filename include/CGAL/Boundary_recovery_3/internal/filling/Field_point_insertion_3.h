@@ -15,6 +15,7 @@
 #include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_result_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Fill_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Ordinary_scale_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/Cell_shape_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/sizing/Region_sizes_3.h>
@@ -151,14 +152,16 @@ enum class Forecast_effort { usual, small, none };
 /*
  * The work behind insert_field_points(): the forecast, then the filling, with an account of both.
  */
-template <typename Tr, typename Domain, typename SizingField, typename Visitor>
+template <typename Tr>
 class Field_point_insertion_3
 {
 public:
-  typedef typename Tr::Cell_handle     Cell_handle;
-  typedef Field_points_result_3<Tr>    Result;
+  typedef typename Tr::Cell_handle          Cell_handle;
+  typedef Selected_domain_3<Tr>     Domain;
+  typedef typename Tr::Geom_traits::Point_3 Point_3;
+  typedef Field_points_result_3<Tr> Result;
 
-  Field_point_insertion_3(Tr& tr, Domain& domain, const SizingField& size, Visitor& visitor,
+  Field_point_insertion_3(Tr& tr, Domain& domain, const Size_field_3<Point_3>& size, Mesh_visitor_3<Tr>& visitor,
                           const Forecast_effort effort = Forecast_effort::usual)
     : m_tr(tr), m_domain(domain), m_sizes(tr, size), m_context(visitor), m_effort(effort)
   { }
@@ -170,15 +173,7 @@ public:
   // of a mesh that is filled.
   void leave_sizes_of_field() { m_leaves_sizes_of_field = true; }
 
-  Result operator()(const std::size_t max_number_of_vertices, const double maximum_running_time)
-  {
-    const Ordinary_scale_3<Tr> scale(m_tr);
-    m_sizes.set_scale(scale.factor());
-    m_context.set_maximum_running_time(maximum_running_time);
-    if(m_tr.dimension() == 3 && is_possible(max_number_of_vertices))
-      run(Phase::field_point_insertion, [&] { fill(max_number_of_vertices); });
-    return finish();
-  }
+  Result operator()(const std::size_t max_number_of_vertices, const double maximum_running_time);
 
   // The forecast, and whether that many cells are possible, without the filling.
   Result forecast_only(const std::size_t max_number_of_vertices, const double maximum_running_time)
@@ -202,7 +197,7 @@ public:
   }
 
 private:
-  typedef Region_sizes_3<Tr, SizingField> Sizes;
+  typedef Region_sizes_3<Tr> Sizes;
 
   // See "Tuning constants" in the manual.
   static constexpr double cells_per_forecast_cell = 1.32;
@@ -235,20 +230,12 @@ private:
   template <typename Work>
   void run(const Phase phase, const Work& work)
   {
-    const double start = m_context.seconds();
-    m_context.visitor().on_phase_begin(phase);
-    work();
-    Phase_report report;
-    report.phase = phase;
-    report.number_of_vertices = m_tr.number_of_vertices();
-    report.number_of_cells = m_tr.number_of_finite_cells();
-    if(phase == Phase::forecast)
+    m_context.run(phase, work, [&](Phase_report& report)
     {
-      report.number_of_vertices = rounded(m_result.forecast_of_vertices);
-      report.number_of_cells = rounded(m_result.forecast_of_cells);
-    }
-    report.seconds = m_context.seconds() - start;
-    m_context.visitor().on_phase_end(report);
+      const bool is_forecast = phase == Phase::forecast;
+      report.number_of_vertices = is_forecast ? rounded(m_result.forecast_of_vertices) : m_tr.number_of_vertices();
+      report.number_of_cells = is_forecast ? rounded(m_result.forecast_of_cells) : m_tr.number_of_finite_cells();
+    });
   }
 
   // Forecasts may be larger than all integers.
@@ -301,7 +288,7 @@ private:
     const auto least_size = [this](const std::array<Coordinates_3, 4>& t, const int region)
     {
       const Coordinates_3 center = internal::centroid(t);
-      return Sizes::Query::tells_least_sizes
+      return m_sizes.query().tells_least_sizes()
            ? m_sizes.least_size_around(center, internal::largest_distance(center, t), region) : 0;
     };
     Forecast_3<decltype(size), decltype(least_size)> integral(size, m_sizes.gradation(), least_size);
@@ -328,7 +315,7 @@ private:
   {
     if(m_minds_walls)
       m_sizes.set_walls(Wall_sizes_3<Tr>(m_cells, m_domain));
-    Fill_domain_3<Tr, Domain, Sizes, Visitor> fill_domain(m_tr, m_domain, m_sizes, m_context);
+    Fill_domain_3<Tr> fill_domain(m_tr, m_domain, m_sizes, m_context);
     const double expected = m_result.forecast_of_vertices - static_cast<double>(m_tr.number_of_vertices());
     fill_domain(m_cells, max_number_of_vertices, static_cast<std::size_t>(expected));
     if(m_leaves_sizes_of_field)
@@ -355,13 +342,25 @@ private:
   Tr& m_tr;
   Domain& m_domain;
   Sizes m_sizes;
-  Recovery_context<Visitor> m_context;
+  Recovery_context<Tr> m_context;
   const Forecast_effort m_effort;
   bool m_minds_walls = true;
   bool m_leaves_sizes_of_field = false;
   Result m_result;
   std::vector<Cell_handle> m_cells; // of the domain, before points are inserted
 };
+
+template <typename Tr>
+Field_points_result_3<Tr>
+Field_point_insertion_3<Tr>::operator()(const std::size_t max_number_of_vertices, const double maximum_running_time)
+{
+  const Ordinary_scale_3<Tr> scale(m_tr);
+  m_sizes.set_scale(scale.factor());
+  m_context.set_maximum_running_time(maximum_running_time);
+  if(m_tr.dimension() == 3 && is_possible(max_number_of_vertices))
+    run(Phase::field_point_insertion, [&] { fill(max_number_of_vertices); });
+  return finish();
+}
 
 } // namespace internal
 } // namespace Boundary_recovery_3

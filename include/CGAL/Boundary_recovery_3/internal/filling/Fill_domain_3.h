@@ -17,6 +17,7 @@
 #include <CGAL/Boundary_recovery_3/internal/filling/Field_point_cavity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Insert_field_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Remove_long_edge_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/Cell_shape_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/Unit_frame_3.h>
@@ -54,17 +55,19 @@ namespace internal {
  * Few cells are too large and get no point, mostly where the mesh is far from Delaunay after the recovery. Some of them
  * have edges that are much longer than the size; in the end, these edges are removed or divided.
  */
-template <typename Tr, typename Domain, typename Sizes, typename Visitor>
+template <typename Tr>
 class Fill_domain_3
 {
 public:
+  typedef Selected_domain_3<Tr>               Domain;
+  typedef Region_sizes_3<Tr>                  Sizes;
   typedef typename Tr::Vertex_handle          Vertex_handle;
   typedef typename Tr::Cell_handle            Cell_handle;
   typedef typename Tr::Geom_traits::Point_3   Point_3;
   typedef std::vector<Vertex_handle>          Vertices;
   typedef std::array<Coordinates_3, 4>        Corners;
 
-  Fill_domain_3(Tr& tr, Domain& domain, Sizes& sizes, Recovery_context<Visitor>& context)
+  Fill_domain_3(Tr& tr, Domain& domain, Sizes& sizes, Recovery_context<Tr>& context)
     : m_tr(tr), m_domain(domain), m_sizes(sizes), m_context(context), m_cavity(tr, domain),
       m_search(sizes), m_insert(tr, domain, context.visitor()), m_remove_edge(tr, domain, context.visitor())
   { }
@@ -106,16 +109,12 @@ public:
   bool is_full() const { return m_is_full; }
 
 private:
-  typedef Remove_long_edge_3<Tr, Domain, Visitor> Remove_edge;
-  typedef Small_size_search_3<Sizes, Cell_handle> Search;
-  typedef typename Sizes::Size                    Size;
+  typedef Remove_long_edge_3<Tr>   Remove_edge;
+  typedef Small_size_search_3<Tr>  Search;
+  typedef typename Sizes::Size     Size;
 
   // As parts of the size, see "Tuning constants" in the manual.
   static constexpr double largest_radius = 0.75;
-  static constexpr double smallest_distance = 0.7;
-  static constexpr double longest_edge = 1.6;            // that is left alone
-  static constexpr double longest_undivided_edge = 1.95;
-  static constexpr double smallest_distance_on_edge = 0.4;
   static constexpr double largest_wall = 0.5;            // beside a long edge, as a part of its length
   static constexpr double largest_seam = 2;
   static constexpr int max_number_of_rounds = 4;
@@ -184,10 +183,7 @@ private:
 
   bool is_wall_that_stays(const Cell_handle c, const int i) const
   {
-    if constexpr(Domain::has_seams)
-      return m_domain.is_wall(c, i) && ! m_domain.is_seam(c, i);
-    else
-      return m_domain.is_wall(c, i);
+    return m_domain.is_wall(c, i) && ! m_domain.is_seam(c, i);
   }
 
   void look_at(const Cell_handle c)
@@ -205,7 +201,7 @@ private:
     if((at_center == Cell_handle() || ! try_point(sphere.center, at_center, m_sizes(sphere.center, at_center)))
        && ! try_point(center, c, size) && ! try_point_beside_walls(center, c, size)
        && ! try_where_small(c, p, size.possible)
-       && internal::longest_edge(p).length > longest_edge * size.possible)
+       && internal::longest_edge(p).length > Length_rules::longest_edge * size.possible)
       m_long_cells.push_back(c);
   }
 
@@ -263,7 +259,7 @@ private:
     {
       const Coordinates_3 middle = internal::midpoint(p[e.i], p[e.j]);
       const Size size = m_sizes(middle, c);
-      if(! (e.length > longest_edge * size.possible) || m_number_of_edges_left == 0)
+      if(! (e.length > Length_rules::longest_edge * size.possible) || m_number_of_edges_left == 0)
         return;
       --m_number_of_edges_left;
       if(m_domain.is_constrained_edge(c->vertex(e.i), c->vertex(e.j)) || is_at_large_wall(c, e))
@@ -273,7 +269,7 @@ private:
         m_long_cells.insert(m_long_cells.end(), m_remove_edge.new_cells().begin(), m_remove_edge.new_cells().end());
         return;
       }
-      if(e.length > longest_undivided_edge * size.possible && try_point_on_edge(middle, c, size))
+      if(e.length > Length_rules::longest_undivided_edge * size.possible && try_point_on_edge(middle, c, size))
         return;
     }
   }
@@ -334,13 +330,13 @@ private:
   // allowed beside a seam that is much too large: the flat cells at the seam would stay after the seam is gone.
   bool try_point(const Coordinates_3& coordinates, const Cell_handle c, const Size& size)
   {
-    return try_point(coordinates, c, smallest_distance, size, [] { return true; });
+    return try_point(coordinates, c, Length_rules::smallest_distance, size, [] { return true; });
   }
 
   // The same, but vertices may be nearer, and no new cell may be worse than the worst cell of the cavity.
   bool try_point_on_edge(const Coordinates_3& coordinates, const Cell_handle c, const Size& size)
   {
-    return try_point(coordinates, c, smallest_distance_on_edge, size, [&]
+    return try_point(coordinates, c, Length_rules::smallest_distance_on_edge, size, [&]
     {
       return worst_quality_of_star(coordinates) >= worst_quality_of_cavity();
     });
@@ -386,9 +382,9 @@ private:
   void insert(const Point_3& p, const Size& size)
   {
     const Vertex_handle v = m_insert(m_cavity, p);
+    m_pending.push_back(v); // first, so that it is settled in any case
     m_sizes.set_pending(v, size);
     m_vertices.push_back(v);
-    m_pending.push_back(v);
     m_search.add_vertices(1);
     report();
   }
@@ -412,10 +408,10 @@ private:
   Tr& m_tr;
   Domain& m_domain;
   Sizes& m_sizes;
-  Recovery_context<Visitor>& m_context;
-  Field_point_cavity_3<Tr, Domain> m_cavity;
+  Recovery_context<Tr>& m_context;
+  Field_point_cavity_3<Tr> m_cavity;
   Search m_search;
-  Insert_field_point_3<Tr, Domain, Visitor> m_insert;
+  Insert_field_point_3<Tr> m_insert;
   Remove_edge m_remove_edge;
   Encroached_walls_3 m_walls; // the large ones
   Vertices m_vertices;

@@ -13,6 +13,7 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/filling/Field_point_cavity_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_indices.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
 
@@ -32,11 +33,13 @@ namespace internal {
  *
  * The visitor is told of the cells that go and come, see `MeshingVisitor_3`.
  */
-template <typename Tr, typename Domain, typename Visitor>
+template <typename Tr>
 class Insert_field_point_3
 {
 public:
-  typedef Field_point_cavity_3<Tr, Domain>  Cavity;
+  typedef Selected_domain_3<Tr>             Domain;
+  typedef Mesh_visitor_3<Tr>                Visitor;
+  typedef Field_point_cavity_3<Tr>          Cavity;
   typedef typename Tr::Vertex_handle        Vertex_handle;
   typedef typename Tr::Cell_handle          Cell_handle;
   typedef typename Cavity::Point            Point;

@@ -57,23 +57,24 @@ private:
  * Gets rid of an edge inside a region of the domain that is too long, by a shell transformation. Regions and marks are
  * carried over, and the domain and the visitor are told.
  */
-template <typename Tr, typename Domain, typename Visitor>
+template <typename Tr>
 class Remove_long_edge_3
 {
 public:
   typedef typename Tr::Cell_handle  Cell_handle;
   typedef typename Tr::Edge         Edge;
+  typedef Selected_domain_3<Tr>     Domain;
+  typedef Mesh_visitor_3<Tr>        Visitor;
 
 private:
   // Remembers the new cells, too.
-  struct Keeper
-    : public Domain_keeper_3<Tr, Domain, Visitor>
+  struct Keeper final
+    : public Domain_keeper_3<Tr>
   {
-    typedef Domain_keeper_3<Tr, Domain, Visitor> Base;
+    typedef Domain_keeper_3<Tr> Base;
     using Base::Base;
 
-    template <typename CellRange>
-    void after_cells_creation(const CellRange& cells)
+    void after_cells_creation(const Cell_span<Cell_handle>& cells) override
     {
       new_cells.insert(new_cells.end(), cells.begin(), cells.end());
       Base::after_cells_creation(cells);

@@ -50,10 +50,9 @@ struct Hole_remeshing_options_3
 };
 
 /*
- * The work behind remesh_holes(), one phase after the other. `Recorder` is told about phases, and knows whether to go
- * on.
+ * The work behind remesh_holes(), one phase after the other.
  */
-template <typename Kernel, typename Recorder>
+template <typename Kernel>
 class Hole_remeshing_3
 {
 public:
@@ -61,27 +60,14 @@ public:
   typedef Moved_mesh_3<Point_3>             Mesh;
   typedef Hole_remeshing_result_3<Point_3>  Result;
   typedef Hole_remeshing_options_3<Point_3> Options;
+  typedef Recovery_context<typename Hole_triangulation_3<Kernel>::Tr> Context;
 
-  Hole_remeshing_3(const Mesh& mesh, const Options& options, Recorder& recorder, Result& result)
-    : m_mesh(mesh), m_options(options), m_recorder(recorder), m_result(result)
+  Hole_remeshing_3(const Mesh& mesh, const Options& options, Context& context, Result& result)
+    : m_mesh(mesh), m_options(options), m_context(context), m_result(result)
   { }
 
   // Writes the status, the account, and, if all is done, the mesh.
-  void operator()()
-  {
-    m_result.status = Meshing_status::meshed;
-    run(Phase::hole_selection, [this] { select(); });
-    for(int round = 0; round < max_number_of_rounds; ++round)
-    {
-      run(Phase::hole_recovery, [this] { recover_holes(); });
-      run(Phase::hole_filling, [this] { fill_holes(); });
-      if(m_options.improve_quality)
-        run(Phase::hole_improvement, [this] { improve_holes(); });
-      if(round + 1 == max_number_of_rounds || m_result.status != Meshing_status::meshed || ! grow_at_bad_cells())
-        break;
-    }
-    run(Phase::hole_sewing, [this] { sew(); });
-  }
+  void operator()();
 
 private:
   typedef Hole_surface_3<Point_3>      Surface;
@@ -108,16 +94,22 @@ private:
   {
     if(m_result.status != Meshing_status::meshed)
       return;
-    m_recorder.begin(phase);
-    if(goes_on())
-      work();
-    m_recorder.end(phase, m_holes.size());
+    m_context.run(phase, [&]
+    {
+      if(goes_on())
+        work();
+    },
+    [this](Phase_report& report)
+    {
+      report.number_of_holes = m_holes.size();
+      m_result.phases.push_back(report);
+    });
   }
 
   // Whether nothing has ended the work.
   bool goes_on()
   {
-    if(m_result.status == Meshing_status::meshed && ! m_recorder.can_go_further())
+    if(m_result.status == Meshing_status::meshed && ! m_context.go_further())
       m_result.status = Meshing_status::stopped;
     return m_result.status == Meshing_status::meshed;
   }
@@ -174,7 +166,7 @@ private:
       for(std::size_t hole = first; hole < last && can_recover_more(); ++hole)
       {
         recover(hole, is_first_round, growing);
-        m_recorder.progress(Phase::hole_recovery, hole - first + 1, last - first);
+        m_context.visitor().on_progress(Phase::hole_recovery, hole - first + 1, last - first);
       }
       if(growing.empty() || ! goes_on())
         break;
@@ -248,10 +240,7 @@ private:
     else if(kind == Input_defect_kind::empty_input)
       end(Meshing_status::incomplete);
     else
-    {
-      const std::size_t c = m_hole_cells->cells(hole.number).front();
-      refuse({ { kind, { m_mesh.describe(c, m_mesh.tetrahedra[c]) } } });
-    }
+      refuse({ { kind, { describe_tetrahedron(m_mesh, m_hole_cells->cells(hole.number).front()) } } });
   }
 
   // Whether there is a cell that is in no hole.
@@ -300,7 +289,7 @@ private:
       const auto filling = hole.triangulation->fill(sizes(hole));
       m_result.status = filling.status;
       m_result.invalid_sizes = filling.invalid_sizes;
-      m_recorder.progress(Phase::hole_filling, k + 1, m_holes.size());
+      m_context.visitor().on_progress(Phase::hole_filling, k + 1, m_holes.size());
     }
   }
 
@@ -331,7 +320,7 @@ private:
                                      improvement.certificate.number_of_cells(Bad_cell_reason::not_improved) }};
       for(const std::size_t v : hole.triangulation->vertices_of_bad_cells(improvement, m_options.min_dihedral_angle))
         hole.bad_vertices.push_back(hole.surface.vertices[v]);
-      m_recorder.progress(Phase::hole_improvement, k + 1, m_holes.size());
+      m_context.visitor().on_progress(Phase::hole_improvement, k + 1, m_holes.size());
     }
   }
 
@@ -356,7 +345,7 @@ private:
 
   const Mesh& m_mesh;
   const Options& m_options;
-  Recorder& m_recorder;
+  Context& m_context;
   Result& m_result;
   std::unique_ptr<Tetrahedra_incidences_3> m_incidences;
   std::unique_ptr<Constraints> m_constraints;
@@ -364,6 +353,23 @@ private:
   std::unique_ptr<Hole_cells_3> m_hole_cells;
   std::vector<Hole> m_holes;
 };
+
+template <typename Kernel>
+void Hole_remeshing_3<Kernel>::operator()()
+{
+  m_result.status = Meshing_status::meshed;
+  run(Phase::hole_selection, [this] { select(); });
+  for(int round = 0; round < max_number_of_rounds; ++round)
+  {
+    run(Phase::hole_recovery, [this] { recover_holes(); });
+    run(Phase::hole_filling, [this] { fill_holes(); });
+    if(m_options.improve_quality)
+      run(Phase::hole_improvement, [this] { improve_holes(); });
+    if(round + 1 == max_number_of_rounds || m_result.status != Meshing_status::meshed || ! grow_at_bad_cells())
+      break;
+  }
+  run(Phase::hole_sewing, [this] { sew(); });
+}
 
 } // namespace internal
 } // namespace Boundary_recovery_3

@@ -109,13 +109,6 @@ private:
     return true;
   }
 
-  // Whether the order of the same three vertices is the same.
-  static bool is_rotation(const Facet& f, const Facet& g)
-  {
-    const int i = f[0] == g[0] ? 0 : f[0] == g[1] ? 1 : 2;
-    return f[1] == g[(i + 1) % 3];
-  }
-
   // Returns false if there is a cell of another region.
   bool spread(const Cell_handle seed)
   {
@@ -221,12 +214,13 @@ private:
 };
 
 // Asks somebody whether to go on, and tells nothing.
-struct Hole_visitor_3
-  : public Default_meshing_visitor_3
+template <typename Tr>
+struct Hole_visitor_3 final
+  : public Mesh_visitor_3<Tr>
 {
   explicit Hole_visitor_3(const std::function<bool()>& question) : question(question) { }
 
-  bool go_further() { return question(); }
+  bool go_further() override { return question(); }
 
   std::function<bool()> question;
 };
@@ -295,10 +289,10 @@ public:
   Filling fill(const Hole_sizes_3<Point_3>& sizes)
   {
     auto domain = internal::selected_domain(m_tr, parameters::edge_is_constrained_map(m_edges));
-    typedef Field_point_insertion_3<Tr, decltype(domain), Hole_sizes_3<Point_3>, Hole_visitor_3> Insertion;
+    const Any_size_field_3<Kernel, Hole_sizes_3<Point_3> > size(sizes);
     const Forecast_effort effort = sizes.are_old ? Forecast_effort::none : Forecast_effort::small;
-    return Insertion(m_tr, domain, sizes, m_visitor, effort)((std::numeric_limits<std::size_t>::max)(),
-                                                             std::numeric_limits<double>::infinity());
+    Field_point_insertion_3<Tr> insert(m_tr, domain, size, m_visitor, effort);
+    return insert((std::numeric_limits<std::size_t>::max)(), std::numeric_limits<double>::infinity());
   }
 
   Improvement improve(const double min_dihedral_angle)
@@ -369,7 +363,7 @@ private:
       }
   }
 
-  Hole_visitor_3 m_visitor;
+  Hole_visitor_3<Tr> m_visitor;
   Tr m_tr;
   std::vector<Vertex_handle> m_vertices; // of the surface
   std::vector<std::array<Vertex_handle, 3> > m_facets;

@@ -37,49 +37,6 @@ namespace CGAL {
 namespace Boundary_recovery_3 {
 namespace internal {
 
-// Stands between the work and the caller's visitor, and measures phases.
-template <typename Visitor>
-class Hole_remeshing_recorder_3
-{
-public:
-  // `maximum_running_time` is in seconds, from now on.
-  Hole_remeshing_recorder_3(Visitor& visitor, std::vector<Phase_report>& reports, const double maximum_running_time)
-    : m_context(visitor), m_reports(reports)
-  {
-    m_context.set_maximum_running_time(maximum_running_time);
-  }
-
-  void begin(const Phase phase)
-  {
-    m_start_of_phase = seconds();
-    m_context.visitor().on_phase_begin(phase);
-  }
-
-  void end(const Phase phase, const std::size_t number_of_holes)
-  {
-    Phase_report report;
-    report.phase = phase;
-    report.number_of_holes = number_of_holes;
-    report.seconds = seconds() - m_start_of_phase;
-    m_reports.push_back(report);
-    m_context.visitor().on_phase_end(report);
-  }
-
-  void progress(const Phase phase, const std::size_t done, const std::size_t total)
-  {
-    m_context.visitor().on_progress(phase, done, total);
-  }
-
-  bool can_go_further() { return m_context.go_further(); }
-
-  double seconds() const { return m_context.seconds(); }
-
-private:
-  Recovery_context<Visitor> m_context;
-  std::vector<Phase_report>& m_reports;
-  double m_start_of_phase = 0;
-};
-
 // In the place of a size field: the sizes are those of the old mesh.
 struct Sizes_of_old_mesh { };
 
@@ -113,19 +70,19 @@ public:
   // `options` has the sizes, the selection, and what named parameters cannot say.
   Result operator()(Mesh&& mesh, Options options) const
   {
-    decltype(auto) visitor = internal::visitor_of(m_np);
-    typedef Hole_remeshing_recorder_3<std::decay_t<decltype(visitor)> > Recorder;
+    typedef Hole_remeshing_3<Kernel> Hole_remeshing;
+    auto visitor = internal::mesh_visitor<typename Hole_triangulation_3<Kernel>::Tr>(m_np);
+    typename Hole_remeshing::Context context(visitor);
+    context.set_maximum_running_time(get(internal_np::maximum_running_time, std::numeric_limits<double>::infinity()));
+    options.can_go_further = [&] { return context.go_further(); };
     Result result;
-    Recorder recorder(visitor, result.phases, get(internal_np::maximum_running_time,
-                                                  std::numeric_limits<double>::infinity()));
-    options.can_go_further = [&] { return recorder.can_go_further(); };
     if(set_options(options))
-      Hole_remeshing_3<Kernel, Recorder>(mesh, options, recorder, result)();
+      Hole_remeshing(mesh, options, context, result)();
     else
       result.status = Meshing_status::invalid_input;
     if(! result)
       return_old_mesh(std::move(mesh), result);
-    result.seconds = recorder.seconds();
+    result.seconds = context.seconds();
     return result;
   }
 

@@ -15,7 +15,6 @@
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
 #include <CGAL/Boundary_recovery_3/internal/input/Indexed_input_3.h>
 #include <CGAL/Boundary_recovery_3/internal/input/Input_diagnosis_3.h>
-#include <CGAL/Boundary_recovery_3/internal/input/Recovery_diagnosis.h>
 #include <CGAL/Boundary_recovery_3/internal/input/Vertex_location.h>
 #include <CGAL/Boundary_recovery_3/internal/lost/Constraint_search_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
@@ -56,7 +55,7 @@ void bound_defects(Boundary_recovery_result_3<Tr>& result, const std::size_t max
  * The work behind all the overloads of recover_boundary(), on input in index form: it checks the input, finds or
  * inserts the vertices, runs the recovery, and writes the account in the caller's indices.
  */
-template <typename Tr, typename GT, typename Visitor>
+template <typename Tr, typename GT>
 class Indexed_boundary_recovery
 {
 public:
@@ -67,36 +66,18 @@ public:
   typedef typename Result::Input_simplex            Simplex;
   typedef typename Result::Input_defect             Defect;
 
-  Indexed_boundary_recovery(Tr& tr, const Input& input, const GT& gt, const Recovery_options& options, Visitor& visitor)
+  Indexed_boundary_recovery(Tr& tr, const Input& input, const GT& gt, const Recovery_options& options,
+                            Mesh_visitor_3<Tr>& visitor)
     : m_tr(tr), m_input(input), m_gt(gt), m_options(options), m_context(visitor)
   {
     m_context.set_maximum_running_time(options.maximum_running_time);
   }
 
   // `vertices` are those of the input points where the caller knows them, else empty.
-  Result operator()(std::vector<Vertex_handle> vertices)
-  {
-    set_defects(simple_defects(m_input, m_gt, m_tr.number_of_vertices() == 0));
-    if(! is_invalid() && m_options.list_defects)
-      list_intersections();
-    if(! is_invalid())
-    {
-      examine_after_work([this] { return indices_of_all(); });
-      m_result.vertices = std::move(vertices);
-      if(m_result.vertices.empty())
-        find_vertices();
-      check_triangulation();
-    }
-    if(is_invalid())
-      return invalid_input();
-    if(m_context.is_stopped() && ! is_every_point_known())
-      return stopped_early();
-    recover();
-    return std::move(m_result);
-  }
+  Result operator()(std::vector<Vertex_handle> vertices);
 
 private:
-  typedef Constrained_boundary_recovery_3<Tr, Visitor> Recovery;
+  typedef Constrained_boundary_recovery_3<Tr, Mesh_visitor_3<Tr> > Recovery;
   typedef Recovery_diagnosis<GT> Diagnosis;
   typedef typename Input::Edge Edge;
 
@@ -129,14 +110,16 @@ private:
       list_unknown_vertices();
     if(is_invalid() || m_context.is_stopped())
       return;
-    m_context.visitor().on_phase_begin(Phase::insertion);
-    if(! is_complete)
-      m_result.number_of_inserted_vertices = insert_points(m_tr, m_input.points, m_result.vertices, m_context);
-    Phase_report report;
-    report.phase = Phase::insertion;
-    report.seconds = m_context.seconds() - start;
-    m_result.phases.push_back(report);
-    m_context.visitor().on_phase_end(report);
+    m_context.run(Phase::insertion, [&]
+    {
+      if(! is_complete)
+        m_result.number_of_inserted_vertices = insert_points(m_tr, m_input.points, m_result.vertices, m_context);
+    },
+    [&](Phase_report& report)
+    {
+      report.seconds = m_context.seconds() - start; // with the search for the points
+      m_result.phases.push_back(report);
+    });
   }
 
   // Looks for the points in the triangulation. Returns whether all of them are there.
@@ -431,11 +414,34 @@ private:
   const Input& m_input;
   const GT& m_gt;
   const Recovery_options& m_options;
-  Recovery_context<Visitor> m_context;
+  Recovery_context<Tr> m_context;
   Result m_result;
   Constraint_sample m_sample;
   std::vector<Simplex> m_edges; // the constraints that were given as edges, by their indices in the recovery
 };
+
+template <typename Tr, typename GT>
+Boundary_recovery_result_3<Tr>
+Indexed_boundary_recovery<Tr, GT>::operator()(std::vector<Vertex_handle> vertices)
+{
+  set_defects(simple_defects(m_input, m_gt, m_tr.number_of_vertices() == 0));
+  if(! is_invalid() && m_options.list_defects)
+    list_intersections();
+  if(! is_invalid())
+  {
+    examine_after_work([this] { return indices_of_all(); });
+    m_result.vertices = std::move(vertices);
+    if(m_result.vertices.empty())
+      find_vertices();
+    check_triangulation();
+  }
+  if(is_invalid())
+    return invalid_input();
+  if(m_context.is_stopped() && ! is_every_point_known())
+    return stopped_early();
+  recover();
+  return std::move(m_result);
+}
 
 } // namespace internal
 } // namespace Boundary_recovery_3

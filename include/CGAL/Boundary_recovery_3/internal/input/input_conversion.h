@@ -56,13 +56,12 @@ Boundary_recovery_result_3<Tr>
 recover_indexed_boundary(Tr& tr, const Indexed_input_3<typename Tr::Geom_traits::Point_3>& input,
                          std::vector<typename Tr::Vertex_handle> vertices, const NamedParameters& np)
 {
-  decltype(auto) visitor = internal::visitor_of(np);
+  auto visitor = internal::mesh_visitor<Tr>(np);
   const auto traits = parameters::choose_parameter(parameters::get_parameter(np, internal_np::geom_traits),
                                                    tr.geom_traits());
   const Recovery_options options = recovery_options(np);
   typedef std::decay_t<decltype(traits)> GT;
-  typedef std::decay_t<decltype(visitor)> Visitor;
-  return Indexed_boundary_recovery<Tr, GT, Visitor>(tr, input, traits, options, visitor)(std::move(vertices));
+  return Indexed_boundary_recovery<Tr, GT>(tr, input, traits, options, visitor)(std::move(vertices));
 }
 
 // Edges that are no edges of facets: a range of arrays of two indices or handles, if it was given.

@@ -41,7 +41,7 @@ namespace internal {
  * Where a cavity can be filled, a larger one can be, too, but its search takes longer and may give up. The sizes in
  * between are of no use.
  */
-template <typename Tr, typename Visitor>
+template <typename Tr>
 class Cavity_recovery_3
 {
 public:
@@ -55,7 +55,7 @@ public:
 
   static constexpr int number_of_layers = 3;
 
-  Cavity_recovery_3(Tr& tr, const Predicates& predicates, const Constraints& constraints, Visitor& visitor)
+  Cavity_recovery_3(Tr& tr, const Predicates& predicates, const Constraints& constraints, Mesh_visitor_3<Tr>& visitor)
     : m_tr(tr), m_constraints(constraints), m_visitor(visitor),
       m_segment_walk(tr, predicates), m_facet_walk(tr, predicates), m_reconnection(predicates),
       m_cavity(tr, constraints)
@@ -137,7 +137,7 @@ private:
 
   Tr& m_tr;
   const Constraints& m_constraints;
-  Visitor& m_visitor;
+  Mesh_visitor_3<Tr>& m_visitor;
   Segment_walk_3<Tr> m_segment_walk;
   Facet_walk_3<Tr> m_facet_walk;
   Reconnection m_reconnection;
@@ -150,12 +150,12 @@ private:
  * The recovery without points [CZZ+17, Section 4.2], with plain removals before it and small polyhedron reconnection
  * behind it. What each phase recovered is looked up at its end. A phase that has nothing to do is left out.
  */
-template <typename Tr, typename Visitor>
+template <typename Tr>
 class Recovery_by_flips_3
 {
 public:
   typedef typename Tr::Vertex_handle         Vertex_handle;
-  typedef Recovery_state_3<Tr, Visitor>      State;
+  typedef Recovery_state_3<Tr>      State;
 
   // `state` has to outlive this object.
   explicit Recovery_by_flips_3(State& state)
@@ -247,7 +247,7 @@ private:
   template <typename Simplex>
   std::size_t reconnect(const Phase phase, std::vector<std::size_t>& lost, const std::vector<Simplex>& simplices)
   {
-    Cavity_recovery_3<Tr, Visitor>
+    Cavity_recovery_3<Tr>
       recover(m_state.tr, m_state.predicates, m_state.constraints, m_state.context.visitor());
     std::vector<std::size_t> hopeless_since(lost.size(), std::size_t(-1)); // numbers of replacements, or -1
     for(std::size_t before = 0; before != lost.size() && ! lost.empty(); )
@@ -272,8 +272,8 @@ private:
 
   State& m_state;
   std::vector<std::size_t> m_treatable_facets;
-  Recursive_recovery_3<Tr, 2, Visitor> m_edge_recovery;
-  Recursive_recovery_3<Tr, 3, Visitor> m_facet_recovery;
+  Recursive_recovery_3<Tr, 2> m_edge_recovery;
+  Recursive_recovery_3<Tr, 3> m_facet_recovery;
 };
 
 } // namespace internal

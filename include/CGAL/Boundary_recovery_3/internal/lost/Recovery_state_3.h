@@ -29,12 +29,12 @@ namespace internal {
  * What the phases of a recovery share: the mesh, the constraints and what is lost of them, the context of the run, and
  * the account of what was done.
  */
-template <typename Tr, typename Visitor>
+template <typename Tr>
 struct Recovery_state_3
 {
   typedef Constraints_3<Tr>          Constraints;
   typedef Vertex_predicates_3<Tr>    Predicates;
-  typedef Recovery_context<Visitor>  Context;
+  typedef Recovery_context<Tr>       Context;
 
   // All arguments have to outlive this object.
   Recovery_state_3(Tr& tr, const Predicates& predicates, const Constraints& constraints, Context& context)
@@ -55,16 +55,12 @@ struct Recovery_state_3
   {
     if(phase != Phase::recount && phase != Phase::search && ! context.go_further())
       return;
-    const double start = context.seconds();
-    context.visitor().on_phase_begin(phase);
-    work();
-    Phase_report report;
-    report.phase = phase;
-    report.lost_edges = lost.edges.size();
-    report.lost_facets = lost.facets.size();
-    report.seconds = context.seconds() - start;
-    phases.push_back(report);
-    context.visitor().on_phase_end(report);
+    context.run(phase, work, [this](Phase_report& report)
+    {
+      report.lost_edges = lost.edges.size();
+      report.lost_facets = lost.facets.size();
+      phases.push_back(report);
+    });
   }
 
   Tr& tr;

@@ -146,7 +146,7 @@ private:
  * Removes the indices of recovered constraints from the list of lost constraints. The two callings of Alg. 5 append a
  * report to `levels` before their first pass, and after each pass.
  */
-template <typename Tr, std::size_t N, typename Visitor>
+template <typename Tr, std::size_t N>
 class Recursive_recovery_3
 {
 public:
@@ -154,7 +154,7 @@ public:
   typedef std::array<Vertex_handle, N>  Constraint;
   typedef Constraints_3<Tr>             Constraints;
   typedef Vertex_predicates_3<Tr>       Predicates;
-  typedef Recovery_context<Visitor>     Context;
+  typedef Recovery_context<Tr>     Context;
   typedef Recursion_level_report        Report;
 
   // `lost` is in increasing order. All arguments have to outlive this object.
@@ -171,7 +171,7 @@ public:
   // would change the mesh without much use, see "Tuning constants" in the manual.
   std::size_t remove_plainly(const Phase phase)
   {
-    typedef Shell_transformation_3<Tr, No_shell_quality_3, Target_validity, Visitor> Transformation;
+    typedef Shell_transformation_3<Tr, No_shell_quality_3, Target_validity, Mesh_visitor_3<Tr> > Transformation;
     Transformation st(m_tr, No_shell_quality_3(), m_context.visitor(), Predicates(m_tr));
     start(std::size_t(-1));
     for(std::size_t before = std::size_t(-1); ! m_lost.empty() && m_lost.size() <= before / 2; )
@@ -187,7 +187,7 @@ public:
   std::size_t first_calling(const Phase phase, const int max_recursion_level)
   {
     typedef Worst_element_quality_3<Tr> Quality;
-    typedef Shell_transformation_3<Tr, Quality, Target_validity, Visitor> Transformation;
+    typedef Shell_transformation_3<Tr, Quality, Target_validity, Mesh_visitor_3<Tr> > Transformation;
     Transformation st(m_tr, Quality(m_tr), m_context.visitor(), Predicates(m_tr));
     raise_recursion_level(phase, max_recursion_level, &Report::n1, [&](const int l_max)
     {
@@ -204,7 +204,7 @@ public:
     typedef Shell_validity_conjunction_3<Kept, BRC3<Tr, Table> > Validity;
     Table table(m_tr);
     const Validity validity{ Kept(m_constraints), BRC3<Tr, Table>(table) };
-    Shell_transformation_3<Tr, Quality, Validity, Visitor> st(m_tr, Quality(table), m_context.visitor(),
+    Shell_transformation_3<Tr, Quality, Validity, Mesh_visitor_3<Tr> > st(m_tr, Quality(table), m_context.visitor(),
                                                               Predicates(m_tr));
     raise_recursion_level(phase, max_recursion_level, &Report::n2, [&](const int l_max)
     {

@@ -15,6 +15,7 @@
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Cell_replacement.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_change_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Mesh_visitor_3.h>
 
 #include <CGAL/assertions.h>
 
@@ -72,8 +73,7 @@ public:
   // The visitor is told which cells go and come, if there are any. If before_cells_removal() throws, or memory is
   // lacking, nothing changes, and the transaction goes on. If after_cells_creation() throws, the mesh is restored
   // nevertheless, and the transaction has ended.
-  template <typename Visitor>
-  std::vector<Vertex_pair> undo(Tr& tr, Visitor& visitor)
+  std::vector<Vertex_pair> undo(Tr& tr, Mesh_visitor_3<Tr>& visitor)
   {
     CGAL_precondition(is_active());
     m_going_cells.clear();
@@ -156,12 +156,13 @@ private:
  *
  * The journal is told of each change before the visitor, so the change can be undone if the visitor throws.
  */
-template <typename Tr_, typename Visitor_>
-class Mesh_editor_3
+template <typename Tr_>
+class Mesh_editor_3 final
+  : public Mesh_visitor_3<Tr_>
 {
 public:
   typedef Tr_                                     Tr;
-  typedef Visitor_                                Visitor;
+  typedef Mesh_visitor_3<Tr>                      Visitor;
   typedef typename Tr::Vertex_handle              Vertex_handle;
   typedef typename Tr::Cell_handle                Cell_handle;
   typedef typename Tr::Point                      Point;
@@ -256,32 +257,29 @@ public:
   std::vector<Vertex_pair> undo() { return m_journal.undo(m_tr, m_visitor); }
 
   // The same, but another visitor is told of the cells: after a visitor has thrown, it is not called again.
-  template <typename Other_visitor>
-  std::vector<Vertex_pair> undo(Other_visitor& visitor) { return m_journal.undo(m_tr, visitor); }
+  std::vector<Vertex_pair> undo(Visitor& visitor) { return m_journal.undo(m_tr, visitor); }
 
   // --- as a visitor -------------------------------------------------------------------------------------------------
 
-  void on_phase_begin(const Phase phase) { m_visitor.on_phase_begin(phase); }
+  void on_phase_begin(const Phase phase) override { m_visitor.on_phase_begin(phase); }
 
-  void on_phase_end(const Phase_report& report) { m_visitor.on_phase_end(report); }
+  void on_phase_end(const Phase_report& report) override { m_visitor.on_phase_end(report); }
 
-  void on_progress(const Phase phase, const std::size_t done, const std::size_t total)
+  void on_progress(const Phase phase, const std::size_t done, const std::size_t total) override
   {
     m_visitor.on_progress(phase, done, total);
   }
 
-  bool go_further() { return m_visitor.go_further(); }
+  bool go_further() override { return m_visitor.go_further(); }
 
-  template <typename CellRange>
-  void before_cells_removal(const CellRange& cells)
+  void before_cells_removal(const Cell_span<Cell_handle>& cells) override
   {
     if(m_journal.is_active())
       m_journal.before_exchange(cells, 2 * cells.size());
     m_visitor.before_cells_removal(cells);
   }
 
-  template <typename CellRange>
-  void after_cells_creation(const CellRange& cells)
+  void after_cells_creation(const Cell_span<Cell_handle>& cells) override
   {
     if(m_journal.is_active())
       m_journal.after_exchange(cells);

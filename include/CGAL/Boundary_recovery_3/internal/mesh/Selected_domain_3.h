@@ -13,11 +13,13 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_indices.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Mesh_visitor_3.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/property_map.h>
 
-#include <type_traits>
+#include <functional>
+#include <memory>
 #include <utility>
 
 namespace CGAL {
@@ -25,13 +27,16 @@ namespace Boundary_recovery_3 {
 namespace internal {
 
 /*
- * The part of a triangulation that is filled: the cells of the regions of the domain, as far as they are selected. Its
- * walls are the constrained facets, and those to cells that do not belong to it.
+ * The part of a triangulation that is filled or improved: the cells of the regions of the domain, as far as they are
+ * selected. Its walls are the constrained facets, and those to cells that do not belong to it. Edges may be
+ * constrained, too.
  *
- * `Cell_is_selected_map` is a property map from cells to Booleans, which is kept up to date. `Edge_is_constrained_map`
- * is one from pairs of vertices.
+ * What selects cells and constrains edges are the caller's property maps, of whatever types.
+ *
+ * Where the triangulation is a part of a larger mesh, some walls are seams: they are on no surface, have nothing behind
+ * them, and are to be taken away later.
  */
-template <typename Tr, typename Cell_is_selected_map, typename Edge_is_constrained_map>
+template <typename Tr>
 class Selected_domain_3
 {
 public:
@@ -40,93 +45,145 @@ public:
   typedef typename Tr::Cell::Subdomain_index      Subdomain_index;
   typedef std::pair<Vertex_handle, Vertex_handle> Edge;
 
+  // All cells of the regions, and no edge is constrained.
+  explicit Selected_domain_3(const Tr& tr) : m_tr(tr) { }
+
+  // From now on, the domain consists of the cells that a property map from cells to Booleans selects. It is kept up to
+  // date.
+  template <typename Cell_is_selected_map>
+  void select(const Cell_is_selected_map& map)
+  {
+    m_selection = std::make_shared<Map_selection<Cell_is_selected_map> >(map);
+  }
+
+  // The edges that a property map from pairs of vertices to Booleans tells are constrained.
+  template <typename Edge_is_constrained_map>
+  void constrain_edges(const Edge_is_constrained_map& map)
+  {
+    m_is_constrained = [map](const Edge& e)
+    {
+      using boost::get;
+      return bool(get(map, e));
+    };
+  }
+
+  // The facets of cells without a region that are on no surface are seams.
+  void set_has_seams() { m_has_seams = true; }
+
   // Whether there can be constrained edges at all.
-  static constexpr bool has_constrained_edges =
-    ! std::is_same<Edge_is_constrained_map, Static_boolean_property_map<Edge, false> >::value;
+  bool has_constrained_edges() const { return bool(m_is_constrained); }
 
   // Whether there can be walls that are to be taken away later.
-  static constexpr bool has_seams = false;
+  bool has_seams() const { return m_has_seams; }
 
   // Whether there can be cells in the regions of the domain that are not selected.
-  static constexpr bool has_selection =
-    ! std::is_same<Cell_is_selected_map, Static_boolean_property_map<Cell_handle, true> >::value;
-
-  Selected_domain_3(const Tr& tr, const Cell_is_selected_map& is_selected,
-                    const Edge_is_constrained_map& is_constrained)
-    : m_tr(tr), m_is_selected(is_selected), m_is_constrained(is_constrained)
-  { }
+  bool has_selection() const { return bool(m_selection); }
 
   bool contains(const Cell_handle c) const
   {
-    return c->subdomain_index() != Subdomain_index() && ! m_tr.is_infinite(c) && get(m_is_selected, c);
+    return c->subdomain_index() != Subdomain_index() && ! m_tr.is_infinite(c) && is_selected(c);
   }
 
   // Whether the facet opposite to the vertex i of a cell of the domain must stay.
   bool is_wall(const Cell_handle c, const int i) const
   {
     const Cell_handle n = c->neighbor(i);
-    return c->is_facet_on_surface(i) || n->subdomain_index() != c->subdomain_index() || ! get(m_is_selected, n);
+    return c->is_facet_on_surface(i) || n->subdomain_index() != c->subdomain_index() || ! is_selected(n);
+  }
+
+  // Whether it must stay for now only.
+  bool is_seam(const Cell_handle c, const int i) const
+  {
+    return m_has_seams && ! c->is_facet_on_surface(i) && c->neighbor(i)->subdomain_index() == Subdomain_index();
   }
 
   bool is_constrained_edge(const Vertex_handle u, const Vertex_handle v) const
   {
-    return get(m_is_constrained, Edge(u, v)) || get(m_is_constrained, Edge(v, u));
+    return has_constrained_edges() && (m_is_constrained(Edge(u, v)) || m_is_constrained(Edge(v, u)));
   }
 
   // A cell of it comes, or goes.
-  void add(const Cell_handle c) { put(c, true); }
-  void remove(const Cell_handle c) { put(c, false); }
+  void add(const Cell_handle c) { set_selected(c, true); }
+  void remove(const Cell_handle c) { set_selected(c, false); }
 
 private:
-  void put(const Cell_handle c, const bool is_selected)
+  struct Selection
   {
-    if constexpr(has_selection)
+    virtual ~Selection() = default;
+    virtual bool contains(Cell_handle c) const = 0;
+    virtual void set(Cell_handle c, bool is_selected) = 0;
+  };
+
+  template <typename Map>
+  struct Map_selection final
+    : public Selection
+  {
+    explicit Map_selection(const Map& map) : map(map) { }
+
+    bool contains(const Cell_handle c) const override
+    {
+      using boost::get;
+      return bool(get(map, c));
+    }
+
+    void set(const Cell_handle c, const bool is_selected) override
     {
       using boost::put;
-      put(m_is_selected, c, is_selected);
+      put(map, c, is_selected);
     }
+
+    Map map;
+  };
+
+  bool is_selected(const Cell_handle c) const { return ! m_selection || m_selection->contains(c); }
+
+  void set_selected(const Cell_handle c, const bool is_selected)
+  {
+    if(m_selection)
+      m_selection->set(c, is_selected);
   }
 
   const Tr& m_tr;
-  Cell_is_selected_map m_is_selected;
-  Edge_is_constrained_map m_is_constrained;
+  std::shared_ptr<Selection> m_selection;            // none: all cells
+  std::function<bool(const Edge&)> m_is_constrained; // none: no edge
+  bool m_has_seams = false;
 };
 
 // The domain that the named parameters `cell_is_selected_map` and `edge_is_constrained_map` select.
 template <typename Tr, typename NamedParameters>
-auto selected_domain(const Tr& tr, const NamedParameters& np)
+Selected_domain_3<Tr> selected_domain(const Tr& tr, const NamedParameters& np)
 {
   static_assert(Has_cell_indices<typename Tr::Cell>::value,
                 "The cells of this triangulation have no regions and patches; mark_domain() gives them to those of "
                 "CGAL::Boundary_constrained_mesh_triangulation_3<Kernel>::type.");
-  using parameters::choose_parameter;
   using parameters::get_parameter;
-  typedef typename Tr::Cell_handle                       Cell_handle;
-  typedef typename Tr::Vertex_handle                     Vertex_handle;
-  typedef std::pair<Vertex_handle, Vertex_handle>        Edge;
-  typedef Static_boolean_property_map<Cell_handle, true> All_cells;
-  typedef Static_boolean_property_map<Edge, false>       No_edge;
-  const auto is_selected = choose_parameter<All_cells>(get_parameter(np, internal_np::cell_selector));
-  const auto is_constrained = choose_parameter<No_edge>(get_parameter(np, internal_np::edge_is_constrained));
-  return Selected_domain_3<Tr, std::decay_t<decltype(is_selected)>, std::decay_t<decltype(is_constrained)> >(
-    tr, is_selected, is_constrained);
+  using parameters::is_default_parameter;
+  Selected_domain_3<Tr> domain(tr);
+  if constexpr(! is_default_parameter<NamedParameters, internal_np::cell_selector_t>::value)
+    domain.select(get_parameter(np, internal_np::cell_selector));
+  if constexpr(! is_default_parameter<NamedParameters, internal_np::edge_is_constrained_t>::value)
+    domain.constrain_edges(get_parameter(np, internal_np::edge_is_constrained));
+  return domain;
 }
 
 /*
  * The visitor of whatever exchanges cells of one region of a domain at a time, with no wall between them: keeps the
  * domain and the indices of its cells up to date, and hands on everything to another visitor, which finds them so.
  */
-template <typename Tr, typename Domain, typename Visitor>
+template <typename Tr>
 class Domain_keeper_3
+  : public Mesh_visitor_3<Tr>
 {
 public:
   typedef typename Tr::Cell_handle           Cell_handle;
   typedef typename Tr::Cell::Subdomain_index Subdomain_index;
+  typedef Selected_domain_3<Tr>              Domain;
+  typedef Mesh_visitor_3<Tr>                 Visitor;
+  typedef Cell_span<Cell_handle>             Cells;
 
   Domain_keeper_3(Domain& domain, Visitor& visitor) : m_domain(domain), m_visitor(visitor) { }
 
-  template <typename CellRange>
-  void before_cells_removal(const CellRange& cells)
+  void before_cells_removal(const Cells& cells) override
   {
     m_visitor.before_cells_removal(cells);
     m_region = (*cells.begin())->subdomain_index();
@@ -135,8 +192,7 @@ public:
       m_domain.remove(c);
   }
 
-  template <typename CellRange>
-  void after_cells_creation(const CellRange& cells)
+  void after_cells_creation(const Cells& cells) override
   {
     for(const Cell_handle c : cells)
       set_indices(c);
@@ -144,24 +200,21 @@ public:
   }
 
   // The same for cells that have their indices, maybe of several regions, since they were there before.
-  template <typename CellRange>
-  void after_cells_return(const CellRange& cells)
+  void after_cells_return(const Cells& cells)
   {
     add_to_domain(cells);
     m_visitor.after_cells_creation(cells);
   }
 
   // To be called if the exchange of these cells threw: if they are still there, they are in the domain again.
-  template <typename CellRange>
-  void after_failure(const CellRange& cells)
+  void after_failure(const Cells& cells)
   {
     if(m_is_exchanging)
       add_to_domain(cells);
   }
 
 private:
-  template <typename CellRange>
-  void add_to_domain(const CellRange& cells)
+  void add_to_domain(const Cells& cells)
   {
     m_is_exchanging = false;
     for(const Cell_handle c : cells)

@@ -15,88 +15,30 @@
 #include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_result_3.h>
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
 #include <CGAL/Boundary_recovery_3/Constrained_edge_map_3.h>
-#include <CGAL/Boundary_recovery_3/Meshing_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/Surface_sizing_field_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Field_point_insertion_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mark_domain_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Subdomain_meshing_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Quality_improvement_3.h>
+#include <CGAL/Boundary_recovery_3/internal/sizing/Size_query_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Mesh_visitor_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
 #include <CGAL/Boundary_recovery_3/parameters.h>
-#include <CGAL/improve_mesh_quality.h>
-#include <CGAL/insert_field_points.h>
-#include <CGAL/mark_domain.h>
-#include <CGAL/recover_boundary.h>
 
 #include <CGAL/Unique_hash_map.h>
 
 #include <array>
-#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <limits>
-#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Boundary_recovery_3 {
 namespace internal {
-
-/*
- * Stands between the steps of the mesher and the caller's visitor: it collects what phases report, asks whether to go
- * on only until the answer is no, and knows the time that is left for all steps together.
- */
-template <typename Visitor>
-class Meshing_recorder_3
-{
-public:
-  // `maximum_running_time` is in seconds, from now on.
-  Meshing_recorder_3(Visitor& visitor, std::vector<Phase_report>& reports, const double maximum_running_time)
-    : m_visitor(visitor), m_reports(reports), m_start(Clock::now()), m_maximum_running_time(maximum_running_time)
-  { }
-
-  void on_phase_begin(const Phase phase) { m_visitor.on_phase_begin(phase); }
-
-  // What the recovery reports is in its own result.
-  void on_phase_end(const Phase_report& report)
-  {
-    if(! internal::is_of_recovery(report.phase))
-      m_reports.push_back(report);
-    m_visitor.on_phase_end(report);
-  }
-
-  void on_progress(const Phase phase, const std::size_t done, const std::size_t total)
-  {
-    m_visitor.on_progress(phase, done, total);
-  }
-
-  bool go_further()
-  {
-    m_is_stopped = m_is_stopped || ! m_visitor.go_further();
-    return ! m_is_stopped;
-  }
-
-  template <typename CellRange>
-  void before_cells_removal(const CellRange& cells) { m_visitor.before_cells_removal(cells); }
-
-  template <typename CellRange>
-  void after_cells_creation(const CellRange& cells) { m_visitor.after_cells_creation(cells); }
-
-  double seconds() const { return std::chrono::duration<double>(Clock::now() - m_start).count(); }
-
-  // May be negative.
-  double seconds_left() const { return m_maximum_running_time - seconds(); }
-
-  // Whether neither the visitor nor the time limit ends the work.
-  bool can_go_further() { return seconds_left() > 0 && go_further(); }
-
-private:
-  typedef std::chrono::steady_clock Clock;
-
-  Visitor& m_visitor;
-  std::vector<Phase_report>& m_reports;
-  Clock::time_point m_start;
-  double m_maximum_running_time;
-  bool m_is_stopped = false;
-};
 
 /*
  * Keeps the vertices that the result of the recovery names true while the mesh is improved: those of the input stay
@@ -160,8 +102,50 @@ private:
   std::vector<Point> m_places; // of the Steiner points
 };
 
-// In the place of a size field: the sizes come from the surface.
-struct Sizes_from_surface { };
+// What is asked of the mesher, beside the surface and the sizes, as make_boundary_constrained_mesh_3() documents it.
+struct Meshing_options
+{
+  double             grading = default_surface_grading;
+  bool               improve_quality = true;
+  double             min_dihedral_angle = default_min_dihedral_angle;
+  Improvement_effort effort = Improvement_effort::normal;
+  std::size_t        max_number_of_vertices = (std::numeric_limits<std::size_t>::max)();
+  std::size_t        number_of_subdomains = 1;
+  double             maximum_running_time = std::numeric_limits<double>::infinity(); // seconds
+};
+
+template <typename NamedParameters>
+Meshing_options meshing_options(const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  Meshing_options options;
+  options.grading = choose_parameter(get_parameter(np, internal::grading), options.grading);
+  options.improve_quality = choose_parameter(get_parameter(np, internal::improve_quality), options.improve_quality);
+  options.min_dihedral_angle = choose_parameter(get_parameter(np, internal::min_dihedral_angle),
+                                                options.min_dihedral_angle);
+  options.effort = choose_parameter(get_parameter(np, internal::improvement_effort), options.effort);
+  options.max_number_of_vertices = static_cast<std::size_t>(
+    choose_parameter(get_parameter(np, internal::maximum_number_of_vertices), options.max_number_of_vertices));
+  options.number_of_subdomains = static_cast<std::size_t>(
+    choose_parameter(get_parameter(np, internal::number_of_subdomains), options.number_of_subdomains));
+  options.maximum_running_time = choose_parameter(get_parameter(np, internal_np::maximum_running_time),
+                                                  options.maximum_running_time);
+  return options;
+}
+
+// The surface, however it was passed.
+template <typename Tr>
+struct Surface_to_mesh_3
+{
+  typedef Boundary_recovery_result_3<Tr>                  Recovery;
+  typedef typename Mark_domain_3<Tr>::Surface_patch_index Patch;
+  typedef std::vector<typename Recovery::Surface_facet>   Facets;
+
+  std::function<Recovery(Mesh_visitor_3<Tr>&)>     recover;
+  std::function<std::vector<Patch>(const Facets&)> patches;           // of its facets, as the recovery lists them
+  std::vector<std::array<std::size_t, 2> >         constrained_edges; // between points, beside those of the facets
+};
 
 // The mesh edges that the constrained edges of the input consist of.
 template <typename Tr>
@@ -169,8 +153,8 @@ struct Constrained_mesh_edges_3
 {
   typedef std::array<typename Tr::Vertex_handle, 2> Vertex_pair;
 
-  template <typename NamedParameters>
-  Constrained_mesh_edges_3(const Boundary_recovery_result_3<Tr>& recovery, const NamedParameters& np)
+  Constrained_mesh_edges_3(const Boundary_recovery_result_3<Tr>& recovery,
+                           const std::vector<std::array<std::size_t, 2> >& constrained_edges)
   {
     // parts of one constraint come one after the other
     Simplex_index_3<std::size_t, 2> index;
@@ -186,16 +170,16 @@ struct Constrained_mesh_edges_3
     begin.push_back(parts.size());
 
     std::size_t number = 0;
-    internal::for_each_constrained_edge(np, [&](const std::size_t u, const std::size_t v)
+    for(const auto& e : constrained_edges)
     {
       ++number;
-      const std::size_t k = index[{{ u, v }}];
+      const std::size_t k = index[e];
       if(k == index.none)
-        add({{ recovery.vertices[u], recovery.vertices[v] }}, number);
+        add({{ recovery.vertices[e[0]], recovery.vertices[e[1]] }}, number);
       else
         for(std::size_t p = begin[k]; p < begin[k + 1]; ++p)
           add({{ parts[p].vertices[0], parts[p].vertices[1] }}, number);
-    });
+    }
   }
 
   std::vector<Vertex_pair> edges;
@@ -213,49 +197,25 @@ private:
  * The work behind all the overloads of make_boundary_constrained_mesh_3(): one step after the other, as long as there
  * is something to do and time for it.
  */
-template <typename Tr, typename NamedParameters>
+template <typename Tr, typename Quality>
 class Boundary_constrained_meshing_3
 {
 public:
-  typedef Boundary_constrained_mesh_result_3<Tr> Result;
+  typedef Boundary_constrained_mesh_result_3<Tr>          Result;
+  typedef Surface_to_mesh_3<Tr>                           Surface;
+  typedef Size_field_3<typename Tr::Geom_traits::Point_3> Size_field;
 
-  Boundary_constrained_meshing_3(Tr& tr, const NamedParameters& np) : m_tr(tr), m_np(np) { }
-
-  // `recover` gets named parameters and returns the result of the recovery; `patches` gets the facets of the surface
-  // and returns the patch of each.
-  template <typename Recover, typename Patches, typename SizingField>
-  Result operator()(const Recover& recover, const Patches& patches, const SizingField& size)
+  Boundary_constrained_meshing_3(Tr& tr, const Quality& quality, const Meshing_options& options,
+                                 Mesh_visitor_3<Tr>& visitor)
+    : m_tr(tr), m_quality(quality), m_options(options), m_visitor(visitor, m_result.phases), m_context(m_visitor)
   {
-    decltype(auto) visitor = internal::visitor_of(m_np);
-    typedef Meshing_recorder_3<std::decay_t<decltype(visitor)> > Recorder;
-    Result result;
-    Recorder recorder(visitor, result.phases, maximum_running_time());
-
-    result.recovery = recover(internal::merge(m_np, parameters::visitor(std::ref(recorder))));
-    result.status = status(result.recovery.status);
-    if(result.recovery)
-    {
-      mark_domain(patches, recorder, result);
-      if(result.number_of_regions == 0)
-        result.status = Meshing_status::no_region;
-      else if(! recorder.can_go_further())
-        result.status = result.filling.status = result.improvement.status = Meshing_status::stopped;
-      else
-        fill_and_improve(size, recorder, result);
-    }
-    result.seconds = recorder.seconds();
-    return result;
+    m_context.set_maximum_running_time(options.maximum_running_time);
   }
+
+  // Without a size field, the sizes come from the surface.
+  Result operator()(const Surface& surface, const Size_field* size);
 
 private:
-  using Edges = Constrained_mesh_edges_3<Tr>;
-
-  double maximum_running_time() const
-  {
-    return parameters::choose_parameter(parameters::get_parameter(m_np, internal_np::maximum_running_time),
-                                        std::numeric_limits<double>::infinity());
-  }
-
   static Meshing_status status(const Recovery_status status)
   {
     switch(status)
@@ -269,102 +229,106 @@ private:
   }
 
   // It takes so little time that it is always done, so that a mesh that was stopped has its regions, too.
-  template <typename Patches, typename Recorder>
-  void mark_domain(const Patches& patches, Recorder& recorder, Result& result)
+  void mark_domain(const Surface& surface)
   {
-    const double start = recorder.seconds();
-    recorder.on_phase_begin(Phase::domain_marking);
-    const auto facets = result.recovery.surface_facets();
-    const Edges edges(result.recovery, m_np);
-    result.number_of_regions = Mark_domain_3<Tr>(m_tr)(facets, patches(facets), edges.edges, edges.numbers);
-    result.constrained_edges = edges.edges;
-    Phase_report report;
-    report.phase = Phase::domain_marking;
-    report.number_of_vertices = m_tr.number_of_vertices();
-    report.number_of_cells = m_tr.number_of_finite_cells();
-    report.seconds = recorder.seconds() - start;
-    recorder.on_phase_end(report);
+    m_context.run(Phase::domain_marking, [&]
+    {
+      const auto facets = m_result.recovery.surface_facets();
+      const Constrained_mesh_edges_3<Tr> edges(m_result.recovery, surface.constrained_edges);
+      m_result.number_of_regions = Mark_domain_3<Tr>(m_tr)(facets, surface.patches(facets), edges.edges,
+                                                           edges.numbers);
+      m_result.constrained_edges = edges.edges;
+    },
+    [this](Phase_report& report)
+    {
+      report.number_of_vertices = m_tr.number_of_vertices();
+      report.number_of_cells = m_tr.number_of_finite_cells();
+    });
   }
 
-  template <typename SizingField, typename Recorder>
-  void fill_and_improve(const SizingField& size, Recorder& recorder, Result& result)
+  void fill_and_improve(const Size_field* size)
   {
-    if constexpr(parameters::is_default_parameter<NamedParameters, number_of_subdomains_t>::value)
-      mesh(size, recorder, result);
+    if(size)
+      return mesh(*size);
+    if(! (m_options.grading >= 0 && m_options.grading < std::numeric_limits<double>::infinity()))
+      return refuse_grading();
+    typedef Surface_sizing_field_3<Tr> Surface_size;
+    const Surface_size surface_size(m_tr, m_options.grading, m_result.constrained_edges);
+    mesh(Any_size_field_3<typename Tr::Geom_traits, Surface_size>(surface_size));
+  }
+
+  void mesh(const Size_field& size)
+  {
+    if(m_options.number_of_subdomains < 2)
+      mesh_undivided(size);
     else
-      mesh_in_subdomains(size, recorder, result);
+      mesh_in_subdomains(size);
   }
 
-  template <typename Recorder>
-  void fill_and_improve(const Sizes_from_surface&, Recorder& recorder, Result& result)
+  void mesh_undivided(const Size_field& size)
   {
-    const double grading = get(internal::grading, internal::default_surface_grading);
-    if(grading >= 0 && grading < std::numeric_limits<double>::infinity())
-      fill_and_improve(Surface_sizing_field_3<Tr>(m_tr, grading, result.constrained_edges), recorder, result);
-    else
-      refuse_grading(grading, result);
-  }
-
-  template <typename SizingField, typename Recorder>
-  void mesh(const SizingField& size, Recorder& recorder, Result& result)
-  {
-    result.filling = insert_field_points(m_tr, size, parameters_of_step(recorder, result));
-    result.status = result.improvement.status = result.filling.status;
-    if(! result.filling || ! get(internal::improve_quality, true))
+    Selected_domain_3<Tr> domain(m_tr);
+    if(! m_result.constrained_edges.empty())
+      domain.constrain_edges(Constrained_edge_map_3<Tr>(m_result.constrained_edges));
+    m_result.filling = Field_point_insertion_3<Tr>(m_tr, domain, size, m_visitor)(m_options.max_number_of_vertices,
+                                                                                  m_context.seconds_left());
+    m_result.status = m_result.improvement.status = m_result.filling.status;
+    if(! m_result.filling || ! m_options.improve_quality)
       return;
-    Hold_recovered_vertices_3<Tr> hold(m_tr, result.recovery);
-    result.improvement = improve_mesh_quality(m_tr, parameters_of_step(recorder, result));
-    result.status = result.improvement.status;
+    Hold_recovered_vertices_3<Tr> hold(m_tr, m_result.recovery);
+    Quality_improvement_3<Tr, Quality> improve(m_tr, domain, m_quality, m_options.max_number_of_vertices, m_visitor);
+    m_result.improvement = improve(m_options.min_dihedral_angle, m_options.effort, m_context.seconds_left());
+    m_result.status = m_result.improvement.status;
     hold.forget_lost_steiner_vertices();
   }
 
-  template <typename SizingField, typename Recorder>
-  void mesh_in_subdomains(const SizingField& size, Recorder& recorder, Result& result)
+  void mesh_in_subdomains(const Size_field& size)
   {
-    const std::size_t number = static_cast<std::size_t>(get(internal::number_of_subdomains, 1));
-    if(number < 2)
-      return mesh(size, recorder, result);
-    const std::size_t max_number_of_vertices = static_cast<std::size_t>(
-      get(internal::maximum_number_of_vertices, (std::numeric_limits<std::size_t>::max)()));
-    const double min_dihedral_angle = get(internal::min_dihedral_angle, default_min_dihedral_angle);
-    const Improvement_effort effort = get(internal::improvement_effort, Improvement_effort::normal);
-    Hold_recovered_vertices_3<Tr> hold(m_tr, result.recovery);
-    const auto quality = get(internal::cell_quality, Dihedral_angle_quality_3());
-    Subdomain_meshing_3<Tr, SizingField, std::decay_t<decltype(quality)>, Recorder>(
-      m_tr, size, quality, min_dihedral_angle, effort, max_number_of_vertices, recorder, result)(
-      number, get(internal::improve_quality, true));
+    Hold_recovered_vertices_3<Tr> hold(m_tr, m_result.recovery);
+    Subdomain_meshing_3<Tr, Quality>(m_tr, size, m_quality, m_options.min_dihedral_angle, m_options.effort,
+                                     m_options.max_number_of_vertices, m_context, m_result)(
+      m_options.number_of_subdomains, m_options.improve_quality);
     hold.forget_lost_steiner_vertices();
-    if(! result.filling)
-      result.improvement.status = result.filling.status;
-    result.status = result.improvement.status;
-  }
-
-  template <typename Tag, typename Default>
-  auto get(const Tag tag, const Default& default_value) const
-  {
-    return parameters::choose_parameter(parameters::get_parameter(m_np, tag), default_value);
-  }
-
-  // Those of the caller, with the time that is left.
-  template <typename Recorder>
-  auto parameters_of_step(Recorder& recorder, const Result& result) const
-  {
-    return internal::merge_all(
-      m_np, parameters::visitor(std::ref(recorder)), parameters::maximum_running_time(recorder.seconds_left()),
-      parameters::edge_is_constrained_map(Constrained_edge_map_3<Tr>(result.constrained_edges)));
+    if(! m_result.filling)
+      m_result.improvement.status = m_result.filling.status;
+    m_result.status = m_result.improvement.status;
   }
 
   // It is no size, but what would make all of them.
-  void refuse_grading(const double grading, Result& result) const
+  void refuse_grading()
   {
-    result.status = result.filling.status = Meshing_status::invalid_input;
-    result.filling.invalid_sizes.push_back({ m_tr.finite_vertices_begin()->point(), grading,
-                                             "it is the grading, which has to be finite and not negative" });
+    m_result.status = m_result.filling.status = Meshing_status::invalid_input;
+    m_result.filling.invalid_sizes.push_back({ m_tr.finite_vertices_begin()->point(), m_options.grading,
+                                               "it is the grading, which has to be finite and not negative" });
   }
 
   Tr& m_tr;
-  const NamedParameters& m_np;
+  const Quality& m_quality;
+  const Meshing_options& m_options;
+  Result m_result;
+  Recording_visitor_3<Tr> m_visitor;
+  Recovery_context<Tr> m_context;
 };
+
+template <typename Tr, typename Quality>
+Boundary_constrained_mesh_result_3<Tr>
+Boundary_constrained_meshing_3<Tr, Quality>::operator()(const Surface& surface, const Size_field* size)
+{
+  m_result.recovery = surface.recover(m_visitor);
+  m_result.status = status(m_result.recovery.status);
+  if(m_result.recovery)
+  {
+    mark_domain(surface);
+    if(m_result.number_of_regions == 0)
+      m_result.status = Meshing_status::no_region;
+    else if(! m_context.go_further())
+      m_result.status = m_result.filling.status = m_result.improvement.status = Meshing_status::stopped;
+    else
+      fill_and_improve(size);
+  }
+  m_result.seconds = m_context.seconds();
+  return std::move(m_result);
+}
 
 } // namespace internal
 } // namespace Boundary_recovery_3

@@ -45,20 +45,21 @@ namespace internal {
  * Fills a domain coarsely: what is divided into sub-domains then. The smaller these are, the finer it has to be, for
  * seams are about as thick as its cells.
  */
-template <typename Tr, typename SizingField>
+template <typename Tr>
 class Fill_background_3
 {
 public:
-  Fill_background_3(const SizingField& size, const double forecast_of_cells, const std::size_t number_of_subdomains)
-    : m_field{ size, coarseness(forecast_of_cells, number_of_subdomains) }
+  typedef typename Tr::Geom_traits::Point_3 Point_3;
+  typedef Size_field_3<Point_3>             Size_field;
+
+  Fill_background_3(const Size_field& size, const double forecast_of_cells, const std::size_t number_of_subdomains)
+    : m_field(size, coarseness(forecast_of_cells, number_of_subdomains))
   { }
 
-  template <typename Domain, typename Visitor>
-  Field_points_result_3<Tr> operator()(Tr& tr, Domain& domain, Visitor& visitor,
+  Field_points_result_3<Tr> operator()(Tr& tr, Selected_domain_3<Tr>& domain, Mesh_visitor_3<Tr>& visitor,
                                        const std::size_t max_number_of_vertices, const double seconds_left) const
   {
-    Field_point_insertion_3<Tr, Domain, Coarse_field, Visitor> insertion(tr, domain, m_field, visitor,
-                                                                         Forecast_effort::none);
+    Field_point_insertion_3<Tr> insertion(tr, domain, m_field, visitor, Forecast_effort::none);
     insertion.ignore_sizes_of_walls();
     insertion.leave_sizes_of_field();
     return insertion(max_number_of_vertices, seconds_left);
@@ -69,21 +70,25 @@ private:
   static constexpr double background_coarseness = 8;
   static constexpr double background_cells_per_subdomain = 1000;
 
-  struct Coarse_field
+  struct Coarse_field final
+    : public Size_field
   {
-    double operator()(const typename Tr::Geom_traits::Point_3& p, const int dimension, const int index) const
+    Coarse_field(const Size_field& field, const double factor) : field(field), factor(factor) { }
+
+    double operator()(const Point_3& p, const int dimension, const int index) const override
     {
-      return factor * internal::size_of_field<typename Tr::Geom_traits>(field, p, dimension, index);
+      return factor * field(p, dimension, index);
     }
 
-    double least_size_around(const typename Tr::Geom_traits::Point_3& p, const double radius, const int index) const
+    double least_size_around(const Point_3& p, const double radius, const int index) const override
     {
-      return factor * internal::least_size_of_field_around<typename Tr::Geom_traits>(field, p, radius, index);
+      return factor * field.least_size_around(p, radius, index);
     }
 
-    double grading() const { return factor * internal::grading_of_field<typename Tr::Geom_traits>(field); }
+    double grading() const override { return factor * field.grading(); }
+    bool tells_least_sizes() const override { return true; }
 
-    const SizingField& field;
+    const Size_field& field;
     double factor;
   };
 
@@ -231,19 +236,21 @@ public:
   typedef typename Tr::Vertex_handle   Vertex_handle;
   typedef typename Tr::Cell_handle     Cell_handle;
   typedef Mesh_part_3<Tr>              Part;
+  typedef Size_field_3<typename Tr::Geom_traits::Point_3> Size_field;
 
   explicit Decomposition_3(Tr& tr) : m_tr(tr) { }
 
   // Makes the parts, fewer if there are few cells. Constrained edges are given by arrays of two vertex handles. The
   // vertices have the numbers that they have in the range, and then any ones.
-  template <typename SizingField, typename Domain, typename EdgeRange, typename VertexRange>
-  std::vector<Part> divide(const SizingField& size, const Domain& domain, const EdgeRange& constrained_edges,
-                           const std::size_t number_of_parts, const VertexRange& first_vertices)
+  template <typename EdgeRange, typename VertexRange>
+  std::vector<Part> divide(const Size_field& size, const Selected_domain_3<Tr>& domain,
+                           const EdgeRange& constrained_edges, const std::size_t number_of_parts,
+                           const VertexRange& first_vertices)
   {
     for(const Cell_handle c : m_tr.finite_cell_handles())
       if(domain.contains(c))
         m_cells.push_back(c);
-    Region_sizes_3<Tr, SizingField>(m_tr, size).ask_at_vertices(m_cells);
+    Region_sizes_3<Tr>(m_tr, size).ask_at_vertices(m_cells);
     const std::vector<std::size_t> partition = internal::partition_graph(dual_graph(size, domain), number_of_parts);
 
     for(const Vertex_handle v : first_vertices)
@@ -310,10 +317,9 @@ private:
   static constexpr std::size_t no_number = std::size_t(-1);
 
   // How many cells there are to be in a cell, and how many facets in a facet, for the sizes at its centroid.
-  template <typename SizingField, typename Domain>
-  Weighted_graph dual_graph(const SizingField& field, const Domain& domain) const
+  Weighted_graph dual_graph(const Size_field& field, const Selected_domain_3<Tr>& domain) const
   {
-    Size_query_3<Tr, SizingField> query(field);
+    Size_query_3<Tr> query(field);
     Unique_hash_map<Cell_handle, std::size_t> numbers; // for looking up only
     for(std::size_t k = 0; k < m_cells.size(); ++k)
       numbers[m_cells[k]] = k;
@@ -323,7 +329,7 @@ private:
       const auto corners = internal::corners(c);
       const Coordinates_3 p = internal::centroid(corners);
       const double size = query(typename Tr::Geom_traits::Point_3(p[0], p[1], p[2]), 3,
-                                Region_sizes_3<Tr, SizingField>::region(c));
+                                Region_sizes_3<Tr>::region(c));
       const double unit = internal::binary_scale(size), h = size / unit;
       const Cell_shape_3 shape(internal::multiplied(corners, 1 / unit));
       graph.begin_node(1 + (h > 0 ? std::sqrt(2.) * shape.volume_times_6 / (h * h * h) : 0));

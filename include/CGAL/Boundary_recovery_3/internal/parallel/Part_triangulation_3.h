@@ -268,32 +268,16 @@ private:
   std::vector<Edge> m_constrained_edges;
 };
 
-/*
- * All cells of a triangulation that are in a region. If it is one of a part of a mesh, it has seams: walls that are on
- * no surface, with nothing behind them.
- */
-template <typename Tr>
-class Part_domain_3
-  : public Selected_domain_3<Tr, Static_boolean_property_map<typename Tr::Cell_handle, true>,
-                             Constrained_edge_map_3<Tr> >
+// All cells of a triangulation of a part of a mesh that are in a region. Constrained edges are arrays of two vertex
+// handles.
+template <typename Tr, typename EdgeRange>
+Selected_domain_3<Tr> domain_of_part(const Tr& tr, const EdgeRange& constrained_edges)
 {
-  typedef Static_boolean_property_map<typename Tr::Cell_handle, true>          All_cells;
-  typedef Selected_domain_3<Tr, All_cells, Constrained_edge_map_3<Tr> >        Base;
-
-public:
-  static constexpr bool has_seams = true;
-
-  // Constrained edges are arrays of two vertex handles.
-  template <typename EdgeRange>
-  Part_domain_3(const Tr& tr, const EdgeRange& constrained_edges)
-    : Base(tr, All_cells(), Constrained_edge_map_3<Tr>(constrained_edges))
-  { }
-
-  static bool is_seam(const typename Tr::Cell_handle c, const int i)
-  {
-    return ! c->is_facet_on_surface(i) && c->neighbor(i)->subdomain_index() == typename Base::Subdomain_index();
-  }
-};
+  Selected_domain_3<Tr> domain(tr);
+  domain.constrain_edges(Constrained_edge_map_3<Tr>(constrained_edges));
+  domain.set_has_seams();
+  return domain;
+}
 
 } // namespace internal
 } // namespace Boundary_recovery_3

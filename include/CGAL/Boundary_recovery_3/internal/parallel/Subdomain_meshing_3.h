@@ -58,45 +58,31 @@ inline void add_counts(Quality_improvement_counts& sum, const Quality_improvemen
  *
  * The mesh depends on the number of sub-domains, but not on the number of threads.
  */
-template <typename Tr, typename SizingField, typename Quality, typename Recorder>
+template <typename Tr, typename Quality>
 class Subdomain_meshing_3
 {
 public:
   typedef typename Tr::Cell_handle               Cell_handle;
   typedef Boundary_constrained_mesh_result_3<Tr> Result;
+  typedef Size_field_3<typename Tr::Geom_traits::Point_3> Size_field;
 
-  Subdomain_meshing_3(Tr& tr, const SizingField& size, const Quality& quality, const double min_dihedral_angle,
-                      const Improvement_effort effort, const std::size_t max_number_of_vertices, Recorder& recorder,
-                      Result& result)
+  Subdomain_meshing_3(Tr& tr, const Size_field& size, const Quality& quality, const double min_dihedral_angle,
+                      const Improvement_effort effort, const std::size_t max_number_of_vertices,
+                      Recovery_context<Tr>& context, Result& result)
     : m_tr(tr), m_size(size), m_min_dihedral_angle(min_dihedral_angle),
       m_max_number_of_vertices(max_number_of_vertices),
-      m_work(size, quality, min_dihedral_angle, effort), m_recorder(recorder), m_task_visitor(recorder),
+      m_work(size, quality, min_dihedral_angle, effort), m_context(context), m_task_visitor(context.visitor()),
       m_result(result), m_decomposition(tr)
   { }
 
-  void operator()(const std::size_t number_of_subdomains, const bool improve)
-  {
-    const double start = m_recorder.seconds();
-    if(! forecast())
-      return;
-    run(Phase::decomposition, [&] { decompose(number_of_subdomains); });
-    if(m_result.filling)
-      run(Phase::field_point_insertion, [&] { do_rounds(false); });
-    m_result.filling.seconds = m_recorder.seconds() - start;
-    if(m_result.filling && improve)
-      this->improve();
-    else
-      put_into_triangulation();
-    if(m_result.filling.status == Meshing_status::too_large)
-      correct_forecast();
-  }
+  void operator()(const std::size_t number_of_subdomains, const bool improve);
 
 private:
   typedef Mesh_part_3<Tr>          Part;
   typedef Part_report_3<Tr>        Report;
-  typedef Part_domain_3<Tr>        Domain;
+  typedef Selected_domain_3<Tr>    Domain;
   typedef Seams_3<>                Seams;
-  typedef Task_visitor_3<Recorder> Task_visitor;
+  typedef Task_visitor_3<Tr>       Task_visitor;
 
   // The pieces of a zone, or a part, and the part that it will belong to.
   struct Task
@@ -109,27 +95,23 @@ private:
   typedef std::conditional_t<std::is_floating_point<typename Tr::Geom_traits::FT>::value,
                              Parallel_if_available_tag, Sequential_tag> Concurrency_tag;
 
-  Domain whole_domain() const { return Domain(m_tr, m_result.constrained_edges); }
+  Domain whole_domain() const { return internal::domain_of_part(m_tr, m_result.constrained_edges); }
 
   template <typename Work>
   void run(const Phase phase, const Work& work)
   {
-    const double start = m_recorder.seconds();
-    m_recorder.on_phase_begin(phase);
-    work();
-    Phase_report report;
-    report.phase = phase;
-    report.number_of_vertices = m_tr.number_of_vertices() + m_number_of_vertices - m_number_of_old_vertices;
-    report.number_of_cells = m_tr.number_of_finite_cells() + number_of_cells(m_parts) - m_number_of_old_cells;
-    report.seconds = m_recorder.seconds() - start;
-    m_recorder.on_phase_end(report);
+    m_context.run(phase, work, [this](Phase_report& report)
+    {
+      report.number_of_vertices = m_tr.number_of_vertices() + m_number_of_vertices - m_number_of_old_vertices;
+      report.number_of_cells = m_tr.number_of_finite_cells() + number_of_cells(m_parts) - m_number_of_old_cells;
+    });
   }
 
   bool forecast()
   {
     Domain whole = whole_domain();
-    Field_point_insertion_3<Tr, Domain, SizingField, Recorder> insertion(m_tr, whole, m_size, m_recorder);
-    m_result.filling = insertion.forecast_only(m_max_number_of_vertices, m_recorder.seconds_left());
+    Field_point_insertion_3<Tr> insertion(m_tr, whole, m_size, m_context.visitor());
+    m_result.filling = insertion.forecast_only(m_max_number_of_vertices, m_context.seconds_left());
     return bool(m_result.filling);
   }
 
@@ -137,7 +119,7 @@ private:
   void correct_forecast()
   {
     Domain whole = whole_domain();
-    Field_point_insertion_3<Tr, Domain, SizingField, Recorder> insertion(m_tr, whole, m_size, m_recorder);
+    Field_point_insertion_3<Tr> insertion(m_tr, whole, m_size, m_context.visitor());
     const auto corrected = insertion.forecast_of_unfinished(m_result.filling.number_of_field_points);
     m_result.filling.forecast_of_cells = corrected.forecast_of_cells;
     m_result.filling.forecast_of_vertices = corrected.forecast_of_vertices;
@@ -146,8 +128,8 @@ private:
   void decompose(const std::size_t number_of_subdomains)
   {
     Domain whole = whole_domain();
-    const Fill_background_3<Tr, SizingField> fill(m_size, m_result.filling.forecast_of_cells, number_of_subdomains);
-    note(fill(m_tr, whole, m_task_visitor, m_max_number_of_vertices, m_recorder.seconds_left()));
+    const Fill_background_3<Tr> fill(m_size, m_result.filling.forecast_of_cells, number_of_subdomains);
+    note(fill(m_tr, whole, m_task_visitor, m_max_number_of_vertices, m_context.seconds_left()));
     m_parts = m_decomposition.divide(m_size, whole, m_result.constrained_edges, number_of_subdomains,
                                      m_result.recovery.vertices);
     m_number_of_vertices = m_number_of_old_vertices = m_decomposition.number_of_vertices();
@@ -168,14 +150,14 @@ private:
 
   void improve()
   {
-    const double start = m_recorder.seconds();
+    const double start = m_context.seconds();
     if(internal::is_possible_target(m_min_dihedral_angle))
       run(Phase::quality_improvement, [&] { do_rounds(true); });
     else
       m_result.improvement.status = Meshing_status::invalid_input;
     put_into_triangulation();
     measure();
-    m_result.improvement.seconds = m_recorder.seconds() - start;
+    m_result.improvement.seconds = m_context.seconds() - start;
   }
 
   void put_into_triangulation()
@@ -189,10 +171,10 @@ private:
   void measure()
   {
     const Domain whole = whole_domain();
-    Recovery_context<Recorder> context(m_recorder);
-    context.set_maximum_running_time(m_recorder.seconds_left());
-    Explain_bad_cells_3<Tr, Domain> explain(m_tr, whole, m_min_dihedral_angle);
-    const auto after = Measure_quality_3<Tr, Domain>(m_tr, whole)(
+    Recovery_context<Tr> context(m_context.visitor());
+    context.set_maximum_running_time(m_context.seconds_left());
+    Explain_bad_cells_3<Tr> explain(m_tr, whole, m_min_dihedral_angle);
+    const auto after = Measure_quality_3<Tr>(m_tr, whole)(
       [&](const Cell_handle c, const Cell_angles_3& angles) { explain.add(c, angles); },
       [&context] { return context.can_finish_after_short_step(); });
     internal::set_last_figures(m_result.improvement, after);
@@ -308,10 +290,10 @@ private:
   // If the work has been stopped, the part stays as it is.
   Report work_on(Part& part, const Subdomain_round& round, const std::size_t max_number_of_new_vertices)
   {
-    if(! (m_recorder.seconds_left() > 0) || ! m_task_visitor.go_further())
+    if(! (m_context.seconds_left() > 0) || ! m_task_visitor.go_further())
       return m_work.stopped(round);
     return m_work(part, round, m_number_of_vertices, max_number_of_new_vertices, m_task_visitor,
-                  m_recorder.seconds_left());
+                  m_context.seconds_left());
   }
 
   // Those whose share was too small come one after the other, so that the mesh does not depend on how many threads
@@ -379,11 +361,11 @@ private:
   }
 
   Tr& m_tr;
-  const SizingField& m_size;
+  const Size_field& m_size;
   const double m_min_dihedral_angle;
   const std::size_t m_max_number_of_vertices;
-  const Work_on_part_3<Tr, SizingField, Quality> m_work;
-  Recorder& m_recorder;
+  const Work_on_part_3<Tr, Quality> m_work;
+  Recovery_context<Tr>& m_context;
   Task_visitor m_task_visitor;
   Result& m_result;
   Decomposition_3<Tr> m_decomposition;
@@ -393,6 +375,24 @@ private:
   std::size_t m_number_of_old_vertices = 0; // in the place of which the mesh will be
   std::size_t m_number_of_old_cells = 0;
 };
+
+template <typename Tr, typename Quality>
+void Subdomain_meshing_3<Tr, Quality>::operator()(const std::size_t number_of_subdomains, const bool improve)
+{
+  const double start = m_context.seconds();
+  if(! forecast())
+    return;
+  run(Phase::decomposition, [&] { decompose(number_of_subdomains); });
+  if(m_result.filling)
+    run(Phase::field_point_insertion, [&] { do_rounds(false); });
+  m_result.filling.seconds = m_context.seconds() - start;
+  if(m_result.filling && improve)
+    this->improve();
+  else
+    put_into_triangulation();
+  if(m_result.filling.status == Meshing_status::too_large)
+    correct_forecast();
+}
 
 } // namespace internal
 } // namespace Boundary_recovery_3

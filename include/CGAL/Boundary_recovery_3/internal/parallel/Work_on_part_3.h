@@ -12,7 +12,6 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/Mesh_quality_3.h>
 #include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Field_point_insertion_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Ordinary_scale_3.h>
@@ -24,6 +23,7 @@
 #include <CGAL/Boundary_recovery_3/internal/quality/Measure_quality_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/Cell_shape_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/distances_3.h>
+#include <CGAL/Boundary_recovery_3/internal/sizing/Vertex_sizes_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 
 #include <algorithm>
@@ -51,10 +51,8 @@ struct Subdomain_round
     return repairs() && improves ? std::size_t(-1) : Seams_3<>::max_number_of_connected_vertices;
   }
 
-  // Cells with smaller angles are improved once more in the end, and with longer edges, in sizes, they are filled once
-  // more. See "Tuning constants" in the manual.
+  // Cells with smaller angles are improved once more in the end. See "Tuning constants" in the manual.
   static constexpr double angle_to_be_repaired = 20;
-  static constexpr double length_to_be_repaired = 2;
 
   std::size_t number_of_parts; // that meet in a zone; 1: the parts themselves; 0: zones are around what is repaired
   int         number_of_layers;
@@ -112,27 +110,28 @@ struct Part_report_3
  * Steps 6 and 7 for a part of a mesh. What the part becomes depends on nothing else but the round, so it does not
  * matter who does it, or when.
  */
-template <typename Tr, typename SizingField, typename Quality>
+template <typename Tr, typename Quality>
 class Work_on_part_3
 {
 public:
   typedef Mesh_part_3<Tr>   Part;
   typedef Part_report_3<Tr> Report;
+  typedef Size_field_3<typename Tr::Geom_traits::Point_3> Size_field;
 
-  Work_on_part_3(const SizingField& size, const Quality& quality, const double min_dihedral_angle,
+  Work_on_part_3(const Size_field& size, const Quality& quality, const double min_dihedral_angle,
                  const Improvement_effort effort)
     : m_size(size), m_quality(quality), m_min_dihedral_angle(min_dihedral_angle), m_effort(effort)
   { }
 
   // New vertices get numbers from the first one that is free. There are so many vertices more at most; a round that
   // improves does without others.
-  template <typename Visitor>
   Report operator()(Part& part, const Subdomain_round& round, const std::size_t first_new_number,
-                    const std::size_t max_number_of_new_vertices, Visitor& visitor, const double seconds_left) const
+                    const std::size_t max_number_of_new_vertices, Mesh_visitor_3<Tr>& visitor,
+                    const double seconds_left) const
   {
     Part_triangulation_3<Tr> triangulation(std::move(part));
     Tr& tr = triangulation.triangulation();
-    Part_domain_3<Tr> domain(tr, triangulation.constrained_edges());
+    Domain domain = internal::domain_of_part(tr, triangulation.constrained_edges());
     const std::size_t max_number = (std::max)(max_number_of_new_vertices,
                                               tr.number_of_vertices() + max_number_of_new_vertices); // no overflow
     Report report;
@@ -169,7 +168,7 @@ public:
   }
 
 private:
-  typedef Part_domain_3<Tr> Domain;
+  typedef Selected_domain_3<Tr> Domain;
 
   static const typename Part::Vertex& vertex(const Part& part, const std::size_t cell, const std::size_t i)
   {
@@ -204,19 +203,18 @@ private:
     {
       const auto& u = vertex(part, cell, static_cast<std::size_t>(e.i));
       const auto& v = vertex(part, cell, static_cast<std::size_t>(e.j));
-      const double size = (std::abs(CGAL::to_double(u.size)) + std::abs(CGAL::to_double(v.size))) / 2;
+      const double size = (CGAL::to_double(u.size) + CGAL::to_double(v.size)) / 2;
       return (u.indices.dimension == 3 || v.indices.dimension == 3)
-          && e.length > Subdomain_round::length_to_be_repaired * size;
+          && e.length > Length_rules::longest * size;
     });
   }
 
   // The walls of zones are mostly faces of cells that are as large as they should be, some a bit smaller.
-  template <typename Visitor>
   Field_points_result_3<Tr> filled(Tr& tr, Domain& domain, const Subdomain_round& round,
-                                   const std::size_t max_number, Visitor& visitor, const double seconds_left) const
+                                   const std::size_t max_number, Mesh_visitor_3<Tr>& visitor,
+                                   const double seconds_left) const
   {
-    typedef Field_point_insertion_3<Tr, Domain, SizingField, Visitor> Insertion;
-    Insertion insertion(tr, domain, m_size, visitor, Forecast_effort::none);
+    Field_point_insertion_3<Tr> insertion(tr, domain, m_size, visitor, Forecast_effort::none);
     insertion.leave_sizes_of_field();
     if(! round.works_on_parts())
       insertion.ignore_sizes_of_walls();
@@ -224,18 +222,17 @@ private:
   }
 
   // What was left beside zones that met is filled now.
-  template <typename Visitor>
-  void improve(Tr& tr, Domain& domain, const Subdomain_round& round, const std::size_t max_number, Visitor& visitor,
-               const double seconds_left, Report& report) const
+  void improve(Tr& tr, Domain& domain, const Subdomain_round& round, const std::size_t max_number,
+               Mesh_visitor_3<Tr>& visitor, const double seconds_left, Report& report) const
   {
-    Recovery_context<Visitor> context(visitor);
+    Recovery_context<Tr> context(visitor);
     context.set_maximum_running_time(seconds_left);
     if(round.works_on_parts())
-      report.before = Measure_quality_3<Tr, Domain>(tr, domain)(
+      report.before = Measure_quality_3<Tr>(tr, domain)(
         [](const typename Tr::Cell_handle, const Cell_angles_3&) { },
         [&context] { return context.can_finish_after_short_step(); });
     const Ordinary_scale_3<Tr> scale(tr);
-    Improve_domain_3<Tr, Domain, Quality, Visitor> improve_domain(tr, domain, m_quality, context);
+    Improve_domain_3<Tr, Quality> improve_domain(tr, domain, m_quality, context);
     if(! round.works_on_parts())
       improve_domain.be_strict();
     // what walls of parts did to cells beside them can be mended, and there are few of these
@@ -247,7 +244,7 @@ private:
     report.was_full = (report.was_full || improve_domain.was_full()) && ! report.is_stopped;
   }
 
-  const SizingField& m_size;
+  const Size_field& m_size;
   const Quality m_quality;
   const double m_min_dihedral_angle;
   const Improvement_effort m_effort;

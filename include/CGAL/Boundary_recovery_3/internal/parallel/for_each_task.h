@@ -71,12 +71,12 @@ void for_each_task(const std::vector<std::size_t>& weights, const Work& work, co
  * Stands between the tasks of several threads and the visitor, which is called by one of them at a time. It is not told
  * of cells, since those that tasks change are not its.
  */
-template <typename Visitor>
-class Task_visitor_3
-  : public Default_meshing_visitor_3
+template <typename Tr>
+class Task_visitor_3 final
+  : public Mesh_visitor_3<Tr>
 {
 public:
-  explicit Task_visitor_3(Visitor& visitor) : m_visitor(visitor) { }
+  explicit Task_visitor_3(Mesh_visitor_3<Tr>& visitor) : m_visitor(visitor) { }
 
   // From now on, progress is that of tasks with this weight, which are one of several rounds of the phase.
   void begin(const Phase phase, const std::size_t round, const std::size_t number_of_rounds,
@@ -95,7 +95,7 @@ public:
   }
 
   // Threads that find the visitor busy go on for now.
-  bool go_further()
+  bool go_further() override
   {
     const std::unique_lock<std::mutex> lock(m_mutex, std::try_to_lock);
     if(lock && ! m_is_stopped)
@@ -104,7 +104,7 @@ public:
   }
 
 private:
-  Visitor& m_visitor;
+  Mesh_visitor_3<Tr>& m_visitor;
   std::mutex m_mutex;
   std::atomic<bool> m_is_stopped{ false };
   Phase m_phase = Phase::field_point_insertion;

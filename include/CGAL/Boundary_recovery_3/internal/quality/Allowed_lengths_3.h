@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_indices.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/distances_3.h>
@@ -66,12 +67,11 @@ public:
   { }
 
   // The constrained facets of a cell of the domain are taken into account.
-  template <typename Domain>
-  void add(const Domain& domain, const Cell_handle c)
+  void add(const Selected_domain_3<Tr>& domain, const Cell_handle c)
   {
     if constexpr(Has_meshing_info<typename Tr::Vertex>::value)
       for(int i = 0; i < 4; ++i)
-        if(may_be_wall<Domain>(c, i) && domain.is_wall(c, i))
+        if(may_be_wall(domain, c, i) && domain.is_wall(c, i))
           add_facet(c, i);
   }
 
@@ -85,16 +85,13 @@ public:
   }
 
   // The size at a vertex; 0: not known.
-  static double size(const Vertex_handle v)
-  {
-    if constexpr(Has_meshing_info<typename Tr::Vertex>::value)
-      return CGAL::to_double(v->meshing_info());
-    else
-      return 0;
-  }
+  static double size(const Vertex_handle v) { return internal::vertex_size(*v); }
 
   // The length that edges of a vertex have at least.
-  double least(const Vertex_handle v) const { return (std::min)(0.5 * size(v), of_constraints(v).least); }
+  double least(const Vertex_handle v) const
+  {
+    return (std::min)(Length_rules::shortest * size(v), of_constraints(v).least);
+  }
 
   // Where an edge may have this length, edges this far away may be longer by that.
   static double faded(const double least, const double distance) { return least + 0.5 * distance; }
@@ -127,8 +124,8 @@ private:
       return Range{ 0, std::numeric_limits<double>::infinity() };
     const double mean = 0.5 * (size_at_u + size_at_v);
     const Range& constraints = of_constraints(u);
-    return Range{ (std::min)({ 0.5 * mean, constraints.least, constraints_at_v.least }),
-                  (std::max)({ 2 * mean, constraints.largest, constraints_at_v.largest }) };
+    return Range{ (std::min)({ Length_rules::shortest * mean, constraints.least, constraints_at_v.least }),
+                  (std::max)({ Length_rules::longest * mean, constraints.largest, constraints_at_v.largest }) };
   }
 
   static double distance(const Vertex_handle u, const Vertex_handle v)
@@ -137,11 +134,10 @@ private:
   }
 
   // Asks the vertices, if they know; that is cheaper than to ask the cell behind the facet.
-  template <typename Domain>
-  static bool may_be_wall(const Cell_handle c, const int i)
+  static bool may_be_wall([[maybe_unused]] const Selected_domain_3<Tr>& domain, const Cell_handle c, const int i)
   {
-    if constexpr(Has_vertex_indices<typename Tr::Vertex>::value && ! Domain::has_selection)
-      for(int k = 0; k < 4; ++k)
+    if constexpr(Has_vertex_indices<typename Tr::Vertex>::value)
+      for(int k = 0; k < 4 && ! domain.has_selection(); ++k)
         if(k != i && c->vertex(k)->in_dimension() == 3)
           return false;
     return true;
@@ -173,7 +169,10 @@ private:
   void spread_largest(const Question& goes_on)
   {
     spread([this](const Vertex_handle v) { return m_of_constraints[v].largest; },
-           [this](const Vertex_handle v) { return (std::max)(2 * size(v), m_of_constraints[v].largest); },
+           [this](const Vertex_handle v)
+           {
+             return (std::max)(Length_rules::longest * size(v), m_of_constraints[v].largest);
+           },
            [this](const Vertex_handle v, const double x) { m_of_constraints[v].largest = x; }, 1, goes_on);
   }
 

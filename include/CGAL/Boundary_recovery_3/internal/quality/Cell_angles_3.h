@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/Cell_shape_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/Unit_frame_3.h>
@@ -142,13 +143,14 @@ inline double smallest_plane_angle(const std::array<Coordinates_3, 3>& p)
  * Finds the two walls that a cell is between at one of its edges, if the angle between them is small: all cells between
  * them have such an angle there, and so have those of any other mesh.
  */
-template <typename Tr, typename Domain>
+template <typename Tr>
 class Walls_at_edge_3
 {
 public:
   typedef typename Tr::Vertex_handle Vertex_handle;
   typedef typename Tr::Cell_handle   Cell_handle;
   typedef typename Tr::Facet         Facet;
+  typedef Selected_domain_3<Tr>      Domain;
 
   struct Walls
   {
@@ -202,8 +204,8 @@ private:
 };
 
 // Whether a cell has an angle below `limit` degrees that any mesh has: it is between two walls.
-template <typename Tr, typename Domain>
-bool is_forced(const Walls_at_edge_3<Tr, Domain>& walls_at_edge, const typename Tr::Cell_handle c, const double limit)
+template <typename Tr>
+bool is_forced(const Walls_at_edge_3<Tr>& walls_at_edge, const typename Tr::Cell_handle c, const double limit)
 {
   const Cell_angles_3 angles(internal::corners(c));
   for(int k = 0; k < 6; ++k)

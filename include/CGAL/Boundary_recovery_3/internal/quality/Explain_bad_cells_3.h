@@ -12,7 +12,8 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/Quality_certificate_3.h>
+#include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Cell_angles_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/Cell_shape_3.h>
@@ -42,12 +43,13 @@ namespace internal {
  * wall has the dihedral angle t at each of its edges. A cell with this wall whose angles at these edges are t or more
  * contains a, and all between a and the center. So if another wall crosses that segment, there is no such cell.
  */
-template <typename Tr, typename Domain>
+template <typename Tr>
 class Ceiling_of_wall_3
 {
 public:
   typedef typename Tr::Cell_handle Cell_handle;
   typedef typename Tr::Facet       Facet;
+  typedef Selected_domain_3<Tr>    Domain;
 
   // The domain must exist as long as this does; the wall is one of a cell of it.
   Ceiling_of_wall_3(const Domain& domain, const Facet& wall, const double min_dihedral_angle)
@@ -168,15 +170,16 @@ private:
  *
  * Most of those that nothing explains are beside a needle. That proves nothing, but it tells where to look.
  */
-template <typename Tr, typename Domain>
+template <typename Tr>
 class Explain_bad_cells_3
 {
 public:
-  typedef typename Tr::Vertex_handle   Vertex_handle;
-  typedef typename Tr::Cell_handle     Cell_handle;
-  typedef typename Tr::Facet           Facet;
-  typedef Quality_certificate_3<Tr>    Certificate;
-  typedef Bad_cell_3<Tr>               Bad_cell;
+  typedef typename Tr::Vertex_handle Vertex_handle;
+  typedef typename Tr::Cell_handle   Cell_handle;
+  typedef typename Tr::Facet         Facet;
+  typedef Selected_domain_3<Tr>      Domain;
+  typedef Quality_certificate_3<Tr>  Certificate;
+  typedef Bad_cell_3<Tr>             Bad_cell;
 
   Explain_bad_cells_3(const Tr& tr, const Domain& domain, const double min_dihedral_angle)
     : m_tr(tr), m_domain(domain), m_surely_good(internal::signed_square_of_cotangent(min_dihedral_angle + slack)),
@@ -274,7 +277,7 @@ private:
   // Of several gaps, the narrowest one is named.
   void look_above(Bad_cell& bad, const Facet& wall) const
   {
-    Ceiling_of_wall_3<Tr, Domain> ceiling(m_domain, wall, target());
+    Ceiling_of_wall_3<Tr> ceiling(m_domain, wall, target());
     if((wall.first != bad.cell && ! ceiling.is_near(bad.cell)) || ! ceiling.is_low())
       return;
     if(bad.reason == Bad_cell_reason::gap && ! (ceiling.height() < bad.distance))
@@ -399,7 +402,7 @@ private:
   const Tr& m_tr;
   const Domain& m_domain;
   const double m_surely_good; // if the largest cotangent is less, no angle need be found
-  Walls_at_edge_3<Tr, Domain> m_walls_at_edge;
+  Walls_at_edge_3<Tr> m_walls_at_edge;
   Certificate m_certificate;
   CGAL::Unique_hash_map<Vertex_handle, Needle> m_needles; // of those that were asked for
   std::vector<Cell_handle> m_star;

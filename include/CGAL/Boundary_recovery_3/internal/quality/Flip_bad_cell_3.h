@@ -74,10 +74,7 @@ private:
       cell = cell->neighbor(k);
     }
     while(cell != c);
-    if constexpr(Mesh::Domain::has_constrained_edges)
-      return ! m_mesh.domain().is_constrained_edge(u, v);
-    else
-      return true;
+    return ! m_mesh.domain().is_constrained_edge(u, v);
   }
 
   Mesh& m_mesh;
@@ -102,10 +99,7 @@ typename Mesh::Cell_handle cell_beyond_edge(const Mesh& mesh, const typename Mes
   const int k = next->index(p);
   if(next->neighbor(k) != at_q->neighbor(j) || mesh.domain().is_wall(next, k))
     return Cell_handle();
-  if constexpr(Mesh::Domain::has_constrained_edges)
-    if(mesh.domain().is_constrained_edge(u, v))
-      return Cell_handle();
-  return next;
+  return mesh.domain().is_constrained_edge(u, v) ? Cell_handle() : next;
 }
 
 /*

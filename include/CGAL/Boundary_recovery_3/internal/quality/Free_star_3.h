@@ -94,21 +94,13 @@ private:
     for(int k = 0; k < 4; ++k)
       if(k != i)
       {
-        if(m_mesh.domain().is_wall(c, k) || is_constrained_edge(v, c->vertex(k)))
+        if(m_mesh.domain().is_wall(c, k) || m_mesh.domain().is_constrained_edge(v, c->vertex(k)))
           return false;
         if(c->neighbor(k)->tds_data().is_clear())
           enter(c->neighbor(k), c);
       }
     m_faces.push_back(internal::facet_vertices(c, i));
     return true;
-  }
-
-  bool is_constrained_edge(const Vertex_handle u, const Vertex_handle v) const
-  {
-    if constexpr(Mesh::Domain::has_constrained_edges)
-      return m_mesh.domain().is_constrained_edge(u, v);
-    else
-      return false;
   }
 
   // Only the vertex opposite to where the cell is entered may be new.

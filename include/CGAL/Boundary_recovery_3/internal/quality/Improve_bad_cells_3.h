@@ -14,6 +14,7 @@
 
 #include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_result_3.h>
 #include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Bad_cells_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Contract_bad_edge_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Flip_bad_cell_3.h>
@@ -110,15 +111,16 @@ private:
  * flat. So the worst cell of the mesh never gets worse. The rounds end when one of them decreases the sum of badness
  * too little.
  */
-template <typename Tr, typename Domain, typename Quality, typename Visitor>
+template <typename Tr, typename Quality>
 class Improve_bad_cells_3
 {
 public:
-  typedef Improved_mesh_3<Tr, Domain, Quality, Visitor> Mesh;
-  typedef typename Tr::Cell_handle                      Cell_handle;
-  typedef typename Bad_cells_3<Mesh>::Bad_cell          Bad_cell;
+  typedef typename Tr::Cell_handle             Cell_handle;
+  typedef Selected_domain_3<Tr>                Domain;
+  typedef Improved_mesh_3<Tr, Quality>         Mesh;
+  typedef typename Bad_cells_3<Mesh>::Bad_cell Bad_cell;
 
-  Improve_bad_cells_3(Tr& tr, Domain& domain, const Quality& quality, Recovery_context<Visitor>& context)
+  Improve_bad_cells_3(Tr& tr, Domain& domain, const Quality& quality, Recovery_context<Tr>& context)
     : m_context(context), m_mesh(tr, domain, quality, context.visitor()),
       m_bad_cells(m_mesh, [&context] { return context.go_further_after_short_step(); }),
       m_table(m_mesh)
@@ -349,7 +351,7 @@ private:
     m_context.visitor().on_progress(Phase::quality_improvement, m_number_of_visits, expected_visits);
   }
 
-  Recovery_context<Visitor>& m_context;
+  Recovery_context<Tr>& m_context;
   Mesh m_mesh;
   Bad_cells_3<Mesh> m_bad_cells;
   Table m_table;

@@ -14,6 +14,7 @@
 
 #include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/sort_in_space.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Bad_cells_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Badness_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Cell_angles_3.h>
@@ -38,17 +39,18 @@ namespace internal {
  * *Iterated local search* [LMS03]: the mesh is perturbed near one bad cell after the other, and all operations have a
  * turn there. If the cells are not less bad then, all of that is taken back.
  */
-template <typename Tr, typename Domain, typename Quality, typename Visitor>
+template <typename Tr, typename Quality>
 class Search_locally_3
 {
 public:
-  typedef Improve_bad_cells_3<Tr, Domain, Quality, Visitor> Improve_bad_cells;
-  typedef typename Improve_bad_cells::Mesh                  Mesh;
-  typedef typename Improve_bad_cells::Bad_cell              Bad_cell;
-  typedef typename Tr::Vertex_handle                        Vertex_handle;
-  typedef typename Tr::Cell_handle                          Cell_handle;
+  typedef typename Tr::Vertex_handle           Vertex_handle;
+  typedef typename Tr::Cell_handle             Cell_handle;
+  typedef Selected_domain_3<Tr>                Domain;
+  typedef Improve_bad_cells_3<Tr, Quality>     Improve_bad_cells;
+  typedef typename Improve_bad_cells::Mesh     Mesh;
+  typedef typename Improve_bad_cells::Bad_cell Bad_cell;
 
-  Search_locally_3(Improve_bad_cells& improve, const Domain& domain, Recovery_context<Visitor>& context)
+  Search_locally_3(Improve_bad_cells& improve, const Domain& domain, Recovery_context<Tr>& context)
     : m_improve(improve), m_context(context), m_mesh(improve.mesh()), m_bad_cells(improve.bad_cells()),
       m_walls_at_edge(domain), m_insert_near(m_mesh), m_move_at_random(m_mesh)
   { }
@@ -166,10 +168,10 @@ private:
   }
 
   Improve_bad_cells& m_improve;
-  Recovery_context<Visitor>& m_context;
+  Recovery_context<Tr>& m_context;
   Mesh& m_mesh;
   Bad_cells_3<Mesh>& m_bad_cells;
-  Walls_at_edge_3<Tr, Domain> m_walls_at_edge;
+  Walls_at_edge_3<Tr> m_walls_at_edge;
   Insert_near_bad_cell_3<Mesh> m_insert_near;
   Move_at_random_3<Mesh> m_move_at_random;
   std::vector<Vertex_handle> m_vertices; // near the cell
@@ -185,14 +187,15 @@ private:
  * few even very bad, and the mesh is searched around each cell that stays. Where that has changed something, all cells
  * below the target have another turn. At last, all the others get rounder, where that is for nothing.
  */
-template <typename Tr, typename Domain, typename Quality, typename Visitor>
+template <typename Tr, typename Quality>
 class Improve_domain_3
 {
 public:
   typedef typename Tr::Vertex_handle Vertex_handle;
   typedef typename Tr::Cell_handle   Cell_handle;
+  typedef Selected_domain_3<Tr>      Domain;
 
-  Improve_domain_3(Tr& tr, Domain& domain, const Quality& quality, Recovery_context<Visitor>& context)
+  Improve_domain_3(Tr& tr, Domain& domain, const Quality& quality, Recovery_context<Tr>& context)
     : m_quality(quality), m_context(context), m_improve(tr, domain, quality, context), m_mesh(m_improve.mesh()),
       m_bad_cells(m_improve.bad_cells()), m_search_locally(m_improve, domain, context), m_center(m_mesh)
   { }
@@ -225,12 +228,7 @@ public:
   bool was_full() const { return m_mesh.was_full(); }
 
   // Improves the mesh until all cells are good, or nothing helps, or the context says stop.
-  void operator()()
-  {
-    if(m_target > 0) // else nothing is bad
-      improve();
-    m_improve.finish();
-  }
+  void operator()();
 
   // All of this in one.
   void operator()(const double min_dihedral_angle)
@@ -243,7 +241,7 @@ public:
   const Quality_improvement_counts& counts() const { return m_improve.counts(); }
 
 private:
-  typedef Improve_bad_cells_3<Tr, Domain, Quality, Visitor> Improve_bad_cells;
+  typedef Improve_bad_cells_3<Tr, Quality> Improve_bad_cells;
   typedef typename Improve_bad_cells::Mesh                  Mesh;
   typedef typename Improve_bad_cells::Bad_cell              Bad_cell;
 
@@ -340,17 +338,25 @@ private:
   }
 
   const Quality& m_quality;
-  Recovery_context<Visitor>& m_context;
+  Recovery_context<Tr>& m_context;
   Improve_bad_cells m_improve;
   Mesh& m_mesh;                   // its own
   Bad_cells_3<Mesh>& m_bad_cells; // the same
-  Search_locally_3<Tr, Domain, Quality, Visitor> m_search_locally;
+  Search_locally_3<Tr, Quality> m_search_locally;
   Center_vertex_3<Mesh> m_center;
   double m_target = 0;
   Improvement_effort m_effort = Improvement_effort::normal;
   std::size_t m_number_of_cells = 0;
   double m_worst = std::numeric_limits<double>::infinity(); // of the qualities of all cells at first
 };
+
+template <typename Tr, typename Quality>
+void Improve_domain_3<Tr, Quality>::operator()()
+{
+  if(m_target > 0) // else nothing is bad
+    improve();
+  m_improve.finish();
+}
 
 } // namespace internal
 } // namespace Boundary_recovery_3

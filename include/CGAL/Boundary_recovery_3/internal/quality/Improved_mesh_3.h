@@ -12,12 +12,12 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <CGAL/Boundary_recovery_3/Cell_quality_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_editor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_indices.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Allowed_lengths_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Badness_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/visit_qualities.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/distances_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/bare_point.h>
@@ -46,12 +46,12 @@ namespace internal {
  *
  * Several operations in a row can be an attempt, which is taken back if the cells are not less bad for all of them.
  */
-template <typename Tr, typename Domain_, typename Quality_, typename Visitor>
+template <typename Tr, typename Quality_>
 class Improved_mesh_3
 {
 public:
   typedef Tr                                   Triangulation;
-  typedef Domain_                              Domain;
+  typedef Selected_domain_3<Tr>                Domain;
   typedef typename Tr::Vertex_handle           Vertex_handle;
   typedef typename Tr::Cell_handle             Cell_handle;
   typedef typename Tr::Geom_traits::Point_3    Point_3;
@@ -82,12 +82,12 @@ public:
     mutable std::size_t m_number = 0;
   };
 
-  typedef Domain_keeper_3<Tr, Domain, Visitor> Domain_keeper;
-  typedef Mesh_editor_3<Tr, Domain_keeper>     Editor;
+  typedef Domain_keeper_3<Tr>                  Domain_keeper;
+  typedef Mesh_editor_3<Tr>                    Editor;
   typedef typename Editor::Tetrahedron         Tetrahedron;
   typedef typename Editor::Cells               Cells;
 
-  Improved_mesh_3(Tr& tr, Domain& domain, const Quality_& quality, Visitor& visitor)
+  Improved_mesh_3(Tr& tr, Domain& domain, const Quality_& quality, Mesh_visitor_3<Tr>& visitor)
     : m_tr(tr), m_domain(domain), m_uncounted_quality(quality), m_quality(quality), m_domain_keeper(domain, visitor),
       m_editor(tr, m_domain_keeper), m_orientation(tr.geom_traits().orientation_3_object()), m_lengths(tr), m_times(0)
   { }
@@ -346,7 +346,7 @@ public:
   {
     std::vector<Vertex_handle> moved;
     m_editor.journal().change().for_each_moved_vertex([&](const Vertex_handle v, const auto&) { moved.push_back(v); });
-    Undoing_visitor undoing_visitor{ m_domain_keeper, std::vector<Cell_handle>() };
+    Undoing_visitor undoing_visitor(m_domain_keeper);
     for(const auto& [before, now] : m_editor.undo(undoing_visitor))
       m_lengths.set_of_constraints(now, constraints_at_dropped_vertex(before));
     std::vector<Cell_handle> cells = std::move(undoing_visitor.cells);
@@ -372,15 +372,21 @@ private:
   };
 
   struct Undoing_visitor
+    : public Mesh_visitor_3<Tr>
   {
+    explicit Undoing_visitor(Domain_keeper& domain_keeper) : domain_keeper(domain_keeper) { }
+
     Domain_keeper& domain_keeper;
     std::vector<Cell_handle> cells; // that came back
 
-    void before_cells_removal(const std::vector<Cell_handle>& going) { domain_keeper.before_cells_removal(going); }
-
-    void after_cells_creation(const std::vector<Cell_handle>& coming)
+    void before_cells_removal(const Cell_span<Cell_handle>& going) override
     {
-      cells = coming;
+      domain_keeper.before_cells_removal(going);
+    }
+
+    void after_cells_creation(const Cell_span<Cell_handle>& coming) override
+    {
+      cells.assign(coming.begin(), coming.end());
       domain_keeper.after_cells_return(coming);
     }
   };

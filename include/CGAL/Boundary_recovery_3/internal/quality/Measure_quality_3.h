@@ -12,7 +12,8 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/Mesh_quality_3.h>
+#include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/numbers/binary_scale.h>
 #include <CGAL/Boundary_recovery_3/internal/numbers/exact_numbers.h>
@@ -54,12 +55,13 @@ constexpr double squares_of_cotangents[17] = {
  * An edge is counted in one of its cells, which is found without looking at the others: there is a fixed direction, and
  * exactly one cell around the edge is that way from it. That is the cell both of whose facets at the edge face there.
  */
-template <typename Tr, typename Domain>
+template <typename Tr>
 class Measure_quality_3
 {
 public:
   typedef typename Tr::Vertex_handle Vertex_handle;
   typedef typename Tr::Cell_handle   Cell_handle;
+  typedef Selected_domain_3<Tr>      Domain;
 
   Measure_quality_3(const Tr& tr, const Domain& domain) : m_tr(tr), m_domain(domain) { }
 
@@ -139,16 +141,14 @@ private:
   void add_edge(const Cell_handle c, const int k, const Cell_corners_3& corners)
   {
     const int u = edges_of_cell[k][0], v = edges_of_cell[k][1];
-    const double size_u = size(c->vertex(u)), size_v = size(c->vertex(v));
+    const double size_u = internal::vertex_size(*c->vertex(u)), size_v = internal::vertex_size(*c->vertex(v));
     if(! (size_u > 0 && size_v > 0 && is_inner_edge(c, k)))
       return;
     ++m_quality.number_of_sized_edges;
     m_number_of_edges_in_size += is_in_size(difference(corners[u], corners[v]), size_u, size_v);
   }
 
-  // 0 if it is not known. The filling keeps marks in the sign.
-  static double size(const Vertex_handle v) { return std::abs(CGAL::to_double(v->meshing_info())); }
-
+  // See `Length_rules`.
   static bool is_in_size(Coordinates_3 edge, const double size_u, const double size_v)
   {
     const bool is_ordinary = size_u > 1e-100 && size_u < 1e100; // else squares would leave their range
@@ -162,9 +162,9 @@ private:
   // Whether an edge is in no wall. Most cells need not look at their neighbors, which are far away in memory.
   bool is_inner_edge(const Cell_handle c, const int k) const
   {
-    if constexpr(! Domain::has_selection)
-      if(c->vertex(edges_of_cell[k][0])->in_dimension() == 3 || c->vertex(edges_of_cell[k][1])->in_dimension() == 3)
-        return true;
+    if(! m_domain.has_selection() && (c->vertex(edges_of_cell[k][0])->in_dimension() == 3 ||
+                                      c->vertex(edges_of_cell[k][1])->in_dimension() == 3))
+      return true;
     Edge_walk_3<Tr> walk(c, edges_of_cell[5 - k][0], edges_of_cell[5 - k][1]);
     do
     {

@@ -15,6 +15,7 @@
 #include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_result_3.h>
 #include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Ordinary_scale_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Cell_angles_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Explain_bad_cells_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Improve_domain_3.h>
@@ -51,34 +52,22 @@ void set_last_figures(Quality_improvement_result_3<Tr>& result, const std::optio
  * what is still bad. If the work is stopped, there may be no time for them; if that is before the first change, the
  * first ones are the last ones.
  */
-template <typename Tr, typename Domain, typename Quality, typename Visitor>
+template <typename Tr, typename Quality>
 class Quality_improvement_3
 {
 public:
   typedef typename Tr::Cell_handle         Cell_handle;
+  typedef Selected_domain_3<Tr>            Domain;
   typedef Quality_improvement_result_3<Tr> Result;
 
   Quality_improvement_3(Tr& tr, Domain& domain, const Quality& quality, const std::size_t max_number_of_vertices,
-                        Visitor& visitor)
+                        Mesh_visitor_3<Tr>& visitor)
     : m_tr(tr), m_domain(domain), m_quality(quality), m_max_number_of_vertices(max_number_of_vertices),
       m_context(visitor)
   { }
 
   Result operator()(const double min_dihedral_angle, const Improvement_effort effort,
-                    const double maximum_running_time)
-  {
-    m_context.set_maximum_running_time(maximum_running_time);
-    if(is_possible_target(min_dihedral_angle))
-    {
-      m_context.visitor().on_phase_begin(Phase::quality_improvement);
-      improve(min_dihedral_angle, effort);
-      m_context.visitor().on_phase_end(report());
-    }
-    else
-      m_result.status = Meshing_status::invalid_input;
-    m_result.seconds = m_context.seconds();
-    return std::move(m_result);
-  }
+                    const double maximum_running_time);
 
 private:
   typedef std::optional<Mesh_quality_3> Figures; // none if there was no time
@@ -88,7 +77,7 @@ private:
     bool is_begun = false;
     const Figures before = change_mesh(min_dihedral_angle, effort, is_begun);
     const bool is_done = ! m_context.is_stopped();
-    Explain_bad_cells_3<Tr, Domain> explain(m_tr, m_domain, min_dihedral_angle);
+    Explain_bad_cells_3<Tr> explain(m_tr, m_domain, min_dihedral_angle);
     const Figures after = measure([&](const Cell_handle c, const Cell_angles_3& angles) { explain.add(c, angles); });
     if(before)
       m_result.before = *before;
@@ -101,7 +90,7 @@ private:
   Figures change_mesh(const double min_dihedral_angle, const Improvement_effort effort, bool& is_begun)
   {
     const Ordinary_scale_3<Tr> scale(m_tr);
-    Improve_domain_3<Tr, Domain, Quality, Visitor> improve_domain(m_tr, m_domain, m_quality, m_context);
+    Improve_domain_3<Tr, Quality> improve_domain(m_tr, m_domain, m_quality, m_context);
     improve_domain.set_target(min_dihedral_angle);
     improve_domain.set_effort(effort);
     improve_domain.set_max_number_of_vertices(m_max_number_of_vertices);
@@ -116,27 +105,38 @@ private:
   template <typename Examine>
   Figures measure(const Examine& examine)
   {
-    return Measure_quality_3<Tr, Domain>(m_tr, m_domain)(
+    return Measure_quality_3<Tr>(m_tr, m_domain)(
       examine, [this] { return m_context.can_finish_after_short_step(); });
-  }
-
-  Phase_report report() const
-  {
-    Phase_report report;
-    report.phase = Phase::quality_improvement;
-    report.number_of_vertices = m_tr.number_of_vertices();
-    report.number_of_cells = m_tr.number_of_finite_cells();
-    report.seconds = m_context.seconds();
-    return report;
   }
 
   Tr& m_tr;
   Domain& m_domain;
   const Quality& m_quality;
   const std::size_t m_max_number_of_vertices;
-  Recovery_context<Visitor> m_context;
+  Recovery_context<Tr> m_context;
   Result m_result;
 };
+
+template <typename Tr, typename Quality>
+Quality_improvement_result_3<Tr>
+Quality_improvement_3<Tr, Quality>::operator()(const double min_dihedral_angle, const Improvement_effort effort,
+                                               const double maximum_running_time)
+{
+  m_context.set_maximum_running_time(maximum_running_time);
+  if(is_possible_target(min_dihedral_angle))
+  {
+    m_context.run(Phase::quality_improvement, [&] { improve(min_dihedral_angle, effort); },
+                  [this](Phase_report& report)
+    {
+      report.number_of_vertices = m_tr.number_of_vertices();
+      report.number_of_cells = m_tr.number_of_finite_cells();
+    });
+  }
+  else
+    m_result.status = Meshing_status::invalid_input;
+  m_result.seconds = m_context.seconds();
+  return std::move(m_result);
+}
 
 } // namespace internal
 } // namespace Boundary_recovery_3

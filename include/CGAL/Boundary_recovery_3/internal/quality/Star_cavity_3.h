@@ -12,9 +12,9 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <CGAL/Boundary_recovery_3/Cell_quality_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Best_point_in_star_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/visit_qualities.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/distances_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
@@ -243,7 +243,7 @@ private:
 
   bool has_constrained_edge_inside() const
   {
-    if constexpr(Mesh::Domain::has_constrained_edges)
+    if(m_mesh.domain().has_constrained_edges())
       for(const Cell_handle c : m_cells)
         for(int i = 0; i < 4; ++i)
           for(int j = 0; j < i; ++j)

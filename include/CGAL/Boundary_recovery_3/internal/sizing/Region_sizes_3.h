@@ -40,20 +40,20 @@ namespace internal {
  * field grow faster: a mesh with a larger grading has bad cells. Therefore `set_walls()` lowers the sizes at vertices
  * of walls to the size of the walls. `restore_sizes_of_field()` undoes this when the filling is done.
  */
-template <typename Tr, typename SizingField>
+template <typename Tr>
 class Region_sizes_3
 {
 public:
   typedef typename Tr::Vertex_handle          Vertex_handle;
   typedef typename Tr::Cell_handle            Cell_handle;
   typedef typename Tr::Geom_traits::Point_3   Point_3;
-  typedef Size_query_3<Tr, SizingField>       Query;
+  typedef Size_query_3<Tr>                    Query;
 
   // The size that the field asks for at a point, and the size that cells can have there, which is smaller if the sizes
   // at the vertices of the cell are. Both are NaN if the field has no size there.
   struct Size { double asked, possible; };
 
-  Region_sizes_3(const Tr& tr, const SizingField& field) : m_query(field), m_at_vertices(tr) { }
+  Region_sizes_3(const Tr& tr, const Size_field_3<Point_3>& field) : m_query(field), m_at_vertices(tr) { }
 
   // Asks the field for the sizes at the vertices of these cells. At a vertex of several regions, it asks for the size
   // in each of them, and the smallest one counts. Returns false if the field has no size at one of the vertices.
@@ -112,12 +112,9 @@ public:
   }
 
   // What the field says about a place in a region; a number, what it said at the vertices.
-  double of_field([[maybe_unused]] const Coordinates_3& p, [[maybe_unused]] const int region)
+  double of_field(const Coordinates_3& p, const int region)
   {
-    if constexpr(Query::is_constant)
-      return m_constant;
-    else
-      return m_query(Point_3(p[0], p[1], p[2]), 3, region);
+    return m_query.is_constant() ? m_constant : m_query(Point_3(p[0], p[1], p[2]), 3, region);
   }
 
   // A lower bound of the size at the centroid of a cell, 0 if none is known; `corners` are the corners of the cell.
@@ -134,7 +131,7 @@ public:
                           const double radius) const
   {
     double least = 0;
-    if constexpr(Query::is_constant)
+    if(m_query.is_constant())
       least = m_constant;
     else if(m_query.gradation() < std::numeric_limits<double>::infinity())
       for(int i = 0; i < 4; ++i)
@@ -196,7 +193,7 @@ private:
 
   void set_at_vertex(const Vertex_handle v, const double size)
   {
-    if constexpr(Query::is_constant)
+    if(m_query.is_constant())
       m_constant = size;
     const double known = m_at_vertices.is_known(v) ? m_at_vertices[v] : size;
     if(known != size)

@@ -154,27 +154,85 @@ double least_size_of_field_around(const Field& field, const typename GT::Point_3
 }
 
 /*
- * Asks the size field that the caller passed, of whatever kind it is, and watches what it answers.
+ * A size field as everything below the entry functions knows it: the type of the caller's field is no parameter of
+ * templates there.
+ */
+template <typename Point_3>
+class Size_field_3
+{
+public:
+  virtual ~Size_field_3() = default;
+
+  // The size at a place, whatever the caller returns for it.
+  virtual double operator()(const Point_3& p, int dimension, int index) const = 0;
+
+  // A number that no size within a distance of a place is below; 0 if nobody knows.
+  virtual double least_size_around(const Point_3& p, double radius, int index) const = 0;
+
+  // By how much the sizes grow per length, at most; infinite if nobody knows.
+  virtual double grading() const = 0;
+
+  // Whether all sizes are the same number.
+  virtual bool is_constant() const { return false; }
+
+  // Whether the field tells bounds of its sizes better than by its grading.
+  virtual bool tells_least_sizes() const { return false; }
+};
+
+// Hands on all questions to a size field of another type, of whatever kind, or to what such a wrapper refers to. It
+// keeps a reference to the field only.
+template <typename GT, typename SizingField>
+class Any_size_field_3 final
+  : public Size_field_3<typename GT::Point_3>
+{
+public:
+  typedef typename GT::Point_3                        Point_3;
+  typedef typename GT::FT                             FT;
+  typedef typename Unwrapped_field<SizingField>::type Field;
+
+  explicit Any_size_field_3(const SizingField& field) : m_field(field) { }
+
+  double operator()(const Point_3& p, const int dimension, const int index) const override
+  {
+    return internal::size_at<FT>(m_field, p, dimension, index);
+  }
+
+  double least_size_around(const Point_3& p, const double radius, const int index) const override
+  {
+    return internal::least_size_around<FT>(m_field, p, radius, index);
+  }
+
+  double grading() const override { return internal::grading_of<Point_3, FT>(m_field); }
+
+  bool is_constant() const override { return size_field_kind<Field, Point_3, FT>() == Size_field_kind::number; }
+
+  bool tells_least_sizes() const override { return Has_least_size_around<Field, Point_3>::value; }
+
+private:
+  const Field& m_field;
+};
+
+/*
+ * Asks a size field, and watches what it answers.
  *
  * A field may return anything, and may throw. The first place where there is no size is remembered, and from then on
  * the field is not asked again: all sizes are NaN, and the work ends with what is known about that place.
  */
-template <typename Tr, typename SizingField>
+template <typename Tr>
 class Size_query_3
 {
 public:
-  typedef typename Tr::Geom_traits::Point_3            Point_3;
-  typedef typename Tr::Geom_traits::FT                 FT;
-  typedef typename Unwrapped_field<SizingField>::type  Field;
-
-  // Whether all sizes are the same number.
-  static constexpr bool is_constant = size_field_kind<Field, Point_3, FT>() == Size_field_kind::number;
-
-  // Whether the field tells bounds of its sizes better than by its gradation.
-  static constexpr bool tells_least_sizes = Has_least_size_around<Field, Point_3>::value;
+  typedef typename Tr::Geom_traits::Point_3 Point_3;
+  typedef typename Tr::Geom_traits::FT      FT;
+  typedef Size_field_3<Point_3>             Field;
 
   // It keeps a reference to the field only.
-  explicit Size_query_3(const SizingField& field) : m_field(field) { }
+  explicit Size_query_3(const Field& field)
+    : m_field(field), m_grading(field.grading()), m_is_constant(field.is_constant())
+  { }
+
+  bool is_constant() const { return m_is_constant; }
+  bool tells_least_sizes() const { return m_field.tells_least_sizes(); }
 
   // The size at p; NaN if there is none here, or was none somewhere before.
   double operator()(const Point_3& p, const int dimension, const int index)
@@ -192,7 +250,7 @@ public:
     ++m_number_of_queries;
     try
     {
-      return m_scale * internal::least_size_around<FT>(m_field, place_in_field(p), radius / m_scale, index);
+      return m_scale * m_field.least_size_around(place_in_field(p), radius / m_scale, index);
     }
     catch(...)
     {
@@ -210,7 +268,7 @@ public:
   const Invalid_size_3<Point_3>& invalid_size() const { return m_invalid; }
 
   // By how much the sizes grow per length, at most: 0 for a number, infinity if the field does not tell.
-  double gradation() const { return grading_of<Point_3, FT>(m_field); }
+  double gradation() const { return m_grading; }
 
   std::size_t number_of_queries() const { return m_number_of_queries; }
 
@@ -235,7 +293,7 @@ private:
   {
     try
     {
-      return size_at<FT>(m_field, p, dimension, index);
+      return m_field(p, dimension, index);
     }
     catch(const std::exception& e)
     {
@@ -257,6 +315,8 @@ private:
   }
 
   const Field& m_field;
+  double m_grading;
+  bool m_is_constant;
   double m_scale = 1;
   bool m_is_valid = true;
   Invalid_size_3<Point_3> m_invalid = Invalid_size_3<Point_3>();

@@ -32,10 +32,12 @@ namespace internal {
  * where too many questions would be needed, it ends for this cell. It is not complete from then on. After some places
  * without success, a cell is left, too: there is no room in it.
  */
-template <typename Sizes, typename Cell_handle>
+template <typename Tr>
 class Small_size_search_3
 {
 public:
+  typedef typename Tr::Cell_handle     Cell_handle;
+  typedef Region_sizes_3<Tr>           Sizes;
   typedef std::array<Coordinates_3, 4> Corners;
 
   // As parts of the size, see "Tuning constants" in the manual: what is searched for, and what may be missed.

@@ -54,11 +54,11 @@ namespace internal {
  * each point is moved on its constraint, right after it was inserted, to where few bits describe it. As it stays on
  * the constraint, the new edges pierce nothing of that wherever it is.
  */
-template <typename Tr, typename Visitor>
+template <typename Tr>
 class Conforming_recovery_3
 {
 public:
-  typedef Steiner_mesh_3<Tr, Visitor>          Mesh;
+  typedef Steiner_mesh_3<Tr>          Mesh;
   typedef typename Mesh::Vertex_handle         Vertex_handle;
   typedef typename Mesh::Cell_handle           Cell_handle;
   typedef typename Mesh::Vertex_pair           Vertex_pair;

@@ -40,11 +40,11 @@ namespace internal {
  * The ball of the point is covered without it: by collapsing it onto one of its neighbors on the edge, or by small
  * polyhedron reconnection. Until that works, the other edges at the point are removed by flips.
  */
-template <typename Tr, typename Visitor>
+template <typename Tr>
 class Remove_chain_point_3
 {
 public:
-  typedef Steiner_mesh_3<Tr, Visitor>          Mesh;
+  typedef Steiner_mesh_3<Tr>          Mesh;
   typedef typename Mesh::Vertex_handle         Vertex_handle;
   typedef typename Mesh::Cell_handle           Cell_handle;
   typedef typename Mesh::Vertex_pair           Vertex_pair;
@@ -105,7 +105,7 @@ private:
   }
 
   Mesh& m_mesh;
-  Reduce_ball_3<Tr, Visitor, Ledger> m_reduce_ball;
+  Reduce_ball_3<Tr, Ledger> m_reduce_ball;
   Reconnection m_reconnection;
   std::vector<Cell_handle> m_ball;
   Vertex_pair m_neighbors; // of the point, on its edge
@@ -119,13 +119,13 @@ private:
  * of their points are cut up again and again before any point gets a position; in the end, there is no number in some
  * balls, and this is known only when all the work is done.
  */
-template <typename Tr, typename Visitor>
+template <typename Tr>
 class Isolated_edge_recovery_3
 {
 public:
-  typedef Steiner_mesh_3<Tr, Visitor>          Mesh;
+  typedef Steiner_mesh_3<Tr>          Mesh;
   typedef typename Mesh::Vertex_handle         Vertex_handle;
-  typedef Steiner_suppression_3<Tr, Visitor>   Suppression;
+  typedef Steiner_suppression_3<Tr>   Suppression;
 
   explicit Isolated_edge_recovery_3(Mesh& mesh)
     : m_mesh(mesh), m_conform(mesh), m_shorten(mesh), m_split(mesh), m_remove(mesh, mesh.constraints), m_suppress(mesh)
@@ -219,10 +219,10 @@ private:
   static constexpr int recursion_level = 4;
 
   Mesh& m_mesh;
-  Conforming_recovery_3<Tr, Visitor> m_conform;
-  Remove_chain_point_3<Tr, Visitor> m_shorten;
-  Steiner_splitting_3<Tr, Visitor> m_split;
-  Suppress_free_point_3<Tr, Visitor, typename Mesh::Constraints> m_remove;
+  Conforming_recovery_3<Tr> m_conform;
+  Remove_chain_point_3<Tr> m_shorten;
+  Steiner_splitting_3<Tr> m_split;
+  Suppress_free_point_3<Tr, typename Mesh::Constraints> m_remove;
   Suppression m_suppress;
 };
 

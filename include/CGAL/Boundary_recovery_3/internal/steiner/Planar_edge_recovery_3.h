@@ -52,11 +52,11 @@ namespace internal {
  * them. Two cells are at a mesh edge on that side then, and flips are those of a triangulation of the plane, which do
  * not get stuck. The apexes are free points of the ledger; those that can go at once do when the edges are back.
  */
-template <typename Tr, typename Visitor>
+template <typename Tr>
 class Planar_edge_recovery_3
 {
 public:
-  typedef Steiner_mesh_3<Tr, Visitor>          Mesh;
+  typedef Steiner_mesh_3<Tr>          Mesh;
   typedef typename Mesh::Vertex_handle         Vertex_handle;
   typedef typename Mesh::Cell_handle           Cell_handle;
   typedef std::vector<std::size_t>             Indices;
@@ -288,7 +288,7 @@ private:
   Walk m_walk;
   Constraint_recovery_3<Tr, 2> m_recover;
   Shell_transformation_3<Tr, No_shell_quality_3, Validity, typename Mesh::Editor> m_transformation;
-  Remove_vertex_3<Tr, Visitor, Constraints> m_remove;
+  Remove_vertex_3<Tr, Constraints> m_remove;
 };
 
 } // namespace internal

@@ -45,12 +45,12 @@ namespace internal {
  * wants, the mesh is put back, and other points are tried. Where many edges are of no facet, these are recovered one by
  * one before, each as a transaction of its own.
  */
-template <typename Tr, typename Visitor>
+template <typename Tr>
 class Recovery_by_points_3
 {
 public:
   typedef typename Tr::Vertex_handle         Vertex_handle;
-  typedef Recovery_state_3<Tr, Visitor>      State;
+  typedef Recovery_state_3<Tr>      State;
   typedef Steiner_ledger_3<Tr>               Ledger;
   typedef Recovery_mode                      Mode;
 
@@ -109,7 +109,7 @@ public:
   // them, or in the mode `flips_only` a point is left, what was done there is taken back.
   void recover_planar_edges(const Mode mode)
   {
-    Planar_edge_recovery_3<Tr, Visitor> recover(m_mesh);
+    Planar_edge_recovery_3<Tr> recover(m_mesh);
     const auto groups = recover.find(m_state.lost.edges);
     if(groups.empty())
       return;
@@ -148,7 +148,7 @@ public:
   // none is left there.
   bool split_points()
   {
-    Steiner_splitting_3<Tr, Visitor> split(m_mesh);
+    Steiner_splitting_3<Tr> split(m_mesh);
     m_state.run(Phase::steiner_splitting, [&]
     {
       for(std::size_t before = 0; before != m_ledger.points_on_constraints().size(); )
@@ -173,7 +173,7 @@ public:
   bool suppress_points(const int max_recursion_level, const Recovery_effort effort)
   {
     CGAL_precondition(m_ledger.points_on_constraints().empty());
-    Steiner_suppression_3<Tr, Visitor> suppress(m_mesh);
+    Steiner_suppression_3<Tr> suppress(m_mesh);
     m_state.run(Phase::steiner_suppression, [&] { suppress(max_recursion_level, effort); });
     const bool is_storable = suppress.round_points(max_recursion_level); // also if the recovery was stopped before
     m_state.number_of_transformations += suppress.number_of_transformations();
@@ -231,7 +231,7 @@ private:
   template <typename Begin>
   void recover_conforming(const int l_max, const Begin& begin)
   {
-    Conforming_recovery_3<Tr, Visitor> conform(m_mesh);
+    Conforming_recovery_3<Tr> conform(m_mesh);
     m_state.run(Phase::conforming_edge_recovery, [&]
     {
       begin();
@@ -262,7 +262,7 @@ private:
     if(isolated.size() <= max_number_at_once)
       return;
     recover_one_by_one(isolated, max_recursion_level, 0);
-    for(const int number_of_rounds : { 0, Steiner_suppression_3<Tr, Visitor>::max_number_of_rounds })
+    for(const int number_of_rounds : { 0, Steiner_suppression_3<Tr>::max_number_of_rounds })
       for(std::size_t before = 0; ! isolated.empty() && before != isolated.size(); )
       {
         before = isolated.size();
@@ -296,7 +296,7 @@ private:
   template <typename Work>
   void remove_points_between(const Work& work)
   {
-    Isolated_edge_recovery_3<Tr, Visitor> recover(m_mesh);
+    Isolated_edge_recovery_3<Tr> recover(m_mesh);
     work(recover);
     m_state.number_of_transformations += recover.number_of_transformations();
   }
@@ -319,7 +319,7 @@ private:
     {
       return l_max <= max_recursion_level && m_state.context.go_further() && transact([&]
       {
-        Isolated_edge_recovery_3<Tr, Visitor> recover(m_mesh);
+        Isolated_edge_recovery_3<Tr> recover(m_mesh);
         const bool is_done = recover(e, l_max, max_recursion_level, number_of_rounds);
         m_state.number_of_transformations += recover.number_of_transformations();
         return is_done;
@@ -353,7 +353,7 @@ private:
         take_back(depth, m_state.context.visitor());
     } catch(...) {
       // Cells may be inverted now. Whoever threw, maybe the visitor, is not called again.
-      Default_meshing_visitor_3 no_visitor;
+      Mesh_visitor_3<Tr> no_visitor;
       take_back(depth, no_visitor);
       m_ledger.unsettle();
       throw;
@@ -363,8 +363,7 @@ private:
   }
 
   // Ends the transaction that began at that depth, if this is not done yet.
-  template <typename Any_visitor>
-  void take_back(const std::size_t depth, Any_visitor& visitor)
+  void take_back(const std::size_t depth, Mesh_visitor_3<Tr>& visitor)
   {
     if(m_editor.journal().depth() == depth)
       return;
@@ -401,8 +400,8 @@ private:
   State& m_state;
   Ledger& m_ledger;
   Constraint_parts_3<Tr> m_parts;
-  Mesh_editor_3<Tr, Visitor> m_editor;
-  Steiner_mesh_3<Tr, Visitor> m_mesh;
+  Mesh_editor_3<Tr> m_editor;
+  Steiner_mesh_3<Tr> m_mesh;
   Lost_constraints m_unrepresentable;
 };
 

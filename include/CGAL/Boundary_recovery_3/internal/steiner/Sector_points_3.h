@@ -90,11 +90,11 @@ private:
  * ball. Each sees all the boundary of its sector, which is starred from it. The sector outside the hull has no s_i: its
  * triangles go to the infinite vertex.
  */
-template <typename Tr, typename Visitor>
+template <typename Tr>
 class Sector_points_3
 {
 public:
-  typedef Steiner_mesh_3<Tr, Visitor>                Mesh;
+  typedef Steiner_mesh_3<Tr>                Mesh;
   typedef typename Mesh::Vertex_handle               Vertex_handle;
   typedef typename Mesh::Cell_handle                 Cell_handle;
   typedef typename Mesh::Vertices                    Vertices;

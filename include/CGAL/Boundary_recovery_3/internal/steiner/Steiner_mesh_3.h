@@ -31,21 +31,20 @@ namespace internal {
  * What all that deals with Steiner points shares: the mesh and who changes it, the predicates, which know the exact
  * positions in the ledger, the constraints, the ledger, and the context of the run.
  */
-template <typename Tr_, typename Visitor_>
+template <typename Tr_>
 struct Steiner_mesh_3
 {
   typedef Tr_                              Tr;
-  typedef Visitor_                         Visitor;
   typedef typename Tr::Vertex_handle       Vertex_handle;
   typedef typename Tr::Cell_handle         Cell_handle;
   typedef std::array<Vertex_handle, 2>     Vertex_pair;
   typedef std::array<Vertex_handle, 3>     Vertex_triple;
   typedef std::vector<Vertex_handle>       Vertices;
-  typedef Mesh_editor_3<Tr, Visitor>       Editor;
+  typedef Mesh_editor_3<Tr>                Editor;
   typedef Vertex_predicates_3<Tr>          Predicates;
   typedef Constraints_3<Tr>                Constraints;
   typedef Steiner_ledger_3<Tr>             Ledger;
-  typedef Recovery_context<Visitor>        Context;
+  typedef Recovery_context<Tr>             Context;
   typedef Exact_positions_3<Tr>            Positions;
   typedef typename Positions::Exact_point_3 Exact_point;
 

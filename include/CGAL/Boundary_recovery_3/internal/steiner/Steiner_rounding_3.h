@@ -140,11 +140,11 @@ private:
  * Gives a free Steiner point a position that the triangulation can store, and that sees its ball: the nearest one, the
  * deepest one, any other; and where no number fits into the kernel of the ball, one in a larger cavity.
  */
-template <typename Tr, typename Visitor>
+template <typename Tr>
 class Round_free_point_3
 {
 public:
-  typedef Steiner_mesh_3<Tr, Visitor>          Mesh;
+  typedef Steiner_mesh_3<Tr>          Mesh;
   typedef typename Mesh::Vertex_handle         Vertex_handle;
   typedef typename Mesh::Cell_handle           Cell_handle;
 

@@ -170,11 +170,11 @@ private:
  * plane gets a new point, halfway between s and the boundary of the ball. The neighbor with the fewest cut facets is
  * taken.
  */
-template <typename Tr, typename Visitor>
+template <typename Tr>
 class Insert_artificial_fan_3
 {
 public:
-  typedef Steiner_mesh_3<Tr, Visitor>    Mesh;
+  typedef Steiner_mesh_3<Tr>    Mesh;
   typedef typename Mesh::Vertex_handle   Vertex_handle;
   typedef typename Mesh::Cell_handle     Cell_handle;
   typedef typename Mesh::Vertices        Vertices;
@@ -287,11 +287,11 @@ private:
  * becomes the star of s_i. Here, A.1 (two sectors), A.2 and A.3 (as many sectors as facets at the edge) are one
  * algorithm. If an edge has fewer than two fans, artificial fans are added, see `Insert_artificial_fan_3`.
  */
-template <typename Tr, typename Visitor>
+template <typename Tr>
 class Steiner_splitting_3
 {
 public:
-  typedef Steiner_mesh_3<Tr, Visitor>          Mesh;
+  typedef Steiner_mesh_3<Tr>          Mesh;
   typedef typename Mesh::Vertex_handle         Vertex_handle;
   typedef typename Mesh::Cell_handle           Cell_handle;
 
@@ -399,11 +399,11 @@ private:
   Mesh& m_mesh;
   Half_facet_star_3<Tr> m_star; // of the Steiner point
   Fans m_fans;
-  Insert_artificial_fan_3<Tr, Visitor> m_insert_artificial_fan;
+  Insert_artificial_fan_3<Tr> m_insert_artificial_fan;
   Ball_sectors_3<Tr> m_sectors;
   Triangulate_fan_3<Tr> m_triangulate_fan;
-  Sector_points_3<Tr, Visitor> m_sector_points;
-  Suppress_free_point_3<Tr, Visitor, typename Mesh::Ledger> m_suppress;
+  Sector_points_3<Tr> m_sector_points;
+  Suppress_free_point_3<Tr, typename Mesh::Ledger> m_suppress;
   Vertices m_points_of_fans; // of artificial ones
 };
 

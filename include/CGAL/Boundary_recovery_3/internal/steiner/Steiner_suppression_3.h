@@ -83,11 +83,11 @@ private:
 /*
  * Makes one point of two free Steiner points that are neighbors, where one point sees the boundary of both balls.
  */
-template <typename Tr, typename Visitor>
+template <typename Tr>
 class Merge_points_3
 {
 public:
-  typedef Steiner_mesh_3<Tr, Visitor>          Mesh;
+  typedef Steiner_mesh_3<Tr>          Mesh;
   typedef typename Mesh::Vertex_handle         Vertex_handle;
   typedef typename Mesh::Cell_handle           Cell_handle;
 
@@ -137,11 +137,11 @@ private:
  * It ends: no step adds a point, every round but the last removes some, and within a round, the flips around a point
  * only ever take edges away from it.
  */
-template <typename Tr, typename Visitor>
+template <typename Tr>
 class Steiner_suppression_3
 {
 public:
-  typedef Steiner_mesh_3<Tr, Visitor>          Mesh;
+  typedef Steiner_mesh_3<Tr>          Mesh;
   typedef typename Mesh::Vertex_handle         Vertex_handle;
   typedef typename Mesh::Cell_handle           Cell_handle;
   typedef Growing_cavity_3<Tr>                 Growing_cavity;
@@ -372,9 +372,9 @@ private:
   static constexpr std::size_t failures_per_removed_point = 10;
 
   Mesh& m_mesh;
-  Suppress_free_point_3<Tr, Visitor, typename Mesh::Constraints> m_suppress;
-  Merge_points_3<Tr, Visitor> m_merge;
-  Round_free_point_3<Tr, Visitor> m_round;
+  Suppress_free_point_3<Tr, typename Mesh::Constraints> m_suppress;
+  Merge_points_3<Tr> m_merge;
+  Round_free_point_3<Tr> m_round;
   Growing_cavity m_growing_cavity;
   std::optional<std::vector<Vertex_handle> > m_exterior_points; // where there is a domain; none until asked for
   std::vector<Cell_handle> m_ball;

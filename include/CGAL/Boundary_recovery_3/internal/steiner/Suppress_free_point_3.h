@@ -57,7 +57,7 @@ private:
  * Removes the edges at a vertex one after the other by recursive shell transformations, until its ball is small enough
  * for the vertex to go ("Christmas tree", [CZZ+17, Fig. 7]).
  */
-template <typename Tr, typename Visitor, typename Constraints>
+template <typename Tr, typename Constraints>
 class Reduce_ball_3
 {
 public:
@@ -65,7 +65,7 @@ public:
   typedef typename Tr::Cell_handle             Cell_handle;
   typedef typename Tr::Edge                    Edge;
   typedef Vertex_predicates_3<Tr>              Predicates;
-  typedef Mesh_editor_3<Tr, Visitor>           Editor;
+  typedef Mesh_editor_3<Tr>           Editor;
 
   Reduce_ball_3(Editor& editor, const Predicates& predicates, const Constraints& constraints)
     : m_tr(editor.triangulation()), m_constraints(constraints),
@@ -132,11 +132,11 @@ private:
  *
  * `Constraints` are the ledger's as long as there are points on constraints.
  */
-template <typename Tr, typename Visitor, typename Constraints>
+template <typename Tr, typename Constraints>
 class Suppress_free_point_3
 {
 public:
-  typedef Steiner_mesh_3<Tr, Visitor>          Mesh;
+  typedef Steiner_mesh_3<Tr>          Mesh;
   typedef typename Mesh::Vertex_handle         Vertex_handle;
   typedef typename Mesh::Cell_handle           Cell_handle;
 
@@ -192,8 +192,8 @@ private:
   }
 
   Mesh& m_mesh;
-  Remove_vertex_3<Tr, Visitor, Constraints> m_remove;
-  Reduce_ball_3<Tr, Visitor, Constraints> m_reduce_ball;
+  Remove_vertex_3<Tr, Constraints> m_remove;
+  Reduce_ball_3<Tr, Constraints> m_reduce_ball;
   Move_into_kernel_3<Tr> m_move_into_kernel;
   Recovery_effort m_effort = Recovery_effort::more_time;
   std::vector<Cell_handle> m_ball;

@@ -13,6 +13,7 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Mesh_visitor_3.h>
 
 #include <chrono>
 #include <cstddef>
@@ -33,11 +34,11 @@ namespace internal {
  * It also counts work, in units that are the same on any machine, so that somebody can be asked after much of it
  * whether there is any hope; if not, the recovery ends as if it had been stopped.
  */
-template <typename Visitor>
+template <typename Tr>
 class Recovery_context
 {
 public:
-  typedef std::chrono::steady_clock Clock;
+  typedef Mesh_visitor_3<Tr>        Visitor;
 
   explicit Recovery_context(Visitor& visitor) : m_visitor(visitor), m_start(Clock::now()) { }
 
@@ -46,7 +47,25 @@ public:
   // Seconds from the construction of this object on; infinity: no limit.
   void set_maximum_running_time(const double seconds) { m_maximum_running_time = seconds; }
 
+  // May be negative.
+  double seconds_left() const { return m_maximum_running_time - seconds(); }
+
   double seconds() const { return std::chrono::duration<double>(Clock::now() - m_start).count(); }
+
+  // Runs a phase: does the work, and tells the visitor of its beginning and its end. `complete` adds to the report what
+  // is known by then.
+  template <typename Work, typename Complete>
+  void run(const Phase phase, const Work& work, const Complete& complete)
+  {
+    const double start = seconds();
+    m_visitor.on_phase_begin(phase);
+    work();
+    Phase_report report;
+    report.phase = phase;
+    report.seconds = seconds() - start;
+    complete(report);
+    m_visitor.on_phase_end(report);
+  }
 
   bool go_further()
   {
@@ -102,6 +121,8 @@ public:
   bool is_refuted() const { return m_is_refuted; }
 
 private:
+  typedef std::chrono::steady_clock Clock;
+
   // See "Tuning constants" in the manual.
   static constexpr double seconds_after_stop = 0.15;
   static constexpr std::size_t long_steps_per_question = 16;

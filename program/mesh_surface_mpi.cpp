@@ -61,7 +61,8 @@ typedef CGAL::Boundary_recovery_3::Dihedral_angle_quality_3           Quality;
 typedef CGAL::Boundary_recovery_3::Meshing_status                     Status;
 typedef Mesh_size<Triangulation>                                      Size;
 typedef internal::Mesh_part_3<Triangulation>                          Part;
-typedef internal::Work_on_part_3<Triangulation, Size, Quality>        Work;
+typedef internal::Any_size_field_3<Kernel, Size>                      Any_size;
+typedef internal::Work_on_part_3<Triangulation, Quality>              Work;
 
 class Mpi_mesher
 {
@@ -99,7 +100,8 @@ public:
     if(! m_exchange.do_all_agree(read(message)) || ! have_all_the_same_input(message) ||
        ! m_exchange.do_all_agree(open_store(message)))
       return tell(message);
-    const Work work(size(), Quality(), m_options.min_angle, m_options.effort);
+    const Any_size size = this->size();
+    const Work work(size, Quality(), m_options.min_angle, m_options.effort);
     Meshing meshing(m_world, m_store, work, rounds(), m_options.maximum_number_of_vertices);
     m_division_timer.start();
     const int status = meshing.resume() ? int(success) : divide(meshing);
@@ -124,7 +126,7 @@ public:
 private:
   const Size m_no_size = Size::unbounded();
 
-  const Size& size() const { return m_options.insert_field_points ? m_size : m_no_size; }
+  Any_size size() const { return Any_size(m_options.insert_field_points ? m_size : m_no_size); }
 
   std::vector<internal::Subdomain_round> rounds() const
   {
@@ -237,12 +239,11 @@ private:
 
   int divide(Triangulation& tr, const Result& result, std::vector<Part>& parts, Numbers_of_vertices& numbers)
   {
-    typedef internal::Part_domain_3<Triangulation>                  Domain;
-    typedef CGAL::Default_meshing_visitor_3       Visitor;
     constexpr double forever = std::numeric_limits<double>::infinity();
-    Visitor visitor;
-    Domain domain(tr, result.constrained_edges);
-    internal::Field_point_insertion_3<Triangulation, Domain, Size, Visitor> insertion(tr, domain, size(), visitor);
+    const Any_size size = this->size();
+    internal::Mesh_visitor_3<Triangulation> visitor;
+    auto domain = internal::domain_of_part(tr, result.constrained_edges);
+    internal::Field_point_insertion_3<Triangulation> insertion(tr, domain, size, visitor);
     const auto forecast = insertion.forecast_only(m_options.maximum_number_of_vertices, forever);
     if(! forecast.invalid_sizes.empty())
       return refuse(forecast.invalid_sizes.front());
@@ -250,13 +251,13 @@ private:
       return cannot_mesh("there would be about "
                          + std::to_string(static_cast<std::uint64_t>(forecast.forecast_of_vertices)) + " points");
     const std::size_t n = m_options.number_of_subdomains;
-    const auto filling = internal::Fill_background_3<Triangulation, Size>(size(), forecast.forecast_of_cells, n)
+    const auto filling = internal::Fill_background_3<Triangulation>(size, forecast.forecast_of_cells, n)
       (tr, domain, visitor, m_options.maximum_number_of_vertices, forever);
     if(filling.status == Status::too_large)
       return cannot_mesh("there would be about "
                          + std::to_string(static_cast<std::uint64_t>(filling.forecast_of_vertices)) + " points");
     internal::Decomposition_3<Triangulation> decomposition(tr);
-    parts = decomposition.divide(size(), domain, result.constrained_edges, n, result.recovery.vertices);
+    parts = decomposition.divide(size, domain, result.constrained_edges, n, result.recovery.vertices);
     numbers = { decomposition.number_of_vertices(), tr.number_of_vertices() };
     return success;
   }

@@ -7,7 +7,6 @@
 #include "part_store.h"
 #include "task_farm.h"
 
-#include <CGAL/Boundary_recovery_3/Meshing_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Mesh_part_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Seams_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Work_on_part_3.h>
@@ -331,7 +330,7 @@ private:
     for(const std::uint32_t p : m_plan.tasks[k].parts)
       join.add(load(parts_name(m_round, p), record(p, k)));
     Part part = join.joined();
-    CGAL::Default_meshing_visitor_3 visitor;
+    CGAL::Boundary_recovery_3::internal::Mesh_visitor_3<Tr> visitor;
     const std::size_t number_of_vertices = static_cast<std::size_t>(m_plan.number_of_vertices);
     report.gained_vertices = - static_cast<std::int64_t>(part.vertices.size());
     const auto work_report = m_work(part, m_rounds[m_round], number_of_vertices, max_number_of_new_vertices, visitor,
