@@ -10,8 +10,8 @@
 
 namespace boundary_recovery {
 
-// Asks a function, a call of which is expensive, for many sizes at a time: for those at the corners of the cells of a box
-// that is divided into 4 x 4 x 4 of them. In a cell that is not longer than the sizes at its corners, these are
+// Asks a function, a call of which is expensive, for many sizes at a time: for those at the corners of the cells of a
+// box that is divided into 4 x 4 x 4 of them. In a cell that is not longer than the sizes at its corners, these are
 // interpolated; a longer one is a box itself. So a size is interpolated over one size at most, it depends on the place
 // alone, and only boxes are asked for in which somebody wants to know a size.
 class Sampled_sizes
@@ -40,10 +40,10 @@ public:
         box->values = ask(box->corners());
       const std::array<std::size_t, 3> cell = box->cell_of(p);
       const double smallest = box->smallest_at(cell);
-      if(! (smallest > 0))
-        break;
-      if(box->edge / n <= smallest)
+      if(box->edge / n <= smallest && box->has_all(cell))
         return box->interpolated(cell, p);
+      if(box->edge / n <= smallest)
+        break;
       box = box->child(cell);
     }
     return ask(std::vector<Place>(1, p))[0];
@@ -99,15 +99,23 @@ private:
       return values[(i * (n + 1) + j) * (n + 1) + k];
     }
 
-    // NaN if one of them is
+    static bool is_size(const double x) { return x > 0 && x < std::numeric_limits<double>::infinity(); }
+
+    bool has_all(const std::array<std::size_t, 3>& cell) const
+    {
+      for(std::size_t corner = 0; corner < 8; ++corner)
+        if(! is_size(value(cell, corner)))
+          return false;
+      return true;
+    }
+
+    // of those that are there, infinity if none is
     double smallest_at(const std::array<std::size_t, 3>& cell) const
     {
       double smallest = std::numeric_limits<double>::infinity();
       for(std::size_t corner = 0; corner < 8; ++corner)
-        if(! (value(cell, corner) >= smallest))
-          smallest = value(cell, corner);
-        else if(value(cell, corner) == std::numeric_limits<double>::infinity())
-          return std::numeric_limits<double>::quiet_NaN(); // a size that is none, either
+        if(is_size(value(cell, corner)))
+          smallest = (std::min)(smallest, value(cell, corner));
       return smallest;
     }
 
