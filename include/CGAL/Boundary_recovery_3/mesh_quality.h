@@ -22,8 +22,6 @@
 
 #include <CGAL/Named_function_parameters.h>
 
-#include <type_traits>
-
 namespace CGAL {
 namespace Boundary_recovery_3 {
 
@@ -58,7 +56,7 @@ Mesh_quality_3 mesh_quality(const Triangulation& tr, const CGAL_NP_CLASS& np = p
 {
   typedef typename Triangulation::Cell_handle Cell_handle;
   const auto domain = internal::selected_domain(tr, np);
-  internal::Measure_quality_3<Triangulation, std::decay_t<decltype(domain)> > measure(tr, domain);
+  internal::Measure_quality_3<Triangulation> measure(tr, domain);
   return measure([](const Cell_handle, const internal::Cell_angles_3&) { });
 }
 
@@ -87,8 +85,7 @@ Quality_certificate_3<Triangulation> quality_certificate(const Triangulation& tr
 {
   typedef typename Triangulation::Cell_handle Cell_handle;
   const auto domain = internal::selected_domain(tr, np);
-  internal::Explain_bad_cells_3<Triangulation, std::decay_t<decltype(domain)> >
-    explain(tr, domain, min_dihedral_angle);
+  internal::Explain_bad_cells_3<Triangulation> explain(tr, domain, min_dihedral_angle);
   if(tr.dimension() == 3)
     for(const Cell_handle c : tr.finite_cell_handles())
       if(domain.contains(c))
