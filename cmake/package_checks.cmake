@@ -51,6 +51,14 @@ if(Python3_FOUND)
   br3_add_program_test(mesh_surface_behaves_as_documented mesh_surface test_mesh_surface_br3.py)
   br3_add_program_test(mesh_surface_mpi_behaves_as_documented mesh_surface_mpi test_mesh_surface_mpi_br3.py
                        ${MPIEXEC_EXECUTABLE} $<TARGET_FILE:mesh_surface>)
+  foreach(program mesh_surface mesh_surface_mpi recover_boundary)
+    if(TARGET man_page_of_${program})
+      add_test(NAME man_page_of_${program}_is_complete COMMAND Python3::Interpreter
+               ${CMAKE_CURRENT_SOURCE_DIR}/program/make_man_page.py $<TARGET_FILE:${program}>
+               --check $<TARGET_FILE_DIR:${program}>/${program}.1)
+      set_tests_properties(man_page_of_${program}_is_complete PROPERTIES LABELS program)
+    endif()
+  endforeach()
   if(TARGET mesh_surface_mpi)
     set_tests_properties(mesh_surface_mpi_behaves_as_documented PROPERTIES PROCESSORS 2)
   endif()
@@ -64,7 +72,16 @@ add_test(NAME install_and_find_package COMMAND ${CMAKE_COMMAND}
          -DBUILD_DIR=${CMAKE_CURRENT_BINARY_DIR} -DSOURCE_DIR=${CMAKE_CURRENT_SOURCE_DIR}
          -DSCRATCH_DIR=${CMAKE_CURRENT_BINARY_DIR}/install_test -DCGAL_DIR=${CGAL_DIR}
          -DCXX_COMPILER=${CMAKE_CXX_COMPILER} -DVERSION=${PROJECT_VERSION}
+         -DCOMPILED=$<TARGET_EXISTS:Boundary_recovery_3_compiled>
          -P ${br3_package_tests}/install_test/run_install_test.cmake)
+if(TARGET mesh_surface)
+  set(programs recover_boundary mesh_surface $<$<TARGET_EXISTS:mesh_surface_mpi>:mesh_surface_mpi>)
+  add_test(NAME programs_are_installed COMMAND ${CMAKE_COMMAND}
+           -DBUILD_DIR=${CMAKE_CURRENT_BINARY_DIR} -DSCRATCH_DIR=${CMAKE_CURRENT_BINARY_DIR}/program_test
+           "-DPROGRAMS=${programs}" -DMAN_PAGES=$<TARGET_EXISTS:man_page_of_mesh_surface>
+           -P ${br3_package_tests}/install_test/check_programs.cmake)
+  set_tests_properties(programs_are_installed PROPERTIES LABELS program)
+endif()
 
 if(DOXYGEN_FOUND)
   add_test(NAME manual_builds_without_warning

@@ -33,6 +33,9 @@ install_missing()
 
 # What compiling the package takes.
 build_packages=(g++ make cmake libcgal-dev libboost-dev libeigen3-dev libgmp-dev libmpfr-dev)
+# What sub-domains are divided by, and meshed at the same time with; what mesh_surface_mpi takes.
+subdomain_packages=(libtbb-dev libmetis-dev)
+mpi_packages=(libboost-mpi-dev openmpi-bin libopenmpi-dev)
 
 # For CMake, which takes the name of precompiled headers of C++ from the compiler of C.
 with_clang=(-DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++)

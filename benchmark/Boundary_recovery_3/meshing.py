@@ -21,7 +21,7 @@ from benchmark_common import PROGRAMS, Programs, Records, model_of, parser_of, s
 from performance import exponent, geometric_mean
 
 BUILD = os.path.dirname(os.path.dirname(PROGRAMS))
-MESHER = os.path.join(BUILD, "examples", "Boundary_recovery_3", "mesh_surface")
+MESHER = os.path.join(BUILD, "program", "mesh_surface")
 CELLS_PER_CUBE = 9  # of tetrahedra with edges of length h: cells in the volume h^3, about
 VOLUME_PER_CUBE = 0.14  # TetGen's limit of volumes that gives edges of such lengths
 ALGORITHMS_OF_GMSH = {"Gmsh Delaunay": 1, "Gmsh HXT": 10}  # Mesh.Algorithm3D

@@ -3,7 +3,6 @@
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Boundary_recovery_3/Background_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/Background_mesh_sizing_field_3.h>
-#include <CGAL/Boundary_recovery_3/read_background_mesh.h>
 #include <CGAL/make_boundary_constrained_mesh_3.h>
 
 #include <array>

@@ -1,10 +1,10 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Boundary_constrained_mesh_triangulation_3.h>
 #include <CGAL/IO/polygon_soup_io.h>
-#include <CGAL/Boundary_recovery_3/Minimum_sizing_field_3.h>
+#include <CGAL/Boundary_recovery_3/Combined_sizing_fields_3.h>
+#include <CGAL/Boundary_recovery_3/Size_source_3.h>
 #include <CGAL/Boundary_recovery_3/Source_sizing_field_3.h>
 #include <CGAL/Boundary_recovery_3/Surface_sizing_field_3.h>
-#include <CGAL/Boundary_recovery_3/read_size_sources.h>
 #include <CGAL/make_boundary_constrained_mesh_3.h>
 
 #include <array>

@@ -12,14 +12,179 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_cell_base_3.h>
-#include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_vertex_base_3.h>
-
 #include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Triangulation_cell_base_3.h>
 #include <CGAL/Triangulation_data_structure_3.h>
+#include <CGAL/Triangulation_vertex_base_3.h>
 #include <CGAL/tags.h>
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
 namespace CGAL {
+namespace Boundary_recovery_3 {
+
+/*!
+ * \ingroup PkgBoundaryRecovery3Classes
+ *
+ * \brief a vertex base with what CGAL's mesh packages want to know of a vertex, and nothing else.
+ *
+ * The members have the names, and the meaning, that they have in `MeshVertexBase_3`, so that the same code takes
+ * vertices of triangulations over CGAL's own bases. A vertex has 56 bytes over
+ * `Exact_predicates_inexact_constructions_kernel`, without threads.
+ *
+ * \tparam GT the geometric traits
+ * \tparam Vb the vertex base that it is derived from
+ *
+ * \cgalModels{TriangulationVertexBase_3}
+ */
+template <typename GT, typename Vb = Triangulation_vertex_base_3<GT> >
+class Boundary_constrained_mesh_vertex_base_3
+  : public Vb
+{
+public:
+  typedef typename GT::FT FT; ///< the number type of sizes
+  typedef int Index;          ///< the type of the index
+
+  /// rebinds it to a triangulation data structure.
+  template <typename TDS>
+  struct Rebind_TDS
+  {
+    /// the rebound type
+    typedef Boundary_constrained_mesh_vertex_base_3<GT, typename Vb::template Rebind_TDS<TDS>::Other> Other;
+  };
+
+  using Vb::Vb;
+
+  /// returns the dimension of what the vertex is on: 0: a corner, 1: a constrained edge that is no edge of a triangle,
+  /// 2: the surface, 3: the domain or what is outside of it, -1: not known.
+  int in_dimension() const { return m_dimension; }
+
+  /// sets the dimension.
+  void set_dimension(const int dimension) { m_dimension = static_cast<signed char>(dimension); }
+
+  /// returns the number of the region, patch, edge or corner, according to the dimension.
+  Index index() const { return m_index; }
+
+  /// sets that number.
+  void set_index(const Index index) { m_index = index; }
+
+  /// returns the size that cells should have here; 0: not known.
+  FT meshing_info() const { return m_size; }
+
+  /// sets the size.
+  void set_meshing_info(const FT& size) { m_size = size; }
+
+  /// \name Facets of a Complex
+  /// What `Mesh_complex_3_in_triangulation_3` remembers about the facets of the complex around the vertex.
+  /// @{
+
+  /// returns whether the following two numbers are known.
+  bool is_c2t3_cache_valid() const { return m_is_complex_known; }
+
+  /// forgets these numbers.
+  void invalidate_c2t3_cache() { m_is_complex_known = false; }
+
+  /// sets these numbers.
+  void set_c2t3_cache(const std::size_t number_of_facets, const std::size_t number_of_components)
+  {
+    m_number_of_facets = static_cast<std::uint32_t>(number_of_facets);
+    m_number_of_components = static_cast<std::uint32_t>(number_of_components);
+    m_is_complex_known = true;
+  }
+
+  /// returns how many facets of the complex have this vertex.
+  std::size_t cached_number_of_incident_facets() const { return m_number_of_facets; }
+
+  /// returns into how many components they fall, if they are to be connected by edges of this vertex.
+  std::size_t cached_number_of_components() const { return m_number_of_components; }
+
+  /// @}
+
+private:
+  FT m_size = FT(0);
+  Index m_index = 0;
+  std::uint32_t m_number_of_facets = 0;
+  std::uint32_t m_number_of_components = 0;
+  signed char m_dimension = -1;
+  bool m_is_complex_known = false;
+};
+
+/*!
+ * \ingroup PkgBoundaryRecovery3Classes
+ *
+ * \brief a cell base with what CGAL's mesh packages want to know of a cell, and nothing else: the region that it is
+ * in, and for each of its facets the patch of the surface that it is on.
+ *
+ * The members have the names, and the meaning, that they have in `MeshCellBase_3`, so that the same code takes cells of
+ * triangulations over CGAL's own bases. A cell has 88 bytes over `Exact_predicates_inexact_constructions_kernel`,
+ * without threads.
+ *
+ * \tparam GT the geometric traits
+ * \tparam Cb the cell base that it is derived from
+ *
+ * \cgalModels{TriangulationCellBase_3}
+ */
+template <typename GT, typename Cb = Triangulation_cell_base_3<GT> >
+class Boundary_constrained_mesh_cell_base_3
+  : public Cb
+{
+public:
+  typedef typename GT::FT FT;      ///< the number type of qualities
+  typedef int Subdomain_index;     ///< the type of the number of a region
+  typedef int Surface_patch_index; ///< the type of the number of a patch
+
+  /// rebinds it to a triangulation data structure.
+  template <typename TDS>
+  struct Rebind_TDS
+  {
+    /// the rebound type
+    typedef Boundary_constrained_mesh_cell_base_3<GT, typename Cb::template Rebind_TDS<TDS>::Other> Other;
+  };
+
+  using Cb::Cb;
+
+  /// returns the region that the cell is in; 0: outside.
+  Subdomain_index subdomain_index() const { return m_subdomain; }
+
+  /// sets the region.
+  void set_subdomain_index(const Subdomain_index index) { m_subdomain = index; }
+
+  /// returns the patch that the facet opposite to the vertex `i` is on; 0: none.
+  Surface_patch_index surface_patch_index(const int i) const { return m_patches[i]; }
+
+  /// sets the patch of the facet opposite to the vertex `i`.
+  void set_surface_patch_index(const int i, const Surface_patch_index index) { m_patches[i] = index; }
+
+  /// returns whether the facet opposite to the vertex `i` is on the surface.
+  bool is_facet_on_surface(const int i) const { return m_patches[i] != 0; }
+
+  /// \name Qualities
+  /// CGAL's remeshing wants to remember the quality of cells, and computes it again where that is not possible, as
+  /// here.
+  /// @{
+
+  /// returns `false`.
+  bool is_cache_valid() const { return false; }
+
+  /// returns 0.
+  FT sliver_value() const { return FT(0); }
+
+  /// does nothing.
+  void set_sliver_value(const FT& /* quality */) { }
+
+  /// does nothing.
+  void reset_cache_validity() const { }
+
+  /// @}
+
+private:
+  Subdomain_index m_subdomain = 0;
+  std::array<Surface_patch_index, 4> m_patches = {{ 0, 0, 0, 0 }};
+};
+
+} // namespace Boundary_recovery_3
 
 /*!
  * \ingroup PkgBoundaryRecovery3Classes

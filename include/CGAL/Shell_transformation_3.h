@@ -13,7 +13,6 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/Meshing_visitor_3.h>
-#include <CGAL/Boundary_recovery_3/Partial_triangulation.h>
 #include <CGAL/Boundary_recovery_3/Shell_3.h>
 #include <CGAL/Boundary_recovery_3/Shell_quality_3.h>
 #include <CGAL/Boundary_recovery_3/Shell_validity_3.h>

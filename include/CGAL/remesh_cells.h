@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/Cell_remeshing_result_3.h>
+#include <CGAL/Boundary_recovery_3/Hole_remeshing_result_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Remesh_triangulation_3.h>
 #include <CGAL/Boundary_recovery_3/parameters.h>
 #include <CGAL/remesh_holes.h>

@@ -12,15 +12,175 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/Mesh_quality_3.h>
-#include <CGAL/Boundary_recovery_3/Quality_certificate_3.h>
 #include <CGAL/Boundary_recovery_3/enumerations.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
+#include <limits>
 #include <ostream>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Boundary_recovery_3 {
+
+/*!
+ * \ingroup PkgBoundaryRecovery3Classes
+ *
+ * \brief figures of the shapes, and of the sizes, of the cells of a mesh, see `mesh_quality()`.
+ *
+ * Figures that do not exist, since there is no cell, or no size known, are NaN.
+ */
+struct Mesh_quality_3
+{
+  /// number of cells of the domain
+  std::size_t number_of_cells = 0;
+
+  /// the smallest dihedral angle, in degrees
+  double min_dihedral_angle = std::numeric_limits<double>::quiet_NaN();
+
+  /// the largest dihedral angle, in degrees
+  double max_dihedral_angle = std::numeric_limits<double>::quiet_NaN();
+
+  /// numbers of cells with a dihedral angle below 5, 10, 15 and 20 degrees
+  std::array<std::size_t, 4> numbers_of_cells_below = {{ 0, 0, 0, 0 }};
+
+  /// numbers of cells with a dihedral angle above 150, 160 and 170 degrees
+  std::array<std::size_t, 3> numbers_of_cells_above = {{ 0, 0, 0 }};
+
+  /// numbers of cells whose smallest dihedral angle is at least 0, 5, ..., 85 degrees, and less than 5 degrees more
+  std::array<std::size_t, 18> histogram = {{ 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }};
+
+  /// the mean of the radius ratios of the cells: 3 times the radius of the inscribed sphere, over that of the
+  /// circumscribed one, 1 for the regular tetrahedron
+  double mean_radius_ratio = std::numeric_limits<double>::quiet_NaN();
+
+  /// the smallest radius ratio
+  double min_radius_ratio = std::numeric_limits<double>::quiet_NaN();
+
+  /// number of inner edges whose length should be known: they are in no constrained facet, and both ends know a size
+  std::size_t number_of_sized_edges = 0;
+
+  /// the share of those edges that are at least \f$ 1 / \sqrt 2 \f$ and at most \f$ \sqrt 2 \f$ times as long as the
+  /// mean of the sizes at their ends
+  double share_of_edges_in_size = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// writes the number of cells, the extreme dihedral angles, and how many cells have one below 10 degrees, as one line.
+inline std::ostream& operator<<(std::ostream& os, const Mesh_quality_3& quality)
+{
+  os << quality.number_of_cells << " cells";
+  if(quality.number_of_cells == 0)
+    return os;
+  return os << ", dihedral angles from " << quality.min_dihedral_angle << " to " << quality.max_dihedral_angle
+            << " degrees, " << quality.numbers_of_cells_below[1] << " cells below 10";
+}
+
+/*!
+ * \ingroup PkgBoundaryRecovery3Classes
+ *
+ * \brief a cell with a dihedral angle below the target, and why it has it.
+ *
+ * \tparam Triangulation_ an instance of `CGAL::Triangulation_3`, or of a class derived from it
+ */
+template <typename Triangulation_>
+struct Bad_cell_3
+{
+  typedef Triangulation_                        Triangulation; ///< the triangulation type
+  typedef typename Triangulation::Cell_handle   Cell_handle;   ///< its cell handle
+  typedef typename Triangulation::Vertex_handle Vertex_handle; ///< its vertex handle
+  typedef typename Triangulation::Facet         Facet;         ///< its facet
+  typedef std::array<Vertex_handle, 2>          Vertex_pair;   ///< the ends of an edge
+
+  Cell_handle cell; ///< the cell
+
+  double min_dihedral_angle; ///< its smallest dihedral angle, in degrees
+
+  Vertex_pair edge; ///< the edge where that angle is
+
+  Bad_cell_reason reason; ///< why it is bad
+
+  /// - `forced`: the two constrained facets. They share an edge of the cell, maybe another one than `edge`, and there
+  ///   may be other cells between them.
+  /// - `gap`: the second one is above the center of the inscribed circle of the first one, at the height `distance`,
+  ///   with nothing constrained in between. If the first one is a facet of the cell, that proves that each cell that
+  ///   has it has an angle of at most `surface_angle` at one of its edges. Else the cell has an edge of it, and all its
+  ///   vertices are near the plane of that facet: nearer than it would take to have angles as large as the target.
+  /// - `needle`: the first one is the constrained facet.
+  /// - `not_improved`: both, if they are facets of the cell that are nearly in a plane, so that it is flat as long as
+  ///   it alone is between them. Else, if constrained facets with a plane angle below the target have an edge of the
+  ///   cell, or else a vertex, the first one is that with the smallest angle; it may be the cause, but need not be.
+  ///
+  /// What is not named is `Triangulation::Facet()`.
+  std::array<Facet, 2> facets;
+
+  /// The angle between both facets that are named, or the one that a gap allows, or the smallest plane angle of the
+  /// only facet. It is below the target, in degrees, or if both facets are nearly in a plane, above 180 less the
+  /// target. NaN: none is named.
+  double surface_angle = std::numeric_limits<double>::quiet_NaN();
+
+  /// `gap`: how far above the first facet the second one is, at the center of the inscribed circle of the first one;
+  /// less than the length of any edge of that one. Else NaN.
+  double distance = std::numeric_limits<double>::quiet_NaN();
+
+  /// returns how many facets are named.
+  int number_of_facets() const
+  {
+    return static_cast<int>(std::count_if(facets.begin(), facets.end(), [](const Facet& f) { return f != Facet(); }));
+  }
+};
+
+/*!
+ * \ingroup PkgBoundaryRecovery3Classes
+ *
+ * \brief a list of all cells that have a dihedral angle below a target, each with the reason.
+ *
+ * It names cells and vertices by their handles, and is worth nothing any more when the mesh is changed.
+ *
+ * \tparam Triangulation_ an instance of `CGAL::Triangulation_3`, or of a class derived from it
+ */
+template <typename Triangulation_>
+struct Quality_certificate_3
+{
+  typedef Triangulation_            Triangulation; ///< the triangulation type
+  typedef Bad_cell_3<Triangulation> Bad_cell;      ///< an entry
+
+  double min_dihedral_angle = 0; ///< the target, in degrees
+
+  std::vector<Bad_cell> cells; ///< the cells below the target, those with the smallest angles first
+
+  /// whether all of them are there: not if nobody asked for the improvement, or the work ended before it, or
+  /// `CGAL::improve_mesh_quality()` was stopped with no time left to look for them. Then `cells` is empty.
+  bool is_complete = false;
+
+  /// returns how many cells are bad for this reason, and have an angle below `degrees`.
+  std::size_t number_of_cells(const Bad_cell_reason reason,
+                              const double degrees = std::numeric_limits<double>::infinity()) const
+  {
+    return static_cast<std::size_t>(std::count_if(cells.begin(), cells.end(), [&](const Bad_cell& bad)
+    {
+      return bad.reason == reason && bad.min_dihedral_angle < degrees;
+    }));
+  }
+};
+
+/// \ingroup PkgBoundaryRecovery3Classes
+/// writes how many cells are below the target for each reason, as one line.
+template <typename Triangulation>
+std::ostream& operator<<(std::ostream& os, const Quality_certificate_3<Triangulation>& certificate)
+{
+  if(! certificate.is_complete)
+    return os << "no certificate: there was no time left to look at all cells";
+  os << certificate.cells.size() << " cells below " << certificate.min_dihedral_angle << " degrees";
+  const char* separator = ": ";
+  typedef Bad_cell_reason Reason;
+  for(const Reason reason : { Reason::forced, Reason::gap, Reason::needle, Reason::not_improved })
+    if(const std::size_t number = certificate.number_of_cells(reason))
+      os << std::exchange(separator, ", ") << number << ' ' << to_string(reason);
+  return os;
+}
 
 /// \ingroup PkgBoundaryRecovery3Classes
 /// how often `CGAL::improve_mesh_quality()` changed something, without what was undone again.

@@ -12,8 +12,7 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/Mesh_quality_3.h>
-#include <CGAL/Boundary_recovery_3/Quality_certificate_3.h>
+#include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Cell_angles_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Explain_bad_cells_3.h>

@@ -109,149 +109,79 @@ decltype(auto) visitor_of(const NamedParameters& np)
 
 namespace parameters {
 
+// The function that makes a pack of one parameter. A macro writes them, as in CGAL, since they differ in names only.
+#define CGAL_BOUNDARY_RECOVERY_3_PARAMETER(X)                                       \
+  template <typename K>                                                             \
+  Named_function_parameters<K, Boundary_recovery_3::internal::X##_t> X(const K& k)  \
+  {                                                                                 \
+    return Named_function_parameters<K, Boundary_recovery_3::internal::X##_t>(k);   \
+  }
+
 /// \ingroup PkgBoundaryRecovery3Functions
 /// how far the recovery goes: a value of `CGAL::Boundary_recovery_3::Recovery_mode`.
-template <typename K>
-Named_function_parameters<K, Boundary_recovery_3::internal::recovery_mode_t>
-recovery_mode(const K& k)
-{
-  return Named_function_parameters<K, Boundary_recovery_3::internal::recovery_mode_t>(k);
-}
+CGAL_BOUNDARY_RECOVERY_3_PARAMETER(recovery_mode)
 
 /// \ingroup PkgBoundaryRecovery3Functions
 /// the recursion level (`l_max` in [CZZ+17, Alg. 1]) that is never exceeded, an integer.
-template <typename K>
-Named_function_parameters<K, Boundary_recovery_3::internal::max_recursion_level_t>
-max_recursion_level(const K& k)
-{
-  return Named_function_parameters<K, Boundary_recovery_3::internal::max_recursion_level_t>(k);
-}
+CGAL_BOUNDARY_RECOVERY_3_PARAMETER(max_recursion_level)
 
 /// \ingroup PkgBoundaryRecovery3Functions
 /// what the recovery gives up, time or points: a value of `CGAL::Boundary_recovery_3::Recovery_effort`.
-template <typename K>
-Named_function_parameters<K, Boundary_recovery_3::internal::effort_t>
-effort(const K& k)
-{
-  return Named_function_parameters<K, Boundary_recovery_3::internal::effort_t>(k);
-}
+CGAL_BOUNDARY_RECOVERY_3_PARAMETER(effort)
 
 /// \ingroup PkgBoundaryRecovery3Functions
 /// edges to be recovered beside the facets: a range of arrays of two vertex indices or vertex handles.
-template <typename K>
-Named_function_parameters<K, Boundary_recovery_3::internal::constrained_edges_t>
-constrained_edges(const K& k)
-{
-  return Named_function_parameters<K, Boundary_recovery_3::internal::constrained_edges_t>(k);
-}
+CGAL_BOUNDARY_RECOVERY_3_PARAMETER(constrained_edges)
 
 /// \ingroup PkgBoundaryRecovery3Functions
 /// whether intersections of constraints, and vertices on them, are searched before any cell is flipped, a Boolean.
-template <typename K>
-Named_function_parameters<K, Boundary_recovery_3::internal::list_defects_t>
-list_defects(const K& k)
-{
-  return Named_function_parameters<K, Boundary_recovery_3::internal::list_defects_t>(k);
-}
+CGAL_BOUNDARY_RECOVERY_3_PARAMETER(list_defects)
 
 /// \ingroup PkgBoundaryRecovery3Functions
 /// how many defects are listed at most, an integer.
-template <typename K>
-Named_function_parameters<K, Boundary_recovery_3::internal::maximum_number_of_defects_t>
-maximum_number_of_defects(const K& k)
-{
-  return Named_function_parameters<K, Boundary_recovery_3::internal::maximum_number_of_defects_t>(k);
-}
+CGAL_BOUNDARY_RECOVERY_3_PARAMETER(maximum_number_of_defects)
 
 /// \ingroup PkgBoundaryRecovery3Functions
 /// by how much the size of cells may grow per length, a number: \f$ h(p) \le h(q) + g |pq| \f$.
-template <typename K>
-Named_function_parameters<K, Boundary_recovery_3::internal::grading_t>
-grading(const K& k)
-{
-  return Named_function_parameters<K, Boundary_recovery_3::internal::grading_t>(k);
-}
+CGAL_BOUNDARY_RECOVERY_3_PARAMETER(grading)
 
 /// \ingroup PkgBoundaryRecovery3Functions
 /// how many vertices a mesh may have, an integer.
-template <typename K>
-Named_function_parameters<K, Boundary_recovery_3::internal::maximum_number_of_vertices_t>
-maximum_number_of_vertices(const K& k)
-{
-  return Named_function_parameters<K, Boundary_recovery_3::internal::maximum_number_of_vertices_t>(k);
-}
+CGAL_BOUNDARY_RECOVERY_3_PARAMETER(maximum_number_of_vertices)
 
 /// \ingroup PkgBoundaryRecovery3Functions
 /// the dihedral angle that all cells should have at least, in degrees, a number.
-template <typename K>
-Named_function_parameters<K, Boundary_recovery_3::internal::min_dihedral_angle_t>
-min_dihedral_angle(const K& k)
-{
-  return Named_function_parameters<K, Boundary_recovery_3::internal::min_dihedral_angle_t>(k);
-}
+CGAL_BOUNDARY_RECOVERY_3_PARAMETER(min_dihedral_angle)
 
 /// \ingroup PkgBoundaryRecovery3Functions
 /// what makes a cell better than another one, a model of `CellQuality_3`.
-template <typename K>
-Named_function_parameters<K, Boundary_recovery_3::internal::cell_quality_t>
-cell_quality(const K& k)
-{
-  return Named_function_parameters<K, Boundary_recovery_3::internal::cell_quality_t>(k);
-}
+CGAL_BOUNDARY_RECOVERY_3_PARAMETER(cell_quality)
 
 /// \ingroup PkgBoundaryRecovery3Functions
 /// whether cells are improved after the field points are inserted, a Boolean.
-template <typename K>
-Named_function_parameters<K, Boundary_recovery_3::internal::improve_quality_t>
-improve_quality(const K& k)
-{
-  return Named_function_parameters<K, Boundary_recovery_3::internal::improve_quality_t>(k);
-}
+CGAL_BOUNDARY_RECOVERY_3_PARAMETER(improve_quality)
 
 /// \ingroup PkgBoundaryRecovery3Functions
 /// how much work the improvement is worth: a value of `CGAL::Boundary_recovery_3::Improvement_effort`.
-template <typename K>
-Named_function_parameters<K, Boundary_recovery_3::internal::improvement_effort_t>
-improvement_effort(const K& k)
-{
-  return Named_function_parameters<K, Boundary_recovery_3::internal::improvement_effort_t>(k);
-}
+CGAL_BOUNDARY_RECOVERY_3_PARAMETER(improvement_effort)
 
 /// \ingroup PkgBoundaryRecovery3Functions
 /// the region of each tetrahedron of a mesh, a property map from positions to integers.
-template <typename K>
-Named_function_parameters<K, Boundary_recovery_3::internal::cell_region_map_t>
-cell_region_map(const K& k)
-{
-  return Named_function_parameters<K, Boundary_recovery_3::internal::cell_region_map_t>(k);
-}
+CGAL_BOUNDARY_RECOVERY_3_PARAMETER(cell_region_map)
 
 /// \ingroup PkgBoundaryRecovery3Functions
 /// facets of a mesh that have to stay: a range of arrays of three vertex indices.
-template <typename K>
-Named_function_parameters<K, Boundary_recovery_3::internal::constrained_facets_t>
-constrained_facets(const K& k)
-{
-  return Named_function_parameters<K, Boundary_recovery_3::internal::constrained_facets_t>(k);
-}
+CGAL_BOUNDARY_RECOVERY_3_PARAMETER(constrained_facets)
 
 /// \ingroup PkgBoundaryRecovery3Functions
 /// how many layers of cells around bad ones are remeshed with them, an integer.
-template <typename K>
-Named_function_parameters<K, Boundary_recovery_3::internal::number_of_layers_t>
-number_of_layers(const K& k)
-{
-  return Named_function_parameters<K, Boundary_recovery_3::internal::number_of_layers_t>(k);
-}
+CGAL_BOUNDARY_RECOVERY_3_PARAMETER(number_of_layers)
 
 /// \ingroup PkgBoundaryRecovery3Functions
 /// into how many sub-domains a domain is divided, which are meshed at the same time, an integer.
-template <typename K>
-Named_function_parameters<K, Boundary_recovery_3::internal::number_of_subdomains_t>
-number_of_subdomains(const K& k)
-{
-  return Named_function_parameters<K, Boundary_recovery_3::internal::number_of_subdomains_t>(k);
-}
+CGAL_BOUNDARY_RECOVERY_3_PARAMETER(number_of_subdomains)
+
+#undef CGAL_BOUNDARY_RECOVERY_3_PARAMETER
 
 } // namespace parameters
 } // namespace CGAL

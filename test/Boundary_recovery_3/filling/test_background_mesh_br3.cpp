@@ -15,9 +15,6 @@
 #include <CGAL/Boundary_recovery_3/Background_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/Background_mesh_sizing_field_3.h>
 #include <CGAL/Boundary_recovery_3/internal/sizing/Mesh_interpolation_3.h>
-#include <CGAL/Boundary_recovery_3/internal/sizing/Read_background_mesh_files.h>
-#include <CGAL/Boundary_recovery_3/internal/sizing/graded_sizes.h>
-#include <CGAL/Boundary_recovery_3/read_background_mesh.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

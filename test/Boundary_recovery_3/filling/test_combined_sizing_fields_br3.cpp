@@ -13,9 +13,7 @@
 #undef NDEBUG
 
 #include <CGAL/Boundary_constrained_mesh_triangulation_3.h>
-#include <CGAL/Boundary_recovery_3/Bounded_sizing_field_3.h>
-#include <CGAL/Boundary_recovery_3/Minimum_sizing_field_3.h>
-#include <CGAL/Boundary_recovery_3/Region_sizing_field_3.h>
+#include <CGAL/Boundary_recovery_3/Combined_sizing_fields_3.h>
 #include <CGAL/Boundary_recovery_3/Source_sizing_field_3.h>
 #include <CGAL/Boundary_recovery_3/internal/sizing/Size_query_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>

@@ -8,9 +8,7 @@
 #include "mesh_validity_br3.h"
 
 #include <CGAL/Boundary_constrained_mesh_triangulation_3.h>
-#include <CGAL/Boundary_recovery_3/Bounded_sizing_field_3.h>
-#include <CGAL/Boundary_recovery_3/Minimum_sizing_field_3.h>
-#include <CGAL/Boundary_recovery_3/Region_sizing_field_3.h>
+#include <CGAL/Boundary_recovery_3/Combined_sizing_fields_3.h>
 #include <CGAL/Boundary_recovery_3/Size_source_3.h>
 #include <CGAL/Boundary_recovery_3/Source_sizing_field_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Field_point_insertion_3.h>

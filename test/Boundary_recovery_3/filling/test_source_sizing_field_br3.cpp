@@ -17,8 +17,6 @@
 #include <CGAL/Boundary_recovery_3/Size_source_3.h>
 #include <CGAL/Boundary_recovery_3/Source_sizing_field_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/distances_3.h>
-#include <CGAL/Boundary_recovery_3/internal/sizing/Source_minimum_3.h>
-#include <CGAL/Boundary_recovery_3/read_size_sources.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 

@@ -19,7 +19,6 @@
 #include <CGAL/Boundary_recovery_3/internal/shape/Box_hierarchy_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/Unit_frame_3.h>
 #include <CGAL/Boundary_recovery_3/internal/sizing/Cone_minimum_3.h>
-#include <CGAL/Boundary_recovery_3/internal/sizing/surface_sizes.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Tetrahedral_remeshing/Remeshing_triangulation_3.h>

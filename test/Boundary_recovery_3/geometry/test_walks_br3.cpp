@@ -1,4 +1,5 @@
-// The walks along a segment and over a triangle, against tests of all edges and facets; and where they start.
+// The walks along a segment and over a triangle, against tests of all edges and facets, and where they start; and the
+// walk to a place.
 
 #undef NDEBUG // the checks are assertions, also in a Release build
 
@@ -7,6 +8,7 @@
 #include <CGAL/Boundary_recovery_3/internal/geometry/Facet_walk_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Segment_walk_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
+#include <CGAL/Boundary_recovery_3/internal/geometry/walk_to.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -17,6 +19,7 @@
 #include <cstddef>
 #include <iostream>
 #include <map>
+#include <optional>
 #include <random>
 #include <set>
 #include <string>
@@ -401,8 +404,25 @@ void check_that_all_was_met()
   assert(number_of["triangle blocked behind crossings"] >= 6);
 }
 
+// Cells are integers; the way is barred below 0, and too long from 5 steps on.
+void test_walk_to_number()
+{
+  const auto walk = [](const int start, const int target)
+  {
+    const auto facet_towards = [&](const int c) { return c == target ? -1 : c < target ? 1 : 0; };
+    const auto cell_behind = [](const int c, const int i) -> std::optional<int>
+    {
+      return c == 0 && i == 0 ? std::nullopt : std::optional<int>(i == 0 ? c - 1 : c + 1);
+    };
+    return BR::internal::walk_to(start, 5, facet_towards, cell_behind);
+  };
+  assert(walk(3, 3) == 3 && walk(3, 7) == 7 && walk(4, 0) == 0);
+  assert(! walk(3, 8) && ! walk(2, -1));
+}
+
 int main()
 {
+  test_walk_to_number();
   test_kernel<CGAL::Exact_predicates_inexact_constructions_kernel>(6, 1, 3);
   test_kernel<CGAL::Exact_predicates_exact_constructions_kernel>(2, 3, 4);
   check_that_all_was_met();

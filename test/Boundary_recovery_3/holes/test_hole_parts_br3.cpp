@@ -44,13 +44,32 @@ typedef std::array<std::size_t, 4>                          Tetrahedron;
 template <typename Kernel>
 internal::Moved_mesh_3<typename Kernel::Point_3> mesh_of(const Moved_grid& grid)
 {
-  return { grid.points<typename Kernel::Point_3>(), grid.tetrahedra, grid.regions, grid.facets, grid.edges };
+  return { { grid.points<typename Kernel::Point_3>(), grid.facets, grid.edges }, grid.tetrahedra, grid.regions };
 }
 
 Facet sorted(Facet f)
 {
   std::sort(f.begin(), f.end());
   return f;
+}
+
+// No side of a facet that several tetrahedra have is on the boundary, however many there are.
+void test_incidences_of_nonmanifold_facet()
+{
+  for(std::size_t n = 1; n <= 4; ++n)
+  {
+    std::vector<Tetrahedron> tetrahedra;
+    for(std::size_t k = 0; k < n; ++k)
+      tetrahedra.push_back({{ 0, k % 2 == 0 ? 1u : 2u, k % 2 == 0 ? 2u : 1u, 3 + k }});
+    const Incidences incidences(3 + n, tetrahedra);
+    assert(incidences.nonmanifold_facets().size() == (n > 2 ? 1 : 0) && incidences.inconsistent_facets().empty());
+    for(std::size_t side = 0; side < 4 * n; ++side)
+    {
+      const std::size_t other = incidences.opposite(side);
+      assert((other == incidences.none) == (n == 1 || side % 4 != 3));
+      assert(other == incidences.none || (other != side && other % 4 == 3));
+    }
+  }
 }
 
 void test_incidences()
@@ -493,6 +512,7 @@ void test_old_places_in_thin_cell()
 int main()
 {
   test_incidences();
+  test_incidences_of_nonmanifold_facet();
   test_bad_cells();
   test_holes_that_grow();
   test_surface_of_hole();

@@ -7,7 +7,7 @@
 #include "hole_judge_br3.h"
 #include "random_numbers_br3.h"
 
-#include <CGAL/Boundary_recovery_3/Cell_remeshing_result_3.h>
+#include <CGAL/Boundary_recovery_3/Hole_remeshing_result_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Remesh_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/remesh_cells.h>

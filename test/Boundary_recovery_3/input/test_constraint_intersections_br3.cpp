@@ -20,7 +20,7 @@
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Boundary_recovery_3/internal/input/Constraint_intersections_3.h>
 #include <CGAL/Boundary_recovery_3/internal/input/Indexed_input_3.h>
-#include <CGAL/Boundary_recovery_3/internal/input/Recovery_diagnosis.h>
+#include <CGAL/Boundary_recovery_3/internal/input/Input_diagnosis_3.h>
 #include <CGAL/Boundary_recovery_3/internal/lost/Constraint_search_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

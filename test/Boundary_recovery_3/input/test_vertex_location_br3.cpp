@@ -18,7 +18,7 @@
 
 #include <CGAL/Boundary_recovery_3/internal/input/Constraint_intersections_3.h>
 #include <CGAL/Boundary_recovery_3/internal/input/Indexed_input_3.h>
-#include <CGAL/Boundary_recovery_3/internal/input/Recovery_diagnosis.h>
+#include <CGAL/Boundary_recovery_3/internal/input/Input_diagnosis_3.h>
 #include <CGAL/Boundary_recovery_3/internal/input/Vertex_location.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>

@@ -104,7 +104,7 @@ private:
       for(const Vertex_handle end : { a, b })
         halves.push_back(Mesh::with_exchanged(cell, end, v));
     const bool is_seen = m.are_positive(halves);
-    assert(internal::is_shell_seen(m.tr, m.predicates, c, a, b, v) == is_seen && (is_seen || ! is_on_edge));
+    assert(is_seen || ! is_on_edge);
     ++number_of[! is_seen ? "shell not seen" : is_on_edge ? "shell seen from the edge" : "shell seen from elsewhere"];
     const bool is_on_hull = m.is_any_infinite(shell), is_constrained = m.constraints.is_constrained(a, b);
     if(! is_seen || (! is_on_edge && (is_on_hull || is_constrained)))

@@ -18,16 +18,11 @@ FLOORS = [
     "license/Boundary_recovery_3.h",
     "Boundary_recovery_3/enumerations.h",
     "Boundary_recovery_3/Boundary_recovery_result_3.h",
-    "Boundary_recovery_3/Mesh_quality_3.h",
-    "Boundary_recovery_3/Quality_certificate_3.h",
     "Boundary_recovery_3/Quality_improvement_result_3.h",
     "Boundary_recovery_3/Boundary_constrained_mesh_result_3.h",
-    "Boundary_recovery_3/Boundary_constrained_mesh_vertex_base_3.h",
-    "Boundary_recovery_3/Boundary_constrained_mesh_cell_base_3.h",
     "Boundary_constrained_mesh_triangulation_3.h",
     "Boundary_recovery_3/Meshing_visitor_3.h",
     "Boundary_recovery_3/parameters.h",
-    "Boundary_recovery_3/Partial_triangulation.h",
     "Boundary_recovery_3/Shell_3.h",
     "util",         # ranges, hashing, bits, the context of a run
     "numbers",      # exact numbers, and floating point numbers near them
@@ -55,12 +50,8 @@ FLOORS = [
     "sizing",       # size fields, what is asked of them, whose size a vertex has
     "Boundary_recovery_3/Surface_sizing_field_3.h",
     "Boundary_recovery_3/Source_sizing_field_3.h",
-    "Boundary_recovery_3/read_size_sources.h",
     "Boundary_recovery_3/Background_mesh_sizing_field_3.h",
-    "Boundary_recovery_3/read_background_mesh.h",
-    "Boundary_recovery_3/Minimum_sizing_field_3.h",
-    "Boundary_recovery_3/Bounded_sizing_field_3.h",
-    "Boundary_recovery_3/Region_sizing_field_3.h",
+    "Boundary_recovery_3/Combined_sizing_fields_3.h",
     "filling",      # field points [CZZ+17, Section 4.1, step 6]
     "insert_field_points.h",
     "Boundary_recovery_3/Cell_quality_3.h",
@@ -71,7 +62,6 @@ FLOORS = [
     "meshing",      # all steps, one after the other
     "make_boundary_constrained_mesh_3.h",
     "Boundary_recovery_3/Hole_remeshing_result_3.h",
-    "Boundary_recovery_3/Cell_remeshing_result_3.h",
     "holes",        # meshes that were moved, given by arrays: cavities, and sewing
     "remesh_holes.h",
     "remesh_cells.h",
@@ -269,10 +259,10 @@ class Checker:
 
     def check_programs(self):
         """Every program is named in the CMakeLists.txt above it and every name there exists; examples also in the manual."""
-        for folder in ("examples", "test", "benchmark"):
-            base = "%s/%s" % (folder, PACKAGE)
+        examples = "examples/%s" % PACKAGE
+        for base in (examples, "test/%s" % PACKAGE, "benchmark/%s" % PACKAGE, "program"):
             if not os.path.exists(os.path.join(self.root, base, "CMakeLists.txt")):
-                self.require(folder == "benchmark", base, "no CMakeLists.txt")
+                self.require(base.startswith("benchmark/"), base, "no CMakeLists.txt")
                 continue
             cmake = re.sub(r"#[^\n]*", "", read(self.root, base + "/CMakeLists.txt"))
             self.require(cmake.lstrip().startswith("cmake_minimum_required"), base + "/CMakeLists.txt",
@@ -283,7 +273,7 @@ class Checker:
             for name in sorted(named ^ there):
                 self.require(False, "%s/%s" % (base, name),
                              "not named in CMakeLists.txt" if name in there else "does not exist, but is named in CMakeLists.txt")
-            if folder == "examples":
+            if base == examples:
                 self.check_examples_in_manual(base, there)
 
     def check_examples_in_manual(self, base, there):
@@ -382,7 +372,7 @@ class Checker:
 def self_test(scratch, root):
     """Applies one defect after the other to a copy of the package."""
     header = "include/CGAL/%s/parameters.h" % PACKAGE
-    util = "include/CGAL/%s/internal/util/Hash_index.h" % PACKAGE
+    util = "include/CGAL/%s/internal/util/Simplex_index_3.h" % PACKAGE
     lost = "include/CGAL/%s/internal/lost/Constraint_recovery_3.h" % PACKAGE
 
     def replace(path, old, new):
@@ -423,6 +413,7 @@ def self_test(scratch, root):
         "assert": replace(header, code, "\nvoid f(int i) { assert(i); }\n" + code),
         "does not exist, but is named": append(examples + "CMakeLists.txt", 'create_single_source_cgal_program("no.cpp")\n'),
         "not named in CMakeLists.txt": lambda copy: write(copy, examples + "x_br3.cpp", "int main() { }\n"),
+        "program/y.cpp: not named": lambda copy: write(copy, "program/y.cpp", "int main() { }\n"),
         "mesh/y_br3.cpp: not named": lambda copy: write(copy, "test/%s/mesh/y_br3.cpp" % PACKAGE, "int main() { }\n"),
         "not named in doc": replace("doc/%s/examples.txt" % PACKAGE, "\\example %s/recover_boundary_minimal.cpp\n" % PACKAGE, ""),
         "has the name of": lambda copy: write(copy, examples + "PARAMETERS.h", "\n"),

@@ -32,7 +32,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.append(os.path.join(HERE, '..', 'corpus'))
 from check_certificate import Certificate_checker, Wrong
 
-DRAW_QUALITY = os.path.join(HERE, '..', '..', '..', 'examples', 'Boundary_recovery_3', 'program', 'draw_quality.py')
+DRAW_QUALITY = os.path.join(HERE, '..', '..', '..', 'program', 'draw_quality.py')
 MESHED = RECOVERED
 
 

@@ -9,7 +9,6 @@
 #include <CGAL/Boundary_recovery_3/internal/quality/Cell_angles_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/Cell_shape_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Move_vertex_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/visit_qualities.h>
 
 #include <algorithm>
 #include <array>

@@ -19,7 +19,6 @@
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shell/Covering_mesh_search_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shell/Ring_triangulations_3.h>
-#include <CGAL/Boundary_recovery_3/internal/shell/Shell_positivity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/bits.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

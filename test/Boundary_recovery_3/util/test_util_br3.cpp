@@ -19,7 +19,6 @@
 #include <CGAL/Boundary_recovery_3/Size_source_3.h>
 #include <CGAL/Boundary_recovery_3/enumerations.h>
 #include <CGAL/Boundary_recovery_3/internal/input/Constraint_intersections_3.h>
-#include <CGAL/Boundary_recovery_3/internal/util/Hash_index.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Mesh_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
@@ -197,6 +196,14 @@ void test_simplex_index(const unsigned seed, const int number_of_vertices)
     assert(index.insert(queries.back()) == std::make_pair(std::size_t(0), is_new));
 }
 
+template <typename Simplex>
+bool is_same_but_for_beginning(Simplex s, const Simplex& t)
+{
+  for(std::size_t k = 0; k < s.size() && s != t; ++k)
+    std::rotate(s.begin(), s.begin() + 1, s.end());
+  return s == t;
+}
+
 // All pairs of simplices with N vertices, which may be the same ones.
 template <std::size_t N>
 void test_permutations()
@@ -212,7 +219,13 @@ void test_permutations()
   }
   for(const auto& s : simplices)
     for(const auto& t : simplices)
+    {
       assert(internal::is_permutation(s, t) == std::is_permutation(s.begin(), s.end(), t.begin()));
+      if constexpr(N == 3)
+        assert(internal::has_repeated_vertex(s) || internal::is_rotation(s, t) == is_same_but_for_beginning(s, t));
+    }
+  for(const auto& s : simplices)
+    assert(internal::has_repeated_vertex(s) == (std::set<std::size_t>(s.begin(), s.end()).size() < N));
 }
 
 // Numbers whose hash values collide: in all bits, in those that decide on the slot, or in those that are in it.

@@ -1,5 +1,6 @@
-# Installs the package into an empty folder, then configures, builds and runs a project that knows only that folder.
-# cmake -DBUILD_DIR= -DSOURCE_DIR= -DSCRATCH_DIR= -DCGAL_DIR= -DCXX_COMPILER= -DVERSION= -P run_install_test.cmake
+# Installs the headers, and the compiled library if there is one, into an empty folder, then configures, builds and runs a
+# project that knows only that folder.
+# cmake -DBUILD_DIR= -DSOURCE_DIR= -DSCRATCH_DIR= -DCGAL_DIR= -DCXX_COMPILER= -DVERSION= -DCOMPILED= -P run_install_test.cmake
 
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result)
@@ -12,7 +13,10 @@ endfunction()
 set(prefix ${SCRATCH_DIR}/prefix)
 set(consumer ${SCRATCH_DIR}/build)
 file(REMOVE_RECURSE ${SCRATCH_DIR})
-run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${prefix})
+run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${prefix} --component headers)
+if(COMPILED)
+  run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${prefix} --component library)
+endif()
 
 file(GLOB_RECURSE expected RELATIVE ${SOURCE_DIR}/include ${SOURCE_DIR}/include/*.h)
 file(GLOB_RECURSE installed RELATIVE ${prefix}/include ${prefix}/include/*)
@@ -24,15 +28,22 @@ endif()
 file(COPY ${SOURCE_DIR}/test/Boundary_recovery_3/package/install_test/consumer DESTINATION ${SCRATCH_DIR})
 run(${CMAKE_COMMAND} -S ${SCRATCH_DIR}/consumer -B ${consumer} -DCMAKE_BUILD_TYPE=None
     -DCMAKE_CXX_COMPILER=${CXX_COMPILER} -DCGAL_DIR=${CGAL_DIR} -DCMAKE_PREFIX_PATH=${prefix}
-    -DREQUESTED_VERSION=${VERSION} -DEXPECTED_PREFIX=${prefix})
+    -DREQUESTED_VERSION=${VERSION} -DEXPECTED_PREFIX=${prefix} -DCOMPILED=${COMPILED})
 run(${CMAKE_COMMAND} --build ${consumer})
 run(${consumer}/consumer)
 
-# A version that is not there must be refused.
-execute_process(COMMAND ${CMAKE_COMMAND} -S ${SCRATCH_DIR}/consumer -B ${SCRATCH_DIR}/build_of_wrong_version
-    -DCMAKE_CXX_COMPILER=${CXX_COMPILER} -DCGAL_DIR=${CGAL_DIR} -DCMAKE_PREFIX_PATH=${prefix}
-    -DREQUESTED_VERSION=99.0 -DEXPECTED_PREFIX=${prefix}
-  RESULT_VARIABLE result OUTPUT_QUIET ERROR_VARIABLE messages)
-if(result EQUAL 0 OR NOT messages MATCHES "compatible with requested version \"99.0\"")
-  message(FATAL_ERROR "version 99.0 was not refused as such:\n${messages}")
+# What is not there must be refused: expect_refusal(NAME MESSAGE OPTION...)
+function(expect_refusal name message)
+  execute_process(COMMAND ${CMAKE_COMMAND} -S ${SCRATCH_DIR}/consumer -B ${SCRATCH_DIR}/build_of_wrong_${name}
+      -DCMAKE_CXX_COMPILER=${CXX_COMPILER} -DCGAL_DIR=${CGAL_DIR} -DCMAKE_PREFIX_PATH=${prefix}
+      -DEXPECTED_PREFIX=${prefix} ${ARGN}
+    RESULT_VARIABLE result OUTPUT_QUIET ERROR_VARIABLE messages)
+  if(result EQUAL 0 OR NOT messages MATCHES "${message}")
+    message(FATAL_ERROR "the wrong ${name} was not refused as such:\n${messages}")
+  endif()
+endfunction()
+
+expect_refusal(version "compatible with requested version \"99.0\"" -DREQUESTED_VERSION=99.0)
+if(NOT COMPILED)
+  expect_refusal(component "compiled is not installed" -DREQUESTED_VERSION=${VERSION} -DCOMPILED=ON)
 endif()

@@ -310,7 +310,7 @@ private:
     for(int k = 0; k < 3; ++k)
       add(Orientations::set_of(f[(k + 2) % 3]), m_filled[directed_offset(edge(f, k))]);
     const auto it = std::find_if(m_front.begin(), m_front.end(),
-                                 [&](const Front_face& g) { return is_rotated(g.face, f); });
+                                 [&](const Front_face& g) { return is_rotation(g.face, f); });
     if(it != m_front.end())
     {
       m_front.erase(it);
@@ -318,13 +318,6 @@ private:
     }
     add_obstacle(f);
     add_to_front({{ f[0], f[2], f[1] }});
-  }
-
-  static bool is_rotated(const Face& f, const Face& g)
-  {
-    const auto it = std::find(g.begin(), g.end(), f[0]);
-    const auto k = it - g.begin();
-    return it != g.end() && g[(k + 1) % 3] == f[1] && g[(k + 2) % 3] == f[2];
   }
 
   void add_to_front(const Face& f)

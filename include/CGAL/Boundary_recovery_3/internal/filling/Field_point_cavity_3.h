@@ -199,8 +199,8 @@ private:
 
   void add(const Cell_handle c)
   {
+    m_cells.push_back(c); // first, so that the mark is cleared in any case
     c->tds_data().mark_in_conflict();
-    m_cells.push_back(c);
   }
 
   // Returns false if there is a constrained facet inside, a vertex that is too near, or a seam that is too large.
@@ -240,8 +240,8 @@ private:
   {
     if(internal::is_in_circumsphere(internal::corners(n), m_coordinates))
       return true;
-    n->tds_data().mark_on_boundary();
     m_cells_around.push_back(n);
+    n->tds_data().mark_on_boundary();
     return false;
   }
 

@@ -173,15 +173,7 @@ public:
   // of a mesh that is filled.
   void leave_sizes_of_field() { m_leaves_sizes_of_field = true; }
 
-  Result operator()(const std::size_t max_number_of_vertices, const double maximum_running_time)
-  {
-    const Ordinary_scale_3<Tr> scale(m_tr);
-    m_sizes.set_scale(scale.factor());
-    m_context.set_maximum_running_time(maximum_running_time);
-    if(m_tr.dimension() == 3 && is_possible(max_number_of_vertices))
-      run(Phase::field_point_insertion, [&] { fill(max_number_of_vertices); });
-    return finish();
-  }
+  Result operator()(const std::size_t max_number_of_vertices, const double maximum_running_time);
 
   // The forecast, and whether that many cells are possible, without the filling.
   Result forecast_only(const std::size_t max_number_of_vertices, const double maximum_running_time)
@@ -357,6 +349,18 @@ private:
   Result m_result;
   std::vector<Cell_handle> m_cells; // of the domain, before points are inserted
 };
+
+template <typename Tr>
+Field_points_result_3<Tr>
+Field_point_insertion_3<Tr>::operator()(const std::size_t max_number_of_vertices, const double maximum_running_time)
+{
+  const Ordinary_scale_3<Tr> scale(m_tr);
+  m_sizes.set_scale(scale.factor());
+  m_context.set_maximum_running_time(maximum_running_time);
+  if(m_tr.dimension() == 3 && is_possible(max_number_of_vertices))
+    run(Phase::field_point_insertion, [&] { fill(max_number_of_vertices); });
+  return finish();
+}
 
 } // namespace internal
 } // namespace Boundary_recovery_3

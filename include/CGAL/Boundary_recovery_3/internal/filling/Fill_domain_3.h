@@ -115,10 +115,6 @@ private:
 
   // As parts of the size, see "Tuning constants" in the manual.
   static constexpr double largest_radius = 0.75;
-  static constexpr double smallest_distance = 0.7;
-  static constexpr double longest_edge = 1.6;            // that is left alone
-  static constexpr double longest_undivided_edge = 1.95;
-  static constexpr double smallest_distance_on_edge = 0.4;
   static constexpr double largest_wall = 0.5;            // beside a long edge, as a part of its length
   static constexpr double largest_seam = 2;
   static constexpr int max_number_of_rounds = 4;
@@ -205,7 +201,7 @@ private:
     if((at_center == Cell_handle() || ! try_point(sphere.center, at_center, m_sizes(sphere.center, at_center)))
        && ! try_point(center, c, size) && ! try_point_beside_walls(center, c, size)
        && ! try_where_small(c, p, size.possible)
-       && internal::longest_edge(p).length > longest_edge * size.possible)
+       && internal::longest_edge(p).length > Length_rules::longest_edge * size.possible)
       m_long_cells.push_back(c);
   }
 
@@ -263,7 +259,7 @@ private:
     {
       const Coordinates_3 middle = internal::midpoint(p[e.i], p[e.j]);
       const Size size = m_sizes(middle, c);
-      if(! (e.length > longest_edge * size.possible) || m_number_of_edges_left == 0)
+      if(! (e.length > Length_rules::longest_edge * size.possible) || m_number_of_edges_left == 0)
         return;
       --m_number_of_edges_left;
       if(m_domain.is_constrained_edge(c->vertex(e.i), c->vertex(e.j)) || is_at_large_wall(c, e))
@@ -273,7 +269,7 @@ private:
         m_long_cells.insert(m_long_cells.end(), m_remove_edge.new_cells().begin(), m_remove_edge.new_cells().end());
         return;
       }
-      if(e.length > longest_undivided_edge * size.possible && try_point_on_edge(middle, c, size))
+      if(e.length > Length_rules::longest_undivided_edge * size.possible && try_point_on_edge(middle, c, size))
         return;
     }
   }
@@ -334,13 +330,13 @@ private:
   // allowed beside a seam that is much too large: the flat cells at the seam would stay after the seam is gone.
   bool try_point(const Coordinates_3& coordinates, const Cell_handle c, const Size& size)
   {
-    return try_point(coordinates, c, smallest_distance, size, [] { return true; });
+    return try_point(coordinates, c, Length_rules::smallest_distance, size, [] { return true; });
   }
 
   // The same, but vertices may be nearer, and no new cell may be worse than the worst cell of the cavity.
   bool try_point_on_edge(const Coordinates_3& coordinates, const Cell_handle c, const Size& size)
   {
-    return try_point(coordinates, c, smallest_distance_on_edge, size, [&]
+    return try_point(coordinates, c, Length_rules::smallest_distance_on_edge, size, [&]
     {
       return worst_quality_of_star(coordinates) >= worst_quality_of_cavity();
     });
@@ -386,9 +382,9 @@ private:
   void insert(const Point_3& p, const Size& size)
   {
     const Vertex_handle v = m_insert(m_cavity, p);
+    m_pending.push_back(v); // first, so that it is settled in any case
     m_sizes.set_pending(v, size);
     m_vertices.push_back(v);
-    m_pending.push_back(v);
     m_search.add_vertices(1);
     report();
   }

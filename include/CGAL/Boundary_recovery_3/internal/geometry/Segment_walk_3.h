@@ -14,6 +14,7 @@
 
 #include <CGAL/Boundary_recovery_3/Shell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
+#include <CGAL/Boundary_recovery_3/internal/geometry/walk_to.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 
 #include <CGAL/assertions.h>
@@ -180,17 +181,14 @@ private:
     Cell_handle c = m_u->cell();
     if(m_tr.is_infinite(c))
       c = c->neighbor(c->index(m_tr.infinite_vertex()));
-    for(int step = 0; step < max_number_of_steps; ++step)
+    const auto facet_towards = [this](const Cell_handle d) { return d->has_vertex(m_v) ? -1 : separating_facet(d); };
+    const auto cell_behind = [&](const Cell_handle d, const int k) -> std::optional<Cell_handle>
     {
-      if(c->has_vertex(m_v))
-        return Cell_handle();
-      const int k = separating_facet(c);
-      if(k < 0)
-        return c;
-      c = c->neighbor(k);
-      CGAL_assertion(! m_tr.is_infinite(c));
-    }
-    return std::nullopt;
+      CGAL_assertion(! m_tr.is_infinite(d->neighbor(k)));
+      return d->neighbor(k);
+    };
+    const std::optional<Cell_handle> last = internal::walk_to(c, max_number_of_steps, facet_towards, cell_behind);
+    return last && (*last)->has_vertex(m_v) ? Cell_handle() : last;
   }
 
   // The same for certain, in time that grows with the number of cells at u.

@@ -67,21 +67,7 @@ public:
   { }
 
   // Writes the status, the account, and, if all is done, the mesh.
-  void operator()()
-  {
-    m_result.status = Meshing_status::meshed;
-    run(Phase::hole_selection, [this] { select(); });
-    for(int round = 0; round < max_number_of_rounds; ++round)
-    {
-      run(Phase::hole_recovery, [this] { recover_holes(); });
-      run(Phase::hole_filling, [this] { fill_holes(); });
-      if(m_options.improve_quality)
-        run(Phase::hole_improvement, [this] { improve_holes(); });
-      if(round + 1 == max_number_of_rounds || m_result.status != Meshing_status::meshed || ! grow_at_bad_cells())
-        break;
-    }
-    run(Phase::hole_sewing, [this] { sew(); });
-  }
+  void operator()();
 
 private:
   typedef Hole_surface_3<Point_3>      Surface;
@@ -254,10 +240,7 @@ private:
     else if(kind == Input_defect_kind::empty_input)
       end(Meshing_status::incomplete);
     else
-    {
-      const std::size_t c = m_hole_cells->cells(hole.number).front();
-      refuse({ { kind, { m_mesh.describe(c, m_mesh.tetrahedra[c]) } } });
-    }
+      refuse({ { kind, { describe_tetrahedron(m_mesh, m_hole_cells->cells(hole.number).front()) } } });
   }
 
   // Whether there is a cell that is in no hole.
@@ -370,6 +353,23 @@ private:
   std::unique_ptr<Hole_cells_3> m_hole_cells;
   std::vector<Hole> m_holes;
 };
+
+template <typename Kernel>
+void Hole_remeshing_3<Kernel>::operator()()
+{
+  m_result.status = Meshing_status::meshed;
+  run(Phase::hole_selection, [this] { select(); });
+  for(int round = 0; round < max_number_of_rounds; ++round)
+  {
+    run(Phase::hole_recovery, [this] { recover_holes(); });
+    run(Phase::hole_filling, [this] { fill_holes(); });
+    if(m_options.improve_quality)
+      run(Phase::hole_improvement, [this] { improve_holes(); });
+    if(round + 1 == max_number_of_rounds || m_result.status != Meshing_status::meshed || ! grow_at_bad_cells())
+      break;
+  }
+  run(Phase::hole_sewing, [this] { sew(); });
+}
 
 } // namespace internal
 } // namespace Boundary_recovery_3

@@ -195,7 +195,7 @@ private:
     std::vector<std::size_t> vertices;
     for(const std::size_t v : s.vertices)
       vertices.push_back(m_surface.vertices[v]);
-    return m_mesh.describe(position(s, vertices), vertices);
+    return describe_simplex(m_mesh, position(s, vertices), vertices);
   }
 
   std::size_t position(const Simplex& s, const std::vector<std::size_t>& vertices) const

@@ -109,13 +109,6 @@ private:
     return true;
   }
 
-  // Whether the order of the same three vertices is the same.
-  static bool is_rotation(const Facet& f, const Facet& g)
-  {
-    const int i = f[0] == g[0] ? 0 : f[0] == g[1] ? 1 : 2;
-    return f[1] == g[(i + 1) % 3];
-  }
-
   // Returns false if there is a cell of another region.
   bool spread(const Cell_handle seed)
   {

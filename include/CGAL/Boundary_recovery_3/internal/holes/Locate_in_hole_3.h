@@ -13,6 +13,7 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/Hole_remeshing_result_3.h>
+#include <CGAL/Boundary_recovery_3/internal/geometry/walk_to.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Hole_cells_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Moved_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Tetrahedra_incidences_3.h>
@@ -31,6 +32,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <type_traits>
 #include <vector>
 
@@ -99,22 +101,26 @@ private:
 
   bool is_in_hole(const std::size_t cell) const { return m_hole_cells.are_in_same_hole(cell, m_cells.front()); }
 
-  // None if the way is barred.
-  std::size_t walk(const Point_3& p, const int region, std::size_t cell) const
+  // Whether it can be the cell of a place in that region, or be on the way there.
+  bool is_passable(const std::size_t cell, const int region) const
   {
-    for(int step = 0; step < max_number_of_steps; ++step)
+    return m_mesh.regions[cell] == region && m_mesh.is_positive(cell);
+  }
+
+  // None if the way is barred.
+  std::size_t walk(const Point_3& p, const int region, const std::size_t start) const
+  {
+    if(! is_in_hole(start) || ! is_passable(start, region))
+      return none;
+    const auto cell_behind = [&](const std::size_t c, const int i) -> std::optional<std::size_t>
     {
-      if(! is_in_hole(cell) || m_mesh.regions[cell] != region || ! m_mesh.is_positive(cell))
-        return none;
-      const std::size_t side = side_towards(p, cell);
-      if(side == none)
-        return cell;
-      const std::size_t opposite = m_incidences.opposite(side);
-      if(opposite == none)
-        return none;
-      cell = opposite / 4;
-    }
-    return none;
+      const std::size_t side = m_incidences.opposite(4 * c + static_cast<std::size_t>(i));
+      if(side == none || ! is_in_hole(side / 4) || ! is_passable(side / 4, region))
+        return std::nullopt;
+      return side / 4;
+    };
+    return internal::walk_to(start, max_number_of_steps,
+                             [&](const std::size_t c) { return facet_towards(p, c); }, cell_behind).value_or(none);
   }
 
   // Looks at the cells of the hole that are nearest to one of them, as steps go.
@@ -126,7 +132,7 @@ private:
     for(std::size_t k = 0; k < cells.size(); ++k)
     {
       const std::size_t c = cells[k];
-      if(m_mesh.regions[c] == region && m_mesh.is_positive(c) && side_towards(p, c) == none)
+      if(is_passable(c, region) && facet_towards(p, c) < 0)
         return c;
       for(std::size_t i = 0; i < 4 && cells.size() < max_number_of_neighbors; ++i)
       {
@@ -138,13 +144,13 @@ private:
     return none;
   }
 
-  // A side of a positive cell that p is beyond; none if p is inside, or on the boundary.
-  std::size_t side_towards(const Point_3& p, const std::size_t cell) const
+  // The index of a facet of a positive cell that has p behind it; negative if p is inside, or on the boundary.
+  int facet_towards(const Point_3& p, const std::size_t cell) const
   {
-    for(std::size_t i = 0; i < 4; ++i)
-      if(orientation_with(p, cell, i) == NEGATIVE)
-        return 4 * cell + i;
-    return none;
+    for(int i = 0; i < 4; ++i)
+      if(orientation_with(p, cell, static_cast<std::size_t>(i)) == NEGATIVE)
+        return i;
+    return -1;
   }
 
   Location search(const Point_3& p, const int region)
@@ -164,35 +170,32 @@ private:
   // Brings the positive cells into the order of a hierarchy of their boxes.
   void order_cells()
   {
-    std::vector<std::size_t> cells;
     Axis_box_3 box;
     for(const std::size_t c : m_cells)
       if(m_mesh.is_positive(c))
       {
-        cells.push_back(c);
+        m_positive_cells.push_back(c);
         for(const Coordinates_3& p : m_mesh.corners(c))
           box.add(p);
       }
     m_frame = Unit_frame_3(box);
-    m_hierarchy = Box_hierarchy_3<1>(boxes(cells));
-    for(const std::size_t k : m_hierarchy.order())
-      m_positive_cells.push_back(cells[k]);
-    m_hierarchy.forget_order();
+    m_hierarchy = Box_hierarchy_3<1>(boxes());
+    m_hierarchy.put_into_order(m_positive_cells);
     m_is_ordered = true;
   }
 
-  std::vector<Axis_box_3> boxes(const std::vector<std::size_t>& cells) const
+  std::vector<Axis_box_3> boxes() const
   {
-    std::vector<Axis_box_3> boxes(cells.size());
-    for(std::size_t k = 0; k < cells.size(); ++k)
-      for(const Coordinates_3& p : m_mesh.corners(cells[k]))
+    std::vector<Axis_box_3> boxes(m_positive_cells.size());
+    for(std::size_t k = 0; k < boxes.size(); ++k)
+      for(const Coordinates_3& p : m_mesh.corners(m_positive_cells[k]))
         boxes[k].add(m_frame.to_frame(p));
     return boxes;
   }
 
   void look_at(const std::size_t cell, const Point_3& p, const int region, Best& best) const
   {
-    if(m_mesh.regions[cell] != region || side_towards(p, cell) != none)
+    if(m_mesh.regions[cell] != region || facet_towards(p, cell) >= 0)
       return;
     const double volume = Cell_shape_3(m_mesh.corners(cell)).volume_times_6;
     if(best.cell == none || volume > best.volume || (volume == best.volume && cell < best.cell))
@@ -208,21 +211,14 @@ private:
     return Kernel().orientation_3_object()(*q[0], *q[1], *q[2], *q[3]);
   }
 
-  // Volumes with p in the place of a vertex, seen from p, where numbers are the most precise ones; exact ones if the
-  // cell is so thin that even this is not enough.
+  // By exact numbers if the cell is so thin that those seen from p are not precise enough.
   Weights coordinates(const std::size_t cell, const Point_3& p) const
   {
     const Cell_corners_3 t = m_mesh.corners(cell);
     const double volume = Cell_shape_3(t).volume_times_6;
     const bool is_ordinary = volume > least_number && volume < 1 / least_number &&
                              Cell_shape_3(internal::scaled_corners(t)).volume_times_6 >= least_volume;
-    Weights weights = is_ordinary ? volumes<double>(cell, p) : volumes<Rational>(cell, p);
-    double sum = 0;
-    for(double& w : weights)
-      sum += w = (std::max)(0., w);
-    for(double& w : weights)
-      w /= sum;
-    return weights;
+    return is_ordinary ? parts<double>(cell, p).coordinates() : parts<Rational>(cell, p).coordinates();
   }
 
   template <typename Number>
@@ -234,30 +230,14 @@ private:
       return NT_converter<typename Kernel::FT, Number>()(x);
   }
 
-  // As parts of their sum.
   template <typename Number>
-  Weights volumes(const std::size_t cell, const Point_3& p) const
+  Parts_of_cell_3<Number> parts(const std::size_t cell, const Point_3& p) const
   {
     std::array<std::array<Number, 3>, 4> q;
     for(std::size_t k = 0; k < 4; ++k)
       for(int j = 0; j < 3; ++j)
         q[k][j] = to_number<Number>(m_mesh.points[m_mesh.tetrahedra[cell][k]][j]) - to_number<Number>(p[j]);
-    static constexpr int facets[4][3] = { { 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 }, { 0, 2, 1 } };
-    std::array<Number, 4> parts;
-    Number sum = 0;
-    for(std::size_t i = 0; i < 4; ++i)
-    {
-      const auto& a = q[facets[i][0]];
-      const auto& b = q[facets[i][1]];
-      const auto& c = q[facets[i][2]];
-      parts[i] = (a[1] * b[2] - a[2] * b[1]) * c[0] + (a[2] * b[0] - a[0] * b[2]) * c[1] +
-                 (a[0] * b[1] - a[1] * b[0]) * c[2];
-      sum += parts[i];
-    }
-    Weights weights;
-    for(std::size_t i = 0; i < 4; ++i)
-      weights[i] = CGAL::to_double(Number(parts[i] / sum));
-    return weights;
+    return Parts_of_cell_3<Number>(q);
   }
 
   const Mesh& m_mesh;

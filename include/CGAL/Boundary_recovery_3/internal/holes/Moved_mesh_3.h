@@ -21,7 +21,6 @@
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/enum.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <unordered_map>
@@ -34,21 +33,19 @@ namespace internal {
 /*
  * A mesh as arrays: what the caller of remesh_holes() has. Some of its tetrahedra may be flat or inverted, that is, the
  * order of their vertices is the only thing that tells on which side of a facet they are.
+ *
+ * Its facets and edges are those that have to stay, beside those that bound regions.
  */
 template <typename Point_3_>
 struct Moved_mesh_3
+  : public Indexed_input_3<Point_3_>
 {
   typedef Point_3_                   Point_3;
   typedef std::array<std::size_t, 4> Tetrahedron;
-  typedef std::array<std::size_t, 3> Facet;
-  typedef std::array<std::size_t, 2> Edge;
-  typedef Input_simplex_3<Point_3>   Simplex;
 
-  std::vector<Point_3> points;
+  using Indexed_input_3<Point_3>::points;
   std::vector<Tetrahedron> tetrahedra;
-  std::vector<int> regions;  // of the tetrahedra
-  std::vector<Facet> facets; // those that have to stay, beside those that bound regions
-  std::vector<Edge> edges;   // those that have to stay, beside those of facets that do
+  std::vector<int> regions; // of the tetrahedra
 
   // In floating point numbers.
   std::array<Coordinates_3, 4> corners(const std::size_t cell) const
@@ -65,24 +62,13 @@ struct Moved_mesh_3
     const auto orientation = typename Kernel_traits<Point_3>::Kernel().orientation_3_object();
     return orientation(points[t[0]], points[t[1]], points[t[2]], points[t[3]]) == POSITIVE;
   }
-
-  // A simplex in the caller's words, with the position in its range; without coordinates if some are not there.
-  template <typename Vertices>
-  Simplex describe(const std::size_t position, const Vertices& vertices) const
-  {
-    Simplex simplex;
-    simplex.dimension = static_cast<int>(vertices.size()) - 1;
-    simplex.index = position;
-    simplex.vertices.assign(vertices.begin(), vertices.end());
-    const auto is_good = [&](const std::size_t v) { return v < points.size() && has_finite_coordinates(points[v]); };
-    if(std::all_of(vertices.begin(), vertices.end(), is_good))
-      for(const std::size_t v : vertices)
-        simplex.points.push_back(points[v]);
-    return simplex;
-  }
-
-  Simplex describe_vertex(const std::size_t v) const { return describe(v, std::array<std::size_t, 1>{{ v }}); }
 };
+
+template <typename Point_3>
+Input_simplex_3<Point_3> describe_tetrahedron(const Moved_mesh_3<Point_3>& mesh, const std::size_t c)
+{
+  return describe_simplex(mesh, c, mesh.tetrahedra[c]);
+}
 
 /*
  * What of a mesh has to stay, whatever is remeshed: the facets that the caller says, those between two regions, those
@@ -197,7 +183,7 @@ public:
   {
     for(std::size_t v = 0; v < m_mesh.points.size(); ++v)
       if(! has_finite_coordinates(m_mesh.points[v]))
-        report(Input_defect_kind::non_finite_coordinate, m_mesh.describe_vertex(v));
+        report(Input_defect_kind::non_finite_coordinate, describe_vertex(m_mesh, v));
     check_indices(m_mesh.tetrahedra, Input_defect_kind::repeated_vertex);
     check_indices(m_mesh.facets, Input_defect_kind::degenerate_facet);
     check_indices(m_mesh.edges, Input_defect_kind::degenerate_edge);
@@ -216,9 +202,9 @@ public:
     std::vector<std::size_t> facets, edges;
     constraints.find(facets, edges);
     for(const std::size_t f : facets)
-      report(Input_defect_kind::not_in_mesh, m_mesh.describe(f, m_mesh.facets[f]));
+      report(Input_defect_kind::not_in_mesh, describe_facet(m_mesh, f));
     for(const std::size_t e : edges)
-      report(Input_defect_kind::not_in_mesh, m_mesh.describe(e, m_mesh.edges[e]));
+      report(Input_defect_kind::not_in_mesh, describe_edge(m_mesh, e));
     return m_defects.empty();
   }
 
@@ -229,17 +215,13 @@ private:
   void check_indices(const std::vector<Simplex>& simplices, const Input_defect_kind repeated)
   {
     for(std::size_t i = 0; i < simplices.size(); ++i)
-    {
-      Simplex s = simplices[i];
-      std::sort(s.begin(), s.end());
-      if(s.back() >= m_mesh.points.size())
-        report(Input_defect_kind::index_out_of_range, m_mesh.describe(i, simplices[i]));
-      else if(std::adjacent_find(s.begin(), s.end()) != s.end())
-        report(repeated, m_mesh.describe(i, simplices[i]));
-    }
+      if(! is_in_range(m_mesh, simplices[i]))
+        report(Input_defect_kind::index_out_of_range, describe_simplex(m_mesh, i, simplices[i]));
+      else if(has_repeated_vertex(simplices[i]))
+        report(repeated, describe_simplex(m_mesh, i, simplices[i]));
   }
 
-  void report(const Input_defect_kind kind, const typename Mesh::Simplex& simplex)
+  void report(const Input_defect_kind kind, const Input_simplex_3<Point_3>& simplex)
   {
     m_defects.push_back(Defect{ kind, { simplex } });
   }
@@ -247,12 +229,9 @@ private:
   // Each with the two tetrahedra.
   void report(const Input_defect_kind kind, const std::vector<Tetrahedra_incidences_3::Side_pair>& facets)
   {
-    const auto describe = [&](const std::size_t side)
-    {
-      return m_mesh.describe(side / 4, m_mesh.tetrahedra[side / 4]);
-    };
     for(const auto& sides : facets)
-      m_defects.push_back(Defect{ kind, { describe(sides.first), describe(sides.second) } });
+      m_defects.push_back(Defect{ kind, { describe_tetrahedron(m_mesh, sides.first / 4),
+                                          describe_tetrahedron(m_mesh, sides.second / 4) } });
   }
 
   const Mesh& m_mesh;

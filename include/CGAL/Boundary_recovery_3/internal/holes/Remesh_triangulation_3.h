@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/Cell_remeshing_result_3.h>
+#include <CGAL/Boundary_recovery_3/Hole_remeshing_result_3.h>
 #include <CGAL/Boundary_recovery_3/Mesh_indices_keeper_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Moved_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Remesh_arrays_3.h>
@@ -129,12 +129,9 @@ private:
   {
     const std::vector<Cell_handle> old_cells = unnamed(m_cells, result.old_cells);
     const std::vector<Vertex_handle> old_vertices = unnamed(m_vertices, result.old_vertices);
+    New_vertices_3<Tr> new_vertices(m_tr);
     for(std::size_t v = result.number_of_kept_vertices; v < result.points.size(); ++v)
-    {
-      const Vertex_handle vertex = m_tr.tds().create_vertex();
-      vertex->set_point(typename Tr::Point(result.points[v]));
-      result.vertices.push_back(vertex);
-    }
+      result.vertices.push_back(new_vertices.create(typename Tr::Point(result.points[v])));
     std::vector<std::array<Vertex_handle, 4> > tetrahedra;
     for(std::size_t c = result.number_of_kept_cells; c < result.tetrahedra.size(); ++c)
     {

@@ -15,7 +15,6 @@
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
 #include <CGAL/Boundary_recovery_3/internal/input/Indexed_input_3.h>
 #include <CGAL/Boundary_recovery_3/internal/input/Input_diagnosis_3.h>
-#include <CGAL/Boundary_recovery_3/internal/input/Recovery_diagnosis.h>
 #include <CGAL/Boundary_recovery_3/internal/input/Vertex_location.h>
 #include <CGAL/Boundary_recovery_3/internal/lost/Constraint_search_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
@@ -75,26 +74,7 @@ public:
   }
 
   // `vertices` are those of the input points where the caller knows them, else empty.
-  Result operator()(std::vector<Vertex_handle> vertices)
-  {
-    set_defects(simple_defects(m_input, m_gt, m_tr.number_of_vertices() == 0));
-    if(! is_invalid() && m_options.list_defects)
-      list_intersections();
-    if(! is_invalid())
-    {
-      examine_after_work([this] { return indices_of_all(); });
-      m_result.vertices = std::move(vertices);
-      if(m_result.vertices.empty())
-        find_vertices();
-      check_triangulation();
-    }
-    if(is_invalid())
-      return invalid_input();
-    if(m_context.is_stopped() && ! is_every_point_known())
-      return stopped_early();
-    recover();
-    return std::move(m_result);
-  }
+  Result operator()(std::vector<Vertex_handle> vertices);
 
 private:
   typedef Constrained_boundary_recovery_3<Tr, Mesh_visitor_3<Tr> > Recovery;
@@ -439,6 +419,29 @@ private:
   Constraint_sample m_sample;
   std::vector<Simplex> m_edges; // the constraints that were given as edges, by their indices in the recovery
 };
+
+template <typename Tr, typename GT>
+Boundary_recovery_result_3<Tr>
+Indexed_boundary_recovery<Tr, GT>::operator()(std::vector<Vertex_handle> vertices)
+{
+  set_defects(simple_defects(m_input, m_gt, m_tr.number_of_vertices() == 0));
+  if(! is_invalid() && m_options.list_defects)
+    list_intersections();
+  if(! is_invalid())
+  {
+    examine_after_work([this] { return indices_of_all(); });
+    m_result.vertices = std::move(vertices);
+    if(m_result.vertices.empty())
+      find_vertices();
+    check_triangulation();
+  }
+  if(is_invalid())
+    return invalid_input();
+  if(m_context.is_stopped() && ! is_every_point_known())
+    return stopped_early();
+  recover();
+  return std::move(m_result);
+}
 
 } // namespace internal
 } // namespace Boundary_recovery_3

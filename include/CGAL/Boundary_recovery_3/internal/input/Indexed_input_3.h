@@ -13,7 +13,6 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
-#include <CGAL/Boundary_recovery_3/internal/util/Hash_index.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
 
 #include <CGAL/enum.h>
@@ -86,9 +85,8 @@ template <typename GT>
 bool is_degenerate(const Indexed_input_3<typename GT::Point_3>& input,
                    const std::array<std::size_t, 3>& facet, const GT& gt)
 {
-  if(facet[0] == facet[1] || facet[1] == facet[2] || facet[2] == facet[0])
-    return true;
-  return gt.collinear_3_object()(input.points[facet[0]], input.points[facet[1]], input.points[facet[2]]);
+  return has_repeated_vertex(facet)
+      || gt.collinear_3_object()(input.points[facet[0]], input.points[facet[1]], input.points[facet[2]]);
 }
 
 /// returns `true` iff both ends of the edge are at one point.

@@ -12,7 +12,6 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Spatial_sort_traits_adapter_3.h>
 #include <CGAL/Triangulation_3.h>

@@ -90,6 +90,45 @@ private:
 };
 
 /*
+ * Vertices that are created before the cells that are going to have them. Those without a cell go with this object: so
+ * none is left where memory is lacking, or a visitor throws.
+ */
+template <typename Tr>
+class New_vertices_3
+{
+public:
+  typedef typename Tr::Vertex_handle    Vertex_handle;
+  typedef typename Tr::Cell_handle      Cell_handle;
+
+  explicit New_vertices_3(Tr& tr) : m_tr(tr) { }
+
+  New_vertices_3(const New_vertices_3&) = delete;
+  New_vertices_3& operator=(const New_vertices_3&) = delete;
+
+  ~New_vertices_3()
+  {
+    for(const Vertex_handle v : m_vertices)
+      if(v != Vertex_handle() && v->cell() == Cell_handle())
+        m_tr.tds().delete_vertex(v);
+  }
+
+  Vertex_handle create(const typename Tr::Point& p)
+  {
+    m_vertices.emplace_back();
+    m_vertices.back() = m_tr.tds().create_vertex();
+    m_vertices.back()->set_point(p);
+    return m_vertices.back();
+  }
+
+  // Whether they have cells or not, they stay.
+  void keep() { m_vertices.clear(); }
+
+private:
+  Tr& m_tr;
+  std::vector<Vertex_handle> m_vertices;
+};
+
+/*
  * Exchanges a set of cells for another one that fills the same polyhedron.
  *
  * Combinatorial only: the caller knows that the new cells, given by four vertices each, are positively oriented

@@ -243,23 +243,6 @@ void collect_constraints(const Constraints& constraints, const CellRange& cells,
     }
 }
 
-// Whether an edge or a facet at v is constrained; `ball` are the cells around v. If so, v must not be removed.
-template <typename Constraints, typename CellRange, typename Vertex_handle>
-bool has_constraint_at(const Constraints& constraints, const CellRange& ball, const Vertex_handle v)
-{
-  return std::any_of(ball.begin(), ball.end(), [&](const auto c)
-  {
-    for(int i = 0; i < 4; ++i)
-    {
-      const std::array<Vertex_handle, 3> f = internal::facet_vertices(c, i);
-      if(c->vertex(i) != v && (constraints.is_constrained(c->vertex(i), v)
-                               || constraints.is_constrained(f[0], f[1], f[2])))
-        return true;
-    }
-    return false;
-  });
-}
-
 } // namespace internal
 } // namespace Boundary_recovery_3
 } // namespace CGAL

@@ -206,7 +206,7 @@ public:
 
   // `outer`, if any, is the change that `change` was going to be a part of.
   Mesh_restoration_3(Tr& tr, const Mesh_change& change, Mesh_change* const outer)
-    : m_tr(tr), m_change(change), m_outer(outer), m_new_cells(change.new_cells()),
+    : m_tr(tr), m_change(change), m_outer(outer), m_created_vertices(tr), m_new_cells(change.new_cells()),
       m_new_vertices(change.new_vertices()), m_open_facets(m_new_cells, change.removed_cells().size())
   {
     m_cells.reserve(change.removed_cells().size());
@@ -216,15 +216,6 @@ public:
     if(m_outer != nullptr)
       make_room_in_outer_change();
     create_vertices();
-  }
-
-  Mesh_restoration_3(const Mesh_restoration_3&) = delete;
-  Mesh_restoration_3& operator=(const Mesh_restoration_3&) = delete;
-
-  ~Mesh_restoration_3()
-  {
-    if(! m_is_done)
-      delete_created_vertices();
   }
 
   // The cells that go.
@@ -248,7 +239,7 @@ public:
     m_change.for_each_moved_vertex([](const Vertex_handle v, const typename Tr::Point& p) { v->set_point(p); });
     if(m_outer != nullptr)
       tell_outer_change();
-    m_is_done = true;
+    m_created_vertices.keep();
   }
 
   // Gives the cells that came the indices that they had.
@@ -264,25 +255,13 @@ private:
 
   void create_vertices()
   {
-    try {
-      for(const Old_vertex& old : m_change.removed_vertices())
-      {
-        const Vertex_handle v = m_tr.tds().create_vertex();
-        m_renamed_vertices.push_back({{ old.vertex, v }});
-        v->set_point(old.point);
-        old.indices.give_to(*v);
-        old.size.give_to(*v);
-      }
-    } catch(...) {
-      delete_created_vertices();
-      throw;
+    for(const Old_vertex& old : m_change.removed_vertices())
+    {
+      const Vertex_handle v = m_created_vertices.create(old.point);
+      m_renamed_vertices.push_back({{ old.vertex, v }});
+      old.indices.give_to(*v);
+      old.size.give_to(*v);
     }
-  }
-
-  void delete_created_vertices()
-  {
-    for(const Vertex_pair& v : m_renamed_vertices)
-      m_tr.tds().delete_vertex(v[1]);
   }
 
   void restore(const Old_cell& old)
@@ -327,13 +306,13 @@ private:
   Tr& m_tr;
   const Mesh_change& m_change;
   Mesh_change* const m_outer;
+  New_vertices_3<Tr> m_created_vertices;
   const std::vector<Cell_handle> m_new_cells;
   const std::vector<Vertex_handle> m_new_vertices;
   Open_facets_3<Tr> m_open_facets;
   Simplex_index_3<Vertex_handle, 1> m_removed_vertices;
   std::vector<Vertex_pair> m_renamed_vertices; // by these numbers
   std::vector<Cell_handle> m_cells;
-  bool m_is_done = false;
 };
 
 } // namespace internal

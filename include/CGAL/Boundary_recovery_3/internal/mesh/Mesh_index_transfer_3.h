@@ -309,11 +309,7 @@ private:
     if(c.facets[i] == none)
       return std::nullopt;
     const Facet& f = m_facets[c.facets[i]];
-    const Vertex_triple v = internal::facet_vertices(c.cell, i);
-    int j = 0;
-    while(v[j] != f.vertices[0])
-      ++j;
-    return f.regions[v[(j + 1) % 3] == f.vertices[1] ? 0 : 1];
+    return f.regions[is_rotation(f.vertices, internal::facet_vertices(c.cell, i)) ? 0 : 1];
   }
 
   void find_regions()

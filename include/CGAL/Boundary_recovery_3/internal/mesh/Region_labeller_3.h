@@ -111,13 +111,6 @@ public:
   const std::vector<Wall>& walls() const { return m_walls; }
 
 private:
-  // whether two triples of the same vertices turn alike
-  static bool turn_alike(const Vertex_triple& s, const Vertex_triple& t)
-  {
-    const int i = s[0] == t[0] ? 0 : s[0] == t[1] ? 1 : 2;
-    return s[1] == t[(i + 1) % 3];
-  }
-
   void add_wall(const Vertex_triple& triple, const std::size_t index)
   {
     const auto inserted = m_wall_index.insert(triple);
@@ -128,7 +121,7 @@ private:
       m_walls.back().index = index;
     }
     Wall& wall = m_walls[inserted.first];
-    wall.weight += turn_alike(wall.vertices, triple) ? 1 : -1;
+    wall.weight += is_rotation(wall.vertices, triple) ? 1 : -1;
     wall.odd = ! wall.odd;
   }
 
@@ -171,7 +164,7 @@ private:
     Wall& wall = m_walls[index];
     wall.facet = Facet(c, i);
     wall.found = true;
-    wall.agrees = turn_alike(wall.vertices, triple);
+    wall.agrees = is_rotation(wall.vertices, triple);
     if(! wall.agrees)
       wall.weight = -wall.weight;
     return true;

@@ -63,7 +63,7 @@ public:
     return Range{ m_star_cells.data() + m_star_begin[v], m_star_cells.data() + m_star_begin[v + 1] };
   }
 
-  // The other side of the same facet; none on the boundary of the mesh.
+  // Another side of the same facet; none on the boundary of the mesh.
   std::size_t opposite(const std::size_t side) const { return m_opposite[side]; }
 
   // The vertices of a facet; the tetrahedron of this side is on the positive side of it, unless it is inverted.
@@ -217,8 +217,8 @@ private:
       m_nonmanifold.emplace_back(f.side(), g.side());
     else if(f.is_positive() == g.is_positive())
       m_inconsistent.emplace_back(f.side(), g.side());
-    m_opposite[f.side()] = g.side();
-    m_opposite[g.side()] = f.side();
+    for(std::size_t k = first; k < last; ++k)
+      m_opposite[facets[k].side()] = k == first ? g.side() : f.side();
   }
 
   const std::vector<Tetrahedron>& m_tetrahedra;

@@ -12,6 +12,8 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <CGAL/number_utils.h>
+
 #include <array>
 #include <type_traits>
 #include <utility>
@@ -139,6 +141,16 @@ struct Vertex_indices<Vertex, true>
   int dimension;
   std::decay_t<decltype(std::declval<const Vertex&>().index())> index;
 };
+
+// The size that the mesh should have at a vertex; 0 if it is not known, or there is no place for it.
+template <typename Vertex>
+double vertex_size([[maybe_unused]] const Vertex& v)
+{
+  if constexpr(Has_meshing_info<Vertex>::value)
+    return CGAL::to_double(v.meshing_info());
+  else
+    return 0;
+}
 
 // And its size, if there is a place for it.
 template <typename Vertex, bool has_info = Has_meshing_info<Vertex>::value>

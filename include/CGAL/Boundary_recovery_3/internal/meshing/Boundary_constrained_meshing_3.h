@@ -213,23 +213,7 @@ public:
   }
 
   // Without a size field, the sizes come from the surface.
-  Result operator()(const Surface& surface, const Size_field* size)
-  {
-    m_result.recovery = surface.recover(m_visitor);
-    m_result.status = status(m_result.recovery.status);
-    if(m_result.recovery)
-    {
-      mark_domain(surface);
-      if(m_result.number_of_regions == 0)
-        m_result.status = Meshing_status::no_region;
-      else if(! m_context.go_further())
-        m_result.status = m_result.filling.status = m_result.improvement.status = Meshing_status::stopped;
-      else
-        fill_and_improve(size);
-    }
-    m_result.seconds = m_context.seconds();
-    return std::move(m_result);
-  }
+  Result operator()(const Surface& surface, const Size_field* size);
 
 private:
   static Meshing_status status(const Recovery_status status)
@@ -325,6 +309,26 @@ private:
   Recording_visitor_3<Tr> m_visitor;
   Recovery_context<Tr> m_context;
 };
+
+template <typename Tr, typename Quality>
+Boundary_constrained_mesh_result_3<Tr>
+Boundary_constrained_meshing_3<Tr, Quality>::operator()(const Surface& surface, const Size_field* size)
+{
+  m_result.recovery = surface.recover(m_visitor);
+  m_result.status = status(m_result.recovery.status);
+  if(m_result.recovery)
+  {
+    mark_domain(surface);
+    if(m_result.number_of_regions == 0)
+      m_result.status = Meshing_status::no_region;
+    else if(! m_context.go_further())
+      m_result.status = m_result.filling.status = m_result.improvement.status = Meshing_status::stopped;
+    else
+      fill_and_improve(size);
+  }
+  m_result.seconds = m_context.seconds();
+  return std::move(m_result);
+}
 
 } // namespace internal
 } // namespace Boundary_recovery_3

@@ -30,7 +30,7 @@ namespace Boundary_recovery_3 {
 namespace internal {
 
 // Whether x, a neighbor of v, sees all of the ball of v from inside: then v can be collapsed onto x, if there is no
-// constraint at v, see `has_constraint_at()`. `ball` are the cells around v, all of which are finite.
+// constraint at v. `ball` are the cells around v, all of which are finite.
 template <typename Predicates, typename CellRange, typename Vertex_handle>
 bool is_ball_seen(const Predicates& predicates, const CellRange& ball, const Vertex_handle v, const Vertex_handle x)
 {
@@ -66,8 +66,8 @@ void collapse_edge(Editor& editor, const CellRange& ball, const typename Editor:
 }
 
 /*
- * Removes a vertex at which there is no constraint, see `has_constraint_at()`: its ball is covered with other cells, by
- * collapsing an edge or by small polyhedron reconnection.
+ * Removes a vertex at which there is no constraint: its ball is covered with other cells, by collapsing an edge or by
+ * small polyhedron reconnection.
  *
  * The search changes nothing; what it found is done then, or left.
  */

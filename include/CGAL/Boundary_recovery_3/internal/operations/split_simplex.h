@@ -15,10 +15,6 @@
 #include <CGAL/Boundary_recovery_3/Shell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 
-#include <CGAL/assertions.h>
-#include <CGAL/enum.h>
-
-#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -58,23 +54,6 @@ void split_edge(Editor& editor, Constraints& constraints, const typename Editor:
   internal::split_edge(editor, c, a, b, v);
   if(is_constrained)
     constraints.split(a, b, v);
-}
-
-// Whether all the finite cells are positive that come if v splits the edge ab of the cell c.
-template <typename Tr, typename Predicates>
-bool is_shell_seen(const Tr& tr, const Predicates& predicates, const typename Tr::Cell_handle c,
-                   const typename Tr::Vertex_handle a, const typename Tr::Vertex_handle b,
-                   const typename Tr::Vertex_handle v)
-{
-  const Shell_3<Tr> shell(tr, c, c->index(a), c->index(b));
-  return std::all_of(shell.cells().begin(), shell.cells().end(), [&](const typename Tr::Cell_handle cell)
-  {
-    if(tr.is_infinite(cell))
-      return true;
-    const auto s = internal::with_exchanged_vertex(cell, a, v), t = internal::with_exchanged_vertex(cell, b, v);
-    return predicates.orientation(s[0], s[1], s[2], s[3]) == POSITIVE
-        && predicates.orientation(t[0], t[1], t[2], t[3]) == POSITIVE;
-  });
 }
 
 // Splits the facet of the cell c with the given vertices by v, a vertex that is in no cell yet: three cells come in the

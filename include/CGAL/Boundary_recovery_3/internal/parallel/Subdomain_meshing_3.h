@@ -75,22 +75,7 @@ public:
       m_result(result), m_decomposition(tr)
   { }
 
-  void operator()(const std::size_t number_of_subdomains, const bool improve)
-  {
-    const double start = m_context.seconds();
-    if(! forecast())
-      return;
-    run(Phase::decomposition, [&] { decompose(number_of_subdomains); });
-    if(m_result.filling)
-      run(Phase::field_point_insertion, [&] { do_rounds(false); });
-    m_result.filling.seconds = m_context.seconds() - start;
-    if(m_result.filling && improve)
-      this->improve();
-    else
-      put_into_triangulation();
-    if(m_result.filling.status == Meshing_status::too_large)
-      correct_forecast();
-  }
+  void operator()(const std::size_t number_of_subdomains, const bool improve);
 
 private:
   typedef Mesh_part_3<Tr>          Part;
@@ -390,6 +375,24 @@ private:
   std::size_t m_number_of_old_vertices = 0; // in the place of which the mesh will be
   std::size_t m_number_of_old_cells = 0;
 };
+
+template <typename Tr, typename Quality>
+void Subdomain_meshing_3<Tr, Quality>::operator()(const std::size_t number_of_subdomains, const bool improve)
+{
+  const double start = m_context.seconds();
+  if(! forecast())
+    return;
+  run(Phase::decomposition, [&] { decompose(number_of_subdomains); });
+  if(m_result.filling)
+    run(Phase::field_point_insertion, [&] { do_rounds(false); });
+  m_result.filling.seconds = m_context.seconds() - start;
+  if(m_result.filling && improve)
+    this->improve();
+  else
+    put_into_triangulation();
+  if(m_result.filling.status == Meshing_status::too_large)
+    correct_forecast();
+}
 
 } // namespace internal
 } // namespace Boundary_recovery_3

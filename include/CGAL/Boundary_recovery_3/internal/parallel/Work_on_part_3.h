@@ -12,7 +12,6 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/Mesh_quality_3.h>
 #include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Field_point_insertion_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Ordinary_scale_3.h>
@@ -24,6 +23,7 @@
 #include <CGAL/Boundary_recovery_3/internal/quality/Measure_quality_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/Cell_shape_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/distances_3.h>
+#include <CGAL/Boundary_recovery_3/internal/sizing/Vertex_sizes_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 
 #include <algorithm>
@@ -51,10 +51,8 @@ struct Subdomain_round
     return repairs() && improves ? std::size_t(-1) : Seams_3<>::max_number_of_connected_vertices;
   }
 
-  // Cells with smaller angles are improved once more in the end, and with longer edges, in sizes, they are filled once
-  // more. See "Tuning constants" in the manual.
+  // Cells with smaller angles are improved once more in the end. See "Tuning constants" in the manual.
   static constexpr double angle_to_be_repaired = 20;
-  static constexpr double length_to_be_repaired = 2;
 
   std::size_t number_of_parts; // that meet in a zone; 1: the parts themselves; 0: zones are around what is repaired
   int         number_of_layers;
@@ -205,9 +203,9 @@ private:
     {
       const auto& u = vertex(part, cell, static_cast<std::size_t>(e.i));
       const auto& v = vertex(part, cell, static_cast<std::size_t>(e.j));
-      const double size = (std::abs(CGAL::to_double(u.size)) + std::abs(CGAL::to_double(v.size))) / 2;
+      const double size = (CGAL::to_double(u.size) + CGAL::to_double(v.size)) / 2;
       return (u.indices.dimension == 3 || v.indices.dimension == 3)
-          && e.length > Subdomain_round::length_to_be_repaired * size;
+          && e.length > Length_rules::longest * size;
     });
   }
 

@@ -85,16 +85,13 @@ public:
   }
 
   // The size at a vertex; 0: not known.
-  static double size(const Vertex_handle v)
-  {
-    if constexpr(Has_meshing_info<typename Tr::Vertex>::value)
-      return CGAL::to_double(v->meshing_info());
-    else
-      return 0;
-  }
+  static double size(const Vertex_handle v) { return internal::vertex_size(*v); }
 
   // The length that edges of a vertex have at least.
-  double least(const Vertex_handle v) const { return (std::min)(0.5 * size(v), of_constraints(v).least); }
+  double least(const Vertex_handle v) const
+  {
+    return (std::min)(Length_rules::shortest * size(v), of_constraints(v).least);
+  }
 
   // Where an edge may have this length, edges this far away may be longer by that.
   static double faded(const double least, const double distance) { return least + 0.5 * distance; }
@@ -127,8 +124,8 @@ private:
       return Range{ 0, std::numeric_limits<double>::infinity() };
     const double mean = 0.5 * (size_at_u + size_at_v);
     const Range& constraints = of_constraints(u);
-    return Range{ (std::min)({ 0.5 * mean, constraints.least, constraints_at_v.least }),
-                  (std::max)({ 2 * mean, constraints.largest, constraints_at_v.largest }) };
+    return Range{ (std::min)({ Length_rules::shortest * mean, constraints.least, constraints_at_v.least }),
+                  (std::max)({ Length_rules::longest * mean, constraints.largest, constraints_at_v.largest }) };
   }
 
   static double distance(const Vertex_handle u, const Vertex_handle v)
@@ -172,7 +169,10 @@ private:
   void spread_largest(const Question& goes_on)
   {
     spread([this](const Vertex_handle v) { return m_of_constraints[v].largest; },
-           [this](const Vertex_handle v) { return (std::max)(2 * size(v), m_of_constraints[v].largest); },
+           [this](const Vertex_handle v)
+           {
+             return (std::max)(Length_rules::longest * size(v), m_of_constraints[v].largest);
+           },
            [this](const Vertex_handle v, const double x) { m_of_constraints[v].largest = x; }, 1, goes_on);
   }
 

@@ -12,10 +12,10 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <CGAL/Boundary_recovery_3/Cell_quality_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Visibility_kernel_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Badness_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/visit_qualities.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/Cell_shape_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/Unit_frame_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/circumsphere.h>

@@ -12,9 +12,9 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <CGAL/Boundary_recovery_3/Cell_quality_3.h>
 #include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Free_star_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/visit_qualities.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 

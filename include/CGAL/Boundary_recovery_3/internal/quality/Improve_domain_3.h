@@ -228,12 +228,7 @@ public:
   bool was_full() const { return m_mesh.was_full(); }
 
   // Improves the mesh until all cells are good, or nothing helps, or the context says stop.
-  void operator()()
-  {
-    if(m_target > 0) // else nothing is bad
-      improve();
-    m_improve.finish();
-  }
+  void operator()();
 
   // All of this in one.
   void operator()(const double min_dihedral_angle)
@@ -354,6 +349,14 @@ private:
   std::size_t m_number_of_cells = 0;
   double m_worst = std::numeric_limits<double>::infinity(); // of the qualities of all cells at first
 };
+
+template <typename Tr, typename Quality>
+void Improve_domain_3<Tr, Quality>::operator()()
+{
+  if(m_target > 0) // else nothing is bad
+    improve();
+  m_improve.finish();
+}
 
 } // namespace internal
 } // namespace Boundary_recovery_3

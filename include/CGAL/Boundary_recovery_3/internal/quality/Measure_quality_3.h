@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/Mesh_quality_3.h>
+#include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/numbers/binary_scale.h>
@@ -141,16 +141,14 @@ private:
   void add_edge(const Cell_handle c, const int k, const Cell_corners_3& corners)
   {
     const int u = edges_of_cell[k][0], v = edges_of_cell[k][1];
-    const double size_u = size(c->vertex(u)), size_v = size(c->vertex(v));
+    const double size_u = internal::vertex_size(*c->vertex(u)), size_v = internal::vertex_size(*c->vertex(v));
     if(! (size_u > 0 && size_v > 0 && is_inner_edge(c, k)))
       return;
     ++m_quality.number_of_sized_edges;
     m_number_of_edges_in_size += is_in_size(difference(corners[u], corners[v]), size_u, size_v);
   }
 
-  // 0 if it is not known. The filling keeps marks in the sign.
-  static double size(const Vertex_handle v) { return std::abs(CGAL::to_double(v->meshing_info())); }
-
+  // See `Length_rules`.
   static bool is_in_size(Coordinates_3 edge, const double size_u, const double size_v)
   {
     const bool is_ordinary = size_u > 1e-100 && size_u < 1e100; // else squares would leave their range

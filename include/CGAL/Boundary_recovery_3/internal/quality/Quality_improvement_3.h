@@ -67,23 +67,7 @@ public:
   { }
 
   Result operator()(const double min_dihedral_angle, const Improvement_effort effort,
-                    const double maximum_running_time)
-  {
-    m_context.set_maximum_running_time(maximum_running_time);
-    if(is_possible_target(min_dihedral_angle))
-    {
-      m_context.run(Phase::quality_improvement, [&] { improve(min_dihedral_angle, effort); },
-                    [this](Phase_report& report)
-      {
-        report.number_of_vertices = m_tr.number_of_vertices();
-        report.number_of_cells = m_tr.number_of_finite_cells();
-      });
-    }
-    else
-      m_result.status = Meshing_status::invalid_input;
-    m_result.seconds = m_context.seconds();
-    return std::move(m_result);
-  }
+                    const double maximum_running_time);
 
 private:
   typedef std::optional<Mesh_quality_3> Figures; // none if there was no time
@@ -132,6 +116,27 @@ private:
   Recovery_context<Tr> m_context;
   Result m_result;
 };
+
+template <typename Tr, typename Quality>
+Quality_improvement_result_3<Tr>
+Quality_improvement_3<Tr, Quality>::operator()(const double min_dihedral_angle, const Improvement_effort effort,
+                                               const double maximum_running_time)
+{
+  m_context.set_maximum_running_time(maximum_running_time);
+  if(is_possible_target(min_dihedral_angle))
+  {
+    m_context.run(Phase::quality_improvement, [&] { improve(min_dihedral_angle, effort); },
+                  [this](Phase_report& report)
+    {
+      report.number_of_vertices = m_tr.number_of_vertices();
+      report.number_of_cells = m_tr.number_of_finite_cells();
+    });
+  }
+  else
+    m_result.status = Meshing_status::invalid_input;
+  m_result.seconds = m_context.seconds();
+  return std::move(m_result);
+}
 
 } // namespace internal
 } // namespace Boundary_recovery_3

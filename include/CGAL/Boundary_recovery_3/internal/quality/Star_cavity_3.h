@@ -12,9 +12,9 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <CGAL/Boundary_recovery_3/Cell_quality_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Best_point_in_star_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/visit_qualities.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/distances_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>

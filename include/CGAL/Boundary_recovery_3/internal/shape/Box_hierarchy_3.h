@@ -56,6 +56,18 @@ public:
   // The number of the thing at each position.
   const std::vector<std::size_t>& order() const { return m_order; }
 
+  // Brings the things themselves into the order, and forgets it.
+  template <typename Thing>
+  void put_into_order(std::vector<Thing>& things)
+  {
+    std::vector<Thing> ordered;
+    ordered.reserve(things.size());
+    for(const std::size_t i : m_order)
+      ordered.push_back(things[i]);
+    things.swap(ordered);
+    forget_order();
+  }
+
   // Frees the memory of the order.
   void forget_order() { std::vector<std::size_t>().swap(m_order); }
 

@@ -18,10 +18,13 @@
 #include <CGAL/Boundary_recovery_3/internal/shape/circumsphere.h>
 
 #include <CGAL/double.h>
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <numeric>
 
 namespace CGAL {
 namespace Boundary_recovery_3 {
@@ -72,6 +75,44 @@ struct Basic_cell_shape_3
 };
 
 typedef Basic_cell_shape_3<double> Cell_shape_3;
+
+// The vertices of the facet opposite to each one of a cell.
+constexpr int facets_of_cell[4][3] = {{ 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 }, { 0, 2, 1 }};
+
+// The volume, times 6, between the origin and the facet opposite to the corner i.
+template <typename Number>
+Number volume_at_facet(const std::array<std::array<Number, 3>, 4>& p, const int i)
+{
+  return dot_product(cross_product(p[facets_of_cell[i][0]], p[facets_of_cell[i][1]]), p[facets_of_cell[i][2]]);
+}
+
+/*
+ * The parts into which a place divides a tetrahedron: the volumes, times 6, between the place and the facets opposite
+ * to the corners, and their sum. The corners are seen from the place, around which numbers are the most precise ones.
+ */
+template <typename Number>
+struct Parts_of_cell_3
+{
+  std::array<Number, 4> volumes;
+  Number sum;
+
+  explicit Parts_of_cell_3(const std::array<std::array<Number, 3>, 4>& p)
+    : volumes({{ volume_at_facet(p, 0), volume_at_facet(p, 1), volume_at_facet(p, 2), volume_at_facet(p, 3) }})
+    , sum(std::accumulate(volumes.begin(), volumes.end(), Number(0)))
+  { }
+
+  // The barycentric coordinates of the place; those of the nearest ones inside if it is outside by rounding errors.
+  std::array<double, 4> coordinates() const
+  {
+    std::array<double, 4> weights;
+    for(std::size_t i = 0; i < 4; ++i)
+      weights[i] = (std::max)(0., CGAL::to_double(Number(volumes[i] / sum)));
+    const double sum_of_weights = std::accumulate(weights.begin(), weights.end(), 0.);
+    for(double& w : weights)
+      w /= sum_of_weights;
+    return weights;
+  }
+};
 
 inline Cell_corners_3 multiplied(Cell_corners_3 p, const double factor)
 {

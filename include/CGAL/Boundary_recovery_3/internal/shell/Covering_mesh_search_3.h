@@ -12,11 +12,9 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/Partial_triangulation.h>
 #include <CGAL/Boundary_recovery_3/Shell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shell/Ring_triangulations_3.h>
-#include <CGAL/Boundary_recovery_3/internal/shell/Shell_positivity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/bits.h>
 
 #include <CGAL/assertions.h>

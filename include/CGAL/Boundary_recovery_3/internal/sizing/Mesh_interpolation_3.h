@@ -12,16 +12,18 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <CGAL/Boundary_recovery_3/internal/mesh/Tetrahedra_incidences_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/Box_hierarchy_3.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/Cell_shape_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/Unit_frame_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/distances_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -85,13 +87,7 @@ public:
 private:
   typedef std::array<std::size_t, 3> Facet;
   typedef Box_hierarchy_3<1>         Hierarchy;
-
-  // the volumes of the tetrahedra between a point and the facets opposite to the vertices, times six, and their sum
-  struct Parts
-  {
-    std::array<double, 4> volumes;
-    double sum;
-  };
+  typedef Parts_of_cell_3<double>    Parts;
 
   static Axis_box_3 box_of(const std::vector<Coordinates_3>& points, const std::vector<Tetrahedron>& tetrahedra)
   {
@@ -106,73 +102,45 @@ private:
   void add(Tetrahedron t)
   {
     const double volume = parts_of(t, m_points[t[0]]).sum;
-    if(volume == 0 || ! std::isfinite(volume))
+    if(volume == 0 || ! std::isfinite(volume) || has_repeated_vertex(t))
       return;
     if(volume < 0)
       std::swap(t[0], t[1]);
     m_tetrahedra.push_back(t);
   }
 
-  // The vertices of the facet opposite to each one.
-  static constexpr int facets[4][3] = { { 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 }, { 0, 2, 1 } };
-
-  // The volume between p, which is the origin, and the facet of t opposite to the vertex i.
-  static double part(const std::array<Coordinates_3, 4>& t, const int i)
-  {
-    return dot_product(cross_product(t[facets[i][0]], t[facets[i][1]]), t[facets[i][2]]);
-  }
-
-  // The vertices relative to p, around which numbers are the most precise ones.
+  // The vertices relative to p.
   std::array<Coordinates_3, 4> seen_from(const Coordinates_3& p, const Tetrahedron& t) const
   {
     return {{ difference(m_points[t[0]], p), difference(m_points[t[1]], p), difference(m_points[t[2]], p),
               difference(m_points[t[3]], p) }};
   }
 
-  Parts parts_of(const Tetrahedron& t, const Coordinates_3& p) const
-  {
-    const std::array<Coordinates_3, 4> q = seen_from(p, t);
-    const Parts parts = { {{ part(q, 0), part(q, 1), part(q, 2), part(q, 3) }}, 0 };
-    return Parts{ parts.volumes, std::accumulate(parts.volumes.begin(), parts.volumes.end(), 0.) };
-  }
+  Parts parts_of(const Tetrahedron& t, const Coordinates_3& p) const { return Parts(seen_from(p, t)); }
 
   // Whether p is inside or on the boundary. Most tetrahedra are refused by their first facets.
   bool has_inside(const Tetrahedron& t, const Coordinates_3& p) const
   {
     const std::array<Coordinates_3, 4> q = seen_from(p, t);
     for(int i = 0; i < 4; ++i)
-      if(! (part(q, i) >= 0))
+      if(! (internal::volume_at_facet(q, i) >= 0))
         return false;
     return true;
   }
 
-  // A facet, and which side of it the tetrahedron is on.
-  typedef std::pair<Facet, bool> Sided_facet;
-
-  static Sided_facet facet_of(const Tetrahedron& t, const int i)
-  {
-    Facet f = {{ t[(i + 1) % 4], t[(i + 2) % 4], t[(i + 3) % 4] }};
-    const bool side = ((i % 2 == 1) != (f[0] > f[1])) != ((f[0] > f[2]) != (f[1] > f[2]));
-    std::sort(f.begin(), f.end());
-    return { f, side };
-  }
-
+  // The order of the facets, and that of their vertices, do not depend on that of the tetrahedra.
   void find_facets()
   {
-    std::vector<Sided_facet> all;
-    for(const Tetrahedron& t : m_tetrahedra)
-      for(int i = 0; i < 4; ++i)
-        all.push_back(facet_of(t, i));
-    std::sort(all.begin(), all.end());
-    for(std::size_t k = 0, next; k < all.size(); k = next)
-    {
-      for(next = k + 1; next < all.size() && all[next].first == all[k].first; )
-        ++next;
-      if(next == k + 1)
-        m_facets.push_back(all[k].first);
-      else if(next > k + 2 || all[k].second == all[k + 1].second)
-        m_has_hidden_boundary = true;
-    }
+    const Tetrahedra_incidences_3 incidences(m_points.size(), m_tetrahedra);
+    for(std::size_t side = 0; side < 4 * m_tetrahedra.size(); ++side)
+      if(incidences.opposite(side) == incidences.none)
+      {
+        Facet f = incidences.facet(side);
+        std::sort(f.begin(), f.end());
+        m_facets.push_back(f);
+      }
+    std::sort(m_facets.begin(), m_facets.end());
+    m_has_hidden_boundary = ! incidences.nonmanifold_facets().empty() || ! incidences.inconsistent_facets().empty();
   }
 
   // Brings simplices into the order of a hierarchy of their boxes.
@@ -184,12 +152,7 @@ private:
       for(const std::size_t v : simplices[i])
         boxes[i].add(m_points[v]);
     Hierarchy hierarchy(boxes);
-    std::vector<Simplex> ordered;
-    ordered.reserve(simplices.size());
-    for(const std::size_t i : hierarchy.order())
-      ordered.push_back(simplices[i]);
-    simplices.swap(ordered);
-    hierarchy.forget_order();
+    hierarchy.put_into_order(simplices);
     return hierarchy;
   }
 
@@ -297,10 +260,10 @@ private:
     const std::array<Coordinates_3, 4> q = seen_from(p, t);
     for(int i = 0; i < 4; ++i)
     {
-      const auto& [a, b, c] = facets[i];
+      const auto& [a, b, c] = facets_of_cell[i];
       const double area = length(cross_product(difference(q[b], q[a]), difference(q[c], q[a])));
       const double error = safety * length(q[a]) * length(q[b]) * length(q[c]);
-      if(part(q, i) < - radius * area - error)
+      if(internal::volume_at_facet(q, i) < - radius * area - error)
         return true;
     }
     return false;
@@ -402,16 +365,7 @@ private:
 
   // --- values -------------------------------------------------------------------------------------------------------
 
-  double interpolate(const Tetrahedron& t, const Parts& parts) const
-  {
-    std::array<double, 4> weights;
-    for(int i = 0; i < 4; ++i)
-      weights[i] = (std::max)(0., parts.volumes[i] / parts.sum);
-    const double sum = std::accumulate(weights.begin(), weights.end(), 0.);
-    for(double& w : weights)
-      w /= sum;
-    return weighted_sum(t, weights);
-  }
+  double interpolate(const Tetrahedron& t, const Parts& parts) const { return weighted_sum(t, parts.coordinates()); }
 
   // The weights have the sum 1, up to rounding errors.
   template <typename Simplex, typename Weights>

@@ -32,10 +32,33 @@ namespace Boundary_recovery_3 {
 namespace internal {
 
 /*
+ * How long edges may be, as parts of the sizes at their ends. All the rules are here, since each of them leaves to the
+ * next one what that can do with: the filling leaves edges, the improvement may change them, and both are measured.
+ *
+ * See "Tuning constants" in the manual.
+ */
+struct Length_rules
+{
+  // The filling: the distance of a new point from the vertices of its cavity, and from those beside an edge that it
+  // divides; edges inside that are left alone, and those that are removed, but not divided.
+  static constexpr double smallest_distance = 0.7;
+  static constexpr double smallest_distance_on_edge = 0.4;
+  static constexpr double longest_edge = 1.6;
+  static constexpr double longest_undivided_edge = 1.95;
+
+  // The improvement makes no edge shorter or longer than that; nor is a longer one left between sub-domains.
+  static constexpr double shortest = 0.5;
+  static constexpr double longest = 2;
+
+  // An edge is in size if it is between the root of 1/2 and the root of 2, see `Measure_quality_3`.
+};
+
+/*
  * The size that cells should have at each vertex, where it is known; in the vertices themselves if they have a place
  * for it, else in a table.
  *
- * A vertex can be marked as pending, that is, the cells around it have not been looked at. That is kept in the sign.
+ * A vertex can be marked as pending, that is, the cells around it have not been looked at. That is kept in the sign,
+ * since it costs nothing there, and nobody else sees it: outside of the filling no vertex is pending.
  */
 template <typename Tr, bool is_in_vertices = Has_meshing_info<typename Tr::Vertex>::value>
 class Vertex_sizes_3

@@ -8,8 +8,7 @@
 #include "write_report.h"
 
 #include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_result_3.h>
-#include <CGAL/Boundary_recovery_3/Mesh_quality_3.h>
-#include <CGAL/Boundary_recovery_3/Quality_certificate_3.h>
+#include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
 
 #include <cstddef>
 #include <limits>

@@ -4,11 +4,11 @@
 #include "mesh_surface_options.h"
 #include "read_surface.h"
 
+#include <CGAL/Boundary_recovery_3/Background_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/Background_mesh_sizing_field_3.h>
+#include <CGAL/Boundary_recovery_3/Size_source_3.h>
 #include <CGAL/Boundary_recovery_3/Source_sizing_field_3.h>
 #include <CGAL/Boundary_recovery_3/Surface_sizing_field_3.h>
-#include <CGAL/Boundary_recovery_3/read_background_mesh.h>
-#include <CGAL/Boundary_recovery_3/read_size_sources.h>
 
 #include <algorithm>
 #include <filesystem>

@@ -1,0 +1,11 @@
+# The programs in a small image; not tested, as there was no Docker where this was written:
+#   docker build -t boundary-recovery . && docker run --rm -v "$PWD:/data" boundary-recovery part.stl -o part.vtu
+FROM debian:trixie-slim AS build
+COPY . /source
+RUN /source/scripts/make_packages
+
+FROM debian:trixie-slim
+COPY --from=build /source/build/packages/boundary-recovery_*.deb /tmp/
+RUN apt-get update && apt-get install -y --no-install-recommends /tmp/*.deb && rm -rf /tmp/*.deb /var/lib/apt/lists/*
+WORKDIR /data
+ENTRYPOINT ["mesh_surface"]
