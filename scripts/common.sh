@@ -37,5 +37,9 @@ build_packages=(g++ make cmake libcgal-dev libboost-dev libeigen3-dev libgmp-dev
 subdomain_packages=(libtbb-dev libmetis-dev)
 mpi_packages=(libboost-mpi-dev openmpi-bin libopenmpi-dev)
 
+# What the Python module and its tests take, and for CMake the Python that has them.
+python_packages=(pybind11-dev python3-dev python3-numpy python3-scipy python3-meshio python3-vtk9 xvfb xauth)
+with_python=(-DBR3_BUILD_PYTHON=ON -DPython_EXECUTABLE=/usr/bin/python3)
+
 # For CMake, which takes the name of precompiled headers of C++ from the compiler of C.
 with_clang=(-DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++)

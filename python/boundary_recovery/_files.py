@@ -1,0 +1,282 @@
+"""Files, and the meshes of other modules."""
+import os
+import re
+from typing import TYPE_CHECKING, Any, Callable, Dict, List, NamedTuple, Sequence, Tuple, Union
+
+import numpy as np
+
+from . import _core
+
+if TYPE_CHECKING:
+    from ._results import Mesh
+
+
+class Surface(NamedTuple):
+    """A surface: what `read()` and `repair()` return.
+
+    points            (n, 3) float64
+    triangles         (m, 3) int64
+    patches           (m,) int32, from 1
+    patch_names       {number: name}
+    triangle_numbers  (m,) int64: the number in the file, or before the repair, of each triangle
+    point_numbers     (n,) int64: the same of each point
+    changes           what a repair changed, and notes about the file
+    """
+    points: np.ndarray
+    triangles: np.ndarray
+    patches: np.ndarray
+    patch_names: Dict[int, str]
+    triangle_numbers: np.ndarray
+    point_numbers: np.ndarray
+    changes: Dict[str, Any]
+
+
+def read(file: Union[str, "os.PathLike[str]"]) -> Surface:
+    """Reads a surface: .off, .ply, .stl, .obj; and by meshio, if that is there, the triangles of .msh, .mesh, .vtu, ...
+
+    Equal points become one, as .stl needs it, and points that no triangle has are left out. Patches are the solids of a
+    textual .stl, the objects, groups and materials of .obj, the physical groups of .msh, the references of .mesh.
+
+    Raises OSError if there is no such file, ValueError if it is damaged, has no triangles, or is of a format that nobody
+    knows.
+    """
+    name = os.fspath(file)
+    with open(name, "rb"):
+        pass  # raises what says why it cannot be read
+    extension = os.path.splitext(name)[1].lower()
+    if extension not in (".off", ".ply", ".stl", ".obj"):
+        return _read_by_meshio(name)
+    data = _core.read_surface(name)
+    if data["message"]:
+        raise ValueError(data["message"])
+    numbers = data["triangle_numbers"]
+    names = _names_of_faces(name, extension)
+    if len(names) > 0 and len(numbers) > 0 and numbers.max() < len(names):
+        patches, patch_names = _patches_of_names(names, numbers)
+    else:
+        patches, patch_names = np.ones(len(numbers), dtype=np.int32), {}
+    return Surface(data["points"], data["triangles"], patches, patch_names, numbers, data["point_numbers"],
+                   {"notes": data["notes"]})
+
+
+def _names_of_faces(name: str, extension: str) -> List[str]:
+    """The name of each face of a file, none if it has no names."""
+    if extension not in (".stl", ".obj"):
+        return []
+    with open(name, "rb") as file:
+        text = file.read()
+    if extension == ".obj":
+        return _names_in_obj(text)
+    if not text.lstrip().startswith(b"solid") or b"endsolid" not in text:
+        return []
+    names, current = [], ""
+    for keyword, rest in re.findall(rb"^[ \t]*(solid|facet)\b([^\r\n]*)", text, re.M | re.I):
+        if keyword.lower() == b"solid":
+            current = rest.decode("utf-8", "replace").strip()
+        else:
+            names.append(current)
+    return names
+
+
+def _names_in_obj(text: bytes) -> List[str]:
+    names, current = [], {b"o": "", b"g": "", b"usemtl": ""}
+    for keyword, rest in re.findall(rb"^[ \t]*(o|g|usemtl|f)[ \t]+([^\r\n]*)", text, re.M):
+        if keyword == b"f":
+            names.append(current[b"g"] or current[b"usemtl"] or current[b"o"])
+        else:
+            current[keyword] = rest.decode("utf-8", "replace").strip()
+    return names
+
+
+def _patches_of_names(names: Sequence[str], numbers: np.ndarray) -> Tuple[np.ndarray, Dict[int, str]]:
+    number_of: Dict[str, int] = {}
+    for name in names:
+        number_of.setdefault(name, len(number_of) + 1)
+    patches = np.array([number_of[name] for name in names], dtype=np.int32)[numbers]
+    return patches, {number: name for name, number in number_of.items() if name}
+
+
+def _read_by_meshio(name: str) -> Surface:
+    import meshio
+    try:
+        mesh = meshio.read(name)
+    except (meshio.ReadError, SystemExit) as error:
+        raise ValueError("cannot read %s: %s" % (name, error)) from error
+    blocks = [i for i, block in enumerate(mesh.cells) if block.type == "triangle"]
+    if not blocks:
+        raise ValueError("cannot read %s: it has no triangles" % name)
+    triangles = np.concatenate([mesh.cells[i].data for i in blocks]).astype(np.int64)
+    patches = np.ones(len(triangles), dtype=np.int32)
+    for key in ("gmsh:physical", "medit:ref", "patch"):
+        if key in mesh.cell_data:
+            patches = np.concatenate([mesh.cell_data[key][i] for i in blocks]).astype(np.int32)
+            break
+    names = {int(number): key for key, (number, dimension) in mesh.field_data.items() if dimension == 2}
+    used, flat = np.unique(triangles, return_inverse=True)
+    points = np.ascontiguousarray(mesh.points[used], dtype=np.float64)
+    return Surface(points, flat.reshape(-1, 3), patches, names, np.arange(len(triangles)), used, {"notes": []})
+
+
+def region_names(mesh: "Mesh") -> Dict[int, str]:
+    return {int(region): "region_%d" % region for region in np.unique(mesh.regions)}
+
+
+def names_of_patches(mesh: "Mesh") -> Dict[int, str]:
+    return {int(p): mesh.patch_names.get(int(p), "patch_%d" % p) for p in np.unique(mesh.patches)}
+
+
+def _field_data(mesh: "Mesh") -> Dict[str, np.ndarray]:
+    """The names, as meshio has them: with the number of the region or patch, and the dimension."""
+    data = {name: np.array([number, 3]) for number, name in region_names(mesh).items()}
+    data.update({name: np.array([number, 2]) for number, name in names_of_patches(mesh).items()})
+    return data
+
+
+def to_meshio(mesh: "Mesh") -> Any:
+    import meshio
+    cells = [("tetra", mesh.tetrahedra), ("triangle", mesh.triangles)]
+    none = np.zeros(len(mesh.tetrahedra), dtype=np.int32)
+    data = {"region": [mesh.regions, np.zeros(len(mesh.triangles), dtype=np.int32)], "patch": [none, mesh.patches],
+            "triangle": [none.astype(np.int64) - 1, mesh.triangle_numbers]}
+    sets = {name: [np.flatnonzero(mesh.regions == number), np.empty(0, dtype=np.int64)]
+            for number, name in region_names(mesh).items()}
+    sets.update({name: [np.empty(0, dtype=np.int64), np.flatnonzero(mesh.patches == number)]
+                 for number, name in names_of_patches(mesh).items()})
+    return meshio.Mesh(mesh.points, cells, cell_data=data, cell_sets=sets)
+
+
+def to_vtk(mesh: "Mesh", surface: bool) -> Any:
+    from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+    from vtkmodules.vtkCommonCore import vtkPoints
+    from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkUnstructuredGrid
+    triangles = mesh.triangles if surface else mesh.triangles[:0]
+    number_of_tetrahedra, number_of_triangles = len(mesh.tetrahedra), len(triangles)
+    grid = vtkUnstructuredGrid()
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(mesh.points, deep=True))
+    grid.SetPoints(points)
+    connectivity = np.concatenate([mesh.tetrahedra.ravel(), triangles.ravel()])
+    offsets = np.concatenate([[0], np.repeat([4, 3], [number_of_tetrahedra, number_of_triangles])]).cumsum()
+    types = np.repeat(np.array([10, 5], dtype=np.uint8), [number_of_tetrahedra, number_of_triangles])
+    cells = vtkCellArray()
+    cells.SetData(numpy_to_vtkIdTypeArray(offsets.astype(np.int64), deep=True),
+                  numpy_to_vtkIdTypeArray(connectivity, deep=True))
+    grid.SetCells(numpy_to_vtk(types, deep=True), cells)
+
+    def add(name: str, of_tetrahedra: np.ndarray, of_triangles: np.ndarray) -> None:
+        array = numpy_to_vtk(np.concatenate([of_tetrahedra, of_triangles[:number_of_triangles]]), deep=True)
+        array.SetName(name)
+        grid.GetCellData().AddArray(array)
+
+    none = np.zeros(number_of_tetrahedra, dtype=np.int32)
+    add("region", mesh.regions, np.zeros(number_of_triangles, dtype=np.int32))
+    add("patch", none, mesh.patches)
+    add("triangle", none.astype(np.int64) - 1, mesh.triangle_numbers)
+    for label, pair in _field_data(mesh).items():
+        array = numpy_to_vtk(pair, deep=True)
+        array.SetName(label)
+        grid.GetFieldData().AddArray(array)
+    return grid
+
+
+def write(mesh: "Mesh", name: str) -> None:
+    extension = os.path.splitext(name)[1].lower()
+    if extension == ".msh":
+        _write_gmsh(mesh, name)
+    elif extension == ".vtu" and _has_vtk():
+        from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
+        writer = vtkXMLUnstructuredGridWriter()
+        writer.SetFileName(name)
+        writer.SetInputData(to_vtk(mesh, True))
+        if not writer.Write():
+            raise OSError("cannot write %s" % name)
+    else:
+        _write_by_meshio(mesh, name, extension)
+
+
+def _has_vtk() -> bool:
+    try:
+        import vtkmodules.vtkIOXML  # noqa: F401
+        return True
+    except ImportError:
+        return False
+
+
+def _write_by_meshio(mesh: "Mesh", name: str, extension: str) -> None:
+    import meshio
+    result = to_meshio(mesh)
+    result.cell_sets = {}  # which meshio would write as arrays of its own, or refuse
+    if extension == ".mesh":
+        result.cell_data = {"medit:ref": [mesh.regions, mesh.patches]}
+    if extension == ".msh2":
+        tags = [mesh.regions, mesh.patches]
+        result.cell_data = {"gmsh:physical": tags, "gmsh:geometrical": tags}
+        result.field_data = _field_data(mesh)
+        meshio.write(name, result, file_format="gmsh22")
+    else:
+        meshio.write(name, result)
+
+
+def _write_gmsh(mesh: "Mesh", name: str) -> None:
+    """Gmsh 4.1, binary: a region is a volume, a patch a surface, and each of them a physical group with its name."""
+    patches, surface_tags = np.unique(mesh.patches, return_inverse=True)
+    patch_names, names = names_of_patches(mesh), region_names(mesh)
+    blocks = [(2, k + 1, int(patch), patch_names[int(patch)], mesh.triangles[surface_tags == k])
+              for k, patch in enumerate(patches)]
+    blocks += [(3, int(r), int(r), names[int(r)], mesh.tetrahedra[mesh.regions == r]) for r in names]
+    with open(name, "wb") as file:
+        def text(line: str) -> None:
+            file.write(line.encode() + b"\n")
+
+        def put(dtype: Any, *values: int) -> None:
+            file.write(np.array(values, dtype=dtype).tobytes())
+
+        text("$MeshFormat\n4.1 1 8")
+        put(np.int32, 1)
+        text("\n$EndMeshFormat\n$PhysicalNames\n%d" % len(blocks))
+        for dimension, _, group, label, _ in blocks:
+            text('%d %d "%s"' % (dimension, group, label.replace('"', "'")))
+        text("$EndPhysicalNames\n$Entities")
+        put(np.uint64, 0, 0, len(patches), len(names))
+        for _, tag, group, _, cells in blocks:
+            corners = mesh.points[cells.ravel()]
+            put(np.int32, tag)
+            file.write(np.concatenate([corners.min(axis=0), corners.max(axis=0)]).tobytes())
+            put(np.uint64, 1)
+            put(np.int32, group)
+            put(np.uint64, 0)
+        text("\n$EndEntities\n$Nodes")
+        _write_nodes(mesh.points, blocks, file.write, put)
+        text("\n$EndNodes\n$Elements")
+        _write_elements(blocks, file.write, put)
+        text("\n$EndElements")
+
+
+def _write_nodes(points: np.ndarray, blocks: Sequence[Any], write_bytes: Callable[[bytes], Any],
+                 put: Callable[..., None]) -> None:
+    """Each point belongs to the first surface, or else volume, that has it; what none has is left out."""
+    owner = np.full(len(points), len(blocks))
+    for k in reversed(range(len(blocks))):
+        owner[blocks[k][4].ravel()] = k
+    nodes = [np.flatnonzero(owner == k) for k in range(len(blocks))]
+    used = np.flatnonzero(owner < len(blocks))
+    low, high = (int(used[0]) + 1, int(used[-1]) + 1) if len(used) else (0, 0)
+    put(np.uint64, sum(len(n) > 0 for n in nodes), len(used), low, high)
+    for (dimension, tag, *_), numbers in zip(blocks, nodes):
+        if len(numbers) > 0:
+            put(np.int32, dimension, tag, 0)
+            put(np.uint64, len(numbers))
+            write_bytes((numbers + 1).astype(np.uint64).tobytes())
+            write_bytes(np.ascontiguousarray(points[numbers]).tobytes())
+
+
+def _write_elements(blocks: Sequence[Any], write_bytes: Callable[[bytes], Any], put: Callable[..., None]) -> None:
+    total = sum(len(block[4]) for block in blocks)
+    put(np.uint64, len(blocks), total, min(1, total), total)
+    first = 1
+    for dimension, tag, _, _, cells in blocks:
+        put(np.int32, dimension, tag, 2 if dimension == 2 else 4)
+        put(np.uint64, len(cells))
+        numbers = np.arange(first, first + len(cells))[:, None]
+        write_bytes(np.hstack([numbers, cells + 1]).astype(np.uint64).tobytes())
+        first += len(cells)
