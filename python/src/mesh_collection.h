@@ -3,7 +3,7 @@
 
 #include "module_types.h"
 
-#include <CGAL/Boundary_recovery_3/Quality_certificate_3.h>
+#include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
 
 #include <algorithm>
 #include <array>
