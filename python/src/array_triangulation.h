@@ -1,7 +1,7 @@
 #ifndef BOUNDARY_RECOVERY_3_PYTHON_ARRAY_TRIANGULATION_H
 #define BOUNDARY_RECOVERY_3_PYTHON_ARRAY_TRIANGULATION_H
 
-#include "standard_types.h"
+#include "module_types.h"
 
 #include <algorithm>
 #include <array>

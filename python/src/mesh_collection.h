@@ -1,7 +1,7 @@
 #ifndef BOUNDARY_RECOVERY_3_PYTHON_MESH_COLLECTION_H
 #define BOUNDARY_RECOVERY_3_PYTHON_MESH_COLLECTION_H
 
-#include "standard_types.h"
+#include "module_types.h"
 
 #include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
 

@@ -1,9 +1,11 @@
 #ifndef BOUNDARY_RECOVERY_3_PYTHON_SIZE_FIELD_H
 #define BOUNDARY_RECOVERY_3_PYTHON_SIZE_FIELD_H
 
-#include "standard_types.h"
+#include "module_types.h"
 
+#include <CGAL/Boundary_recovery_3/Background_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/Background_mesh_sizing_field_3.h>
+#include <CGAL/Boundary_recovery_3/Size_source_3.h>
 #include <CGAL/Boundary_recovery_3/Source_sizing_field_3.h>
 #include <CGAL/Boundary_recovery_3/Surface_sizing_field_3.h>
 

@@ -1,6 +1,6 @@
 // Reads and repairs surfaces as the programs do it.
 
-#include "standard_types.h"
+#include "module_types.h"
 
 #include "read_surface.h"
 #include "repair_surface.h"

@@ -183,13 +183,7 @@ private:
 
   static double mean_square(const internal::Cell_corners_3& p)
   {
-    double sum = 0;
-    for(const auto& edge : internal::edges_of_cell)
-    {
-      const internal::Coordinates_3 d = internal::difference(p[edge[1]], p[edge[0]]);
-      sum += internal::dot_product(d, d);
-    }
-    return sum * (1. / 6);
+    return internal::sum_of_squares_of_edges(p) * (1. / 6);
   }
 
   static double quality(const internal::Cell_corners_3& p, const double square)

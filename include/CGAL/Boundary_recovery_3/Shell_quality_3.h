@@ -14,11 +14,9 @@
 
 #include <CGAL/Boundary_recovery_3/Shell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
-
-#include <CGAL/Kernel/global_functions_3.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/Cell_shape_3.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace CGAL {
@@ -138,11 +136,10 @@ private:
 
   static Value of_points(const Point& p, const Point& q, const Point& r, const Point& s)
   {
-    const auto u = q - p, v = r - p, w = s - p;
-    const double sum = u.squared_length() + v.squared_length() + w.squared_length()
-                     + (r - q).squared_length() + (s - q).squared_length() + (s - r).squared_length();
-    const double six_volumes = CGAL::scalar_product(u, CGAL::cross_product(v, w));
-    const double quality = 12 * std::sqrt(3.) * six_volumes / (sum * std::sqrt(sum));
+    const internal::Cell_corners_3 corners = {{ internal::coordinates_of(p), internal::coordinates_of(q),
+                                                internal::coordinates_of(r), internal::coordinates_of(s) }};
+    const double quality = internal::mean_ratio(internal::volume_times_6(corners),
+                                                internal::sum_of_squares_of_edges(corners));
     return quality > 0 ? quality : (std::numeric_limits<double>::min)(); // rounding only: the element is valid
   }
 

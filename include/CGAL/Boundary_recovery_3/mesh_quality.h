@@ -21,7 +21,6 @@
 
 #include <CGAL/Named_function_parameters.h>
 
-
 namespace CGAL {
 namespace Boundary_recovery_3 {
 

@@ -17,6 +17,7 @@
 #include <CGAL/Boundary_recovery_3/internal/filling/Field_point_cavity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Insert_field_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Mesh_visitor_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/insert_field_points.h>
@@ -488,16 +489,14 @@ void insert_anywhere(Random_mesh<Kernel>& mesh, Counts& counts)
 {
   typedef Random_mesh<Kernel> Mesh;
   typedef typename Mesh::Tr   Tr;
-  typedef CGAL::Static_boolean_property_map<typename Mesh::Cell_handle, true> All_cells;
-  typedef CGAL::Boolean_property_map<std::set<typename Mesh::Edge> >          Edge_map;
-  typedef internal::Selected_domain_3<Tr, All_cells, Edge_map>                Domain;
   for(auto e = mesh.edges.begin(); e != mesh.edges.end(); ) // some were not kept
     e = mesh.tr.tds().is_edge(e->first, e->second) ? std::next(e) : mesh.edges.erase(e);
   Judge<Kernel> judge(mesh);
-  CGAL::Default_meshing_visitor_3 visitor;
-  Domain domain(mesh.tr, All_cells(), Edge_map(mesh.edges));
-  internal::Field_point_cavity_3<Tr, Domain> cavity(mesh.tr, domain);
-  internal::Insert_field_point_3<Tr, Domain, CGAL::Default_meshing_visitor_3> insert(mesh.tr, domain, visitor);
+  internal::Mesh_visitor_3<Tr> visitor;
+  internal::Selected_domain_3<Tr> domain(mesh.tr);
+  domain.constrain_edges(CGAL::make_boolean_property_map(mesh.edges));
+  internal::Field_point_cavity_3<Tr> cavity(mesh.tr, domain);
+  internal::Insert_field_point_3<Tr> insert(mesh.tr, domain, visitor);
   std::size_t number = 0;
   for(int k = 0; k < 20; ++k)
   {

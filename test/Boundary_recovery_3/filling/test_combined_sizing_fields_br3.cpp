@@ -51,7 +51,8 @@ template <typename GT, typename Field>
 double ask(const Field& field, const typename GT::Point_3& p, const int region)
 {
   typedef typename CGAL::Boundary_constrained_mesh_triangulation_3<GT>::type Tr;
-  return Boundary_recovery_3::internal::Size_query_3<Tr, Field>(field)(p, 3, region);
+  const Boundary_recovery_3::internal::Any_size_field_3<GT, Field> any_field(field);
+  return Boundary_recovery_3::internal::Size_query_3<Tr>(any_field)(p, 3, region);
 }
 
 template <typename GT>

@@ -9,10 +9,10 @@
 #include "time_growth_br3.h"
 
 #include <CGAL/Boundary_constrained_mesh_triangulation_3.h>
-#include <CGAL/Boundary_recovery_3/Meshing_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Field_point_cavity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Insert_field_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Mesh_visitor_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/mark_domain.h>
@@ -63,14 +63,22 @@ struct Scene
   typedef std::pair<Vertex_handle, Vertex_handle> Edge;
   typedef std::set<Edge>               Edges;
   typedef CGAL::Boolean_property_map<Edges> Edge_map;
-  typedef internal::Selected_domain_3<Tr, CGAL::Static_boolean_property_map<Cell_handle, true>, Edge_map> Domain;
-  typedef internal::Field_point_cavity_3<Tr, Domain> Cavity;
+  typedef internal::Selected_domain_3<Tr> Domain;
+  typedef internal::Field_point_cavity_3<Tr> Cavity;
   using Base::tr;
   using Base::facets;
 
   Edges edges;
 
   explicit Scene(const int n) : Base(n) { }
+
+  // All regions, with the edges that are listed.
+  Domain domain()
+  {
+    Domain domain(tr);
+    domain.constrain_edges(Edge_map(edges));
+    return domain;
+  }
 
   // Each cell that the point is in conflict with and that can be reached without crossing a wall.
   Cells reachable_conflicts(const Point& p, const Cell_handle first, bool& is_wall_inside) const
@@ -190,13 +198,10 @@ template <typename Kernel>
 void try_points(Scene<Kernel>& scene, const int number, std::mt19937& rng, Counts& counts)
 {
   typedef Scene<Kernel> S;
-  typedef typename S::Domain Domain;
-  CGAL::Default_meshing_visitor_3 visitor;
-  Domain domain(scene.tr, CGAL::Static_boolean_property_map<typename S::Cell_handle, true>(),
-                typename S::Edge_map(scene.edges));
+  internal::Mesh_visitor_3<typename S::Tr> visitor;
+  typename S::Domain domain = scene.domain();
   typename S::Cavity cavity(scene.tr, domain);
-  internal::Insert_field_point_3<typename S::Tr, Domain, CGAL::Default_meshing_visitor_3>
-    insert(scene.tr, domain, visitor);
+  internal::Insert_field_point_3<typename S::Tr> insert(scene.tr, domain, visitor);
   for(int k = 0; k < number; ++k)
   {
     std::vector<typename S::Cell_handle> cells;
@@ -278,7 +283,7 @@ void test_vertex_inside()
   assert(scene.tr.number_of_finite_cells() == 4);
   for(const S::Cell_handle cell : scene.tr.all_cell_handles())
     cell->set_subdomain_index(scene.tr.is_infinite(cell) ? 0 : 1);
-  S::Domain domain(scene.tr, CGAL::Static_boolean_property_map<S::Cell_handle, true>(), S::Edge_map(scene.edges));
+  S::Domain domain = scene.domain();
   S::Cavity cavity(scene.tr, domain);
   const S::Point p(0, 0, 3);
   S::Cell_handle behind, before;
@@ -299,9 +304,7 @@ struct Sphere
   typedef Scene<K> S;
 
   explicit Sphere(const int n)
-    : scene(-1),
-      domain(scene.tr, CGAL::Static_boolean_property_map<S::Cell_handle, true>(), S::Edge_map(scene.edges)),
-      cavity(scene.tr, domain)
+    : scene(-1), domain(scene.domain()), cavity(scene.tr, domain)
   {
     std::mt19937 rng(1);
     std::vector<S::Point> points;
@@ -355,9 +358,8 @@ void test_large_cavity()
   const int n = 4000;
   Sphere sphere(n), small(n / 8);
   assert(br3_test::exponent(small.time(), sphere.time(), 8) < 1.5);
-  CGAL::Default_meshing_visitor_3 visitor;
-  internal::Insert_field_point_3<Sphere::S::Tr, Sphere::S::Domain, CGAL::Default_meshing_visitor_3>
-    insert(sphere.scene.tr, sphere.domain, visitor);
+  internal::Mesh_visitor_3<Sphere::S::Tr> visitor;
+  internal::Insert_field_point_3<Sphere::S::Tr> insert(sphere.scene.tr, sphere.domain, visitor);
   largest_allocation = 0;
   sphere.find();
   insert(sphere.cavity, sphere.center);

@@ -10,6 +10,7 @@
 #include <CGAL/Boundary_recovery_3/internal/filling/Field_point_insertion_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/sizing/Region_sizes_3.h>
+#include <CGAL/Boundary_recovery_3/internal/sizing/Size_query_3.h>
 #include <CGAL/Boundary_recovery_3/internal/sizing/Vertex_sizes_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/available_memory.h>
 #include <CGAL/Delaunay_triangulation_3.h>
@@ -190,7 +191,8 @@ void test_region_sizes()
   }
 
   const Cone cone;
-  internal::Region_sizes_3<Tr, Cone> sizes(tr, cone);
+  const internal::Any_size_field_3<K, Cone> any_cone(cone);
+  internal::Region_sizes_3<Tr> sizes(tr, any_cone);
   assert(sizes.ask_at_vertices(cells) && sizes.gradation() == 0.4);
   for(const auto c : cells)
   {
@@ -208,7 +210,8 @@ void test_region_sizes()
     assert(dimension == 3);
     return 0.1 * region;
   };
-  internal::Region_sizes_3<Tr, decltype(by_region)> regions(tr, by_region);
+  const internal::Any_size_field_3<K, decltype(by_region)> any_by_region(by_region);
+  internal::Region_sizes_3<Tr> regions(tr, any_by_region);
   assert(regions.ask_at_vertices(cells));
   std::map<Tr::Vertex_handle, double> smallest;
   for(const auto c : cells)
@@ -223,12 +226,14 @@ void test_region_sizes()
     assert(regions.least_size_inside(c, internal::corners(c)) == 0); // nothing is known between the vertices
 
   const double number = 0.25;
-  internal::Region_sizes_3<Tr, double> numbers(tr, number);
+  const internal::Any_size_field_3<K, double> any_number(number);
+  internal::Region_sizes_3<Tr> numbers(tr, any_number);
   assert(numbers.ask_at_vertices(cells) && numbers.least_size_inside(cells[0], internal::corners(cells[0])) == 0.25);
   assert(numbers.likely_size_inside(cells[0], internal::corners(cells[0]), 0) == 0.25);
 
   const auto bad = [](const Point& p) { return p.x() - 0.5; };
-  internal::Region_sizes_3<Tr, decltype(bad)> invalid(tr, bad);
+  const internal::Any_size_field_3<K, decltype(bad)> any_bad(bad);
+  internal::Region_sizes_3<Tr> invalid(tr, any_bad);
   assert(! invalid.ask_at_vertices(cells) && ! invalid.is_valid());
   assert(invalid.query().invalid_size().size == invalid.query().invalid_size().point.x() - 0.5);
 }

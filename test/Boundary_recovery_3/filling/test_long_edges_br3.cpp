@@ -12,6 +12,7 @@
 #include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/Cell_shape_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Mesh_visitor_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/insert_field_points.h>
 #include <CGAL/mark_domain.h>
@@ -192,26 +193,25 @@ void test_edges_of_tetrahedra()
 }
 
 struct Counting_visitor
+  : public internal::Mesh_visitor_3<Tr>
 {
-  template <typename CellRange> void before_cells_removal(const CellRange& cells) { change -= int(cells.size()); }
-  template <typename CellRange> void after_cells_creation(const CellRange& cells) { change += int(cells.size()); }
+  void before_cells_removal(const Cells& cells) override { change -= int(cells.size()); }
+  void after_cells_creation(const Cells& cells) override { change += int(cells.size()); }
   int change = 0;
 };
 
 // Edges that come are shorter; what must stay stays, and the domain and the visitor know the cells.
 void test_removal()
 {
-  typedef CGAL::Boolean_property_map<std::set<Cell_handle> >          Selection;
-  typedef CGAL::Static_boolean_property_map<Vertex_pair, false>       No_edge;
-  typedef internal::Selected_domain_3<Tr, Selection, No_edge>         Domain;
   int number_of_removed = 0, number_of_others = 0;
   for(unsigned seed = 0; seed < 4; ++seed)
   {
     Scene scene(4, seed, 2000, true);
     std::set<Cell_handle> selected(scene.tr.finite_cell_handles().begin(), scene.tr.finite_cell_handles().end());
-    Domain domain(scene.tr, Selection(selected), No_edge());
+    internal::Selected_domain_3<Tr> domain(scene.tr);
+    domain.select(CGAL::make_boolean_property_map(selected));
     Counting_visitor visitor;
-    internal::Remove_long_edge_3<Tr, Domain, Counting_visitor> remove(scene.tr, domain, visitor);
+    internal::Remove_long_edge_3<Tr> remove(scene.tr, domain, visitor);
     const auto walls = scene.walls();
     const auto volumes = scene.volumes();
     int number_of_cells = static_cast<int>(scene.tr.number_of_finite_cells());

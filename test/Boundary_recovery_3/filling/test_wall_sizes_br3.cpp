@@ -11,7 +11,9 @@
 #include <CGAL/Boundary_recovery_3/internal/filling/Field_point_insertion_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/sizing/Region_sizes_3.h>
+#include <CGAL/Boundary_recovery_3/internal/sizing/Size_query_3.h>
 #include <CGAL/Boundary_recovery_3/internal/sizing/Vertex_sizes_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Mesh_visitor_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/insert_field_points.h>
 #include <CGAL/mark_domain.h>
@@ -100,7 +102,8 @@ void test_sizes_of_walls()
 
   // What a place in a cell is told.
   const double size = 2;
-  internal::Region_sizes_3<Tr, double> sizes(tr, size);
+  const internal::Any_size_field_3<K, double> any_size(size);
+  internal::Region_sizes_3<Tr> sizes(tr, any_size);
   assert(sizes.ask_at_vertices(cells));
   sizes.set_walls(walls);
   for(const Cell_handle c : cells)
@@ -165,8 +168,9 @@ template <typename Option>
 std::size_t insert_with(Tr& tr, const double size, const Option& option)
 {
   auto domain = internal::selected_domain(tr, parameters::default_values());
-  CGAL::Default_meshing_visitor_3 visitor;
-  internal::Field_point_insertion_3<Tr, decltype(domain), double, decltype(visitor)> insert(tr, domain, size, visitor);
+  const internal::Any_size_field_3<K, double> any_size(size);
+  internal::Mesh_visitor_3<Tr> visitor;
+  internal::Field_point_insertion_3<Tr> insert(tr, domain, any_size, visitor);
   option(insert);
   const auto result = insert(1000, std::numeric_limits<double>::infinity());
   assert(result && br3_test::is_valid_mesh(tr));

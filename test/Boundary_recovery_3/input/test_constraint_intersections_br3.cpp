@@ -377,7 +377,7 @@ void test_stopped_search()
   for(std::size_t f = 0; f < n; ++f)
     cone.push_back(internal::describe_facet(input, f));
 
-  Stopping_visitor patient;
+  Soup_visitor patient;
   Context context(patient);
   assert(all_defects(intersections, context).size() > 1);
   const std::size_t number_of_questions = patient.number_of_questions;
@@ -385,7 +385,7 @@ void test_stopped_search()
   assert(intersections.have_defects(cone, context, unlimited));
   for(std::size_t k = 0; k < number_of_questions; ++k)
   {
-    Stopping_visitor visitor;
+    Soup_visitor visitor;
     visitor.last_question = k;
     Context stopped_context(visitor);
     assert(all_defects(intersections, stopped_context).empty());
@@ -410,7 +410,7 @@ void test_bounded_list()
   typedef internal::Constraint_intersections_3<Epick> Intersections;
   const Epick kernel;
   const Intersections intersections(input, kernel);
-  Stopping_visitor patient;
+  Soup_visitor patient;
   Context context(patient);
   const auto all = all_defects(intersections, context);
   assert(all.size() == n * n);
@@ -440,7 +440,7 @@ void test_search_that_is_given_up()
     some.push_back(internal::describe_facet(input, i));
   }
   const Epick kernel;
-  Stopping_visitor patient;
+  Soup_visitor patient;
   Context context(patient);
   assert(! Intersections(input, kernel).have_defects(some, context, unlimited));
   input.points.insert(input.points.end(), { Epick::Point_3(.5, .1, -9), Epick::Point_3(.5, .1, 9) });
@@ -523,7 +523,7 @@ void test_box_search(const unsigned seed, const std::size_t n)
           expected_between.emplace(i, j);
       }
 
-  Stopping_visitor patient, impatient;
+  Soup_visitor patient, impatient;
   Context context(patient), stopped_context(impatient);
   Pairs found;
   std::size_t max_number = n * n;

@@ -38,7 +38,9 @@ namespace internal = CGAL::Boundary_recovery_3::internal;
 using namespace br3_test;
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Epick;
 typedef CGAL::Exact_predicates_exact_constructions_kernel   Epeck;
-typedef internal::Recovery_context<Stopping_visitor>        Context;
+
+template <typename Tr>
+using Context = internal::Recovery_context<Tr>;
 
 template <typename K>
 typename K::Point_3 to_point(const Lattice_point& p)
@@ -119,8 +121,8 @@ void test_insertion(std::mt19937& rng)
     if(i % 4 == 0)
       known.insert(p);
   }
-  Stopping_visitor visitor;
-  Context context(visitor);
+  Stopping_visitor<Tr> visitor;
+  Context<Tr> context(visitor);
   assert(internal::insert_points(tr, points, vertices, context) == all.size() - known.size());
   assert(tr.number_of_vertices() == all.size() && tr.is_valid());
   for(std::size_t i = 0; i < points.size(); ++i)
@@ -138,9 +140,9 @@ void test_stopped_insertion(std::mt19937& rng)
   {
     Tr tr;
     std::vector<Tr::Vertex_handle> vertices(points.size());
-    Stopping_visitor visitor;
+    Stopping_visitor<Tr> visitor;
     visitor.last_question = last_question;
-    Context context(visitor);
+    Context<Tr> context(visitor);
     const std::size_t n = internal::insert_points(tr, points, vertices, context);
     assert(context.is_stopped() && n == tr.number_of_vertices() && n < points.size());
     assert((n == 0) == (last_question == 0));
@@ -188,9 +190,9 @@ public:
   {
     const K kernel;
     Diagnosis diagnosis(m_input, kernel);
-    Stopping_visitor patient, impatient;
+    Stopping_visitor<Tr> patient, impatient;
     impatient.last_question = 0;
-    Context context(patient), stopped_context(impatient);
+    Context<Tr> context(patient), stopped_context(impatient);
     std::set<std::pair<std::size_t, std::size_t> > found; // constraints, and vertices by their points
     for(const auto& d : diagnosis.vertices_on_constraints(m_constraints, m_tr, m_vertices, context))
       assert(found.emplace(position(d.simplices[1]), lattice_index(d.simplices[0])).second);
@@ -333,8 +335,8 @@ void test_many_defects()
   const std::vector<Diagnosis::Simplex> constraints(1, internal::describe_facet(input, 0));
   const Epick kernel;
   Diagnosis diagnosis(input, kernel);
-  Stopping_visitor patient;
-  Context context(patient);
+  Stopping_visitor<Triangulations<Epick>::Delaunay> patient; // of any triangulation
+  Context<Triangulations<Epick>::Delaunay> context(patient);
   const auto defects = diagnosis.vertices_on_constraints(constraints, tr, tr.handles, context);
   assert(defects.size() == n - 1);
   for(std::size_t i = 0; i < defects.size(); ++i)

@@ -26,6 +26,7 @@
 #include <CGAL/Boundary_recovery_3/internal/lost/Recovery_state_3.h>
 #include <CGAL/Boundary_recovery_3/internal/lost/Recursive_recovery_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Mesh_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 #include <CGAL/Delaunay_triangulation_3.h>
@@ -45,13 +46,13 @@
 
 namespace BR = CGAL::Boundary_recovery_3;
 namespace internal = CGAL::Boundary_recovery_3::internal;
-using br3_test::Stopping_visitor;
 typedef CGAL::Exact_predicates_inexact_constructions_kernel K;
 typedef CGAL::Delaunay_triangulation_3<K>                   Tr;
 typedef Tr::Vertex_handle                                   Vertex_handle;
 typedef internal::Constraints_3<Tr>                         Constraints;
 typedef internal::Vertex_predicates_3<Tr>                   Predicates;
-typedef internal::Recovery_context<Stopping_visitor>        Context;
+typedef internal::Recovery_context<Tr>                      Context;
+typedef br3_test::Stopping_visitor<Tr>                      Stopping_visitor;
 typedef std::vector<std::size_t>                            Indices;
 
 // How often each kind of case was met; main() checks that all of them were.
@@ -194,7 +195,7 @@ void check_list(Scene& scene, const Indices& lost, const Indices& before)
 template <std::size_t N>
 void test_callings(Scene& scene, const int first)
 {
-  typedef internal::Recursive_recovery_3<Tr, N, Stopping_visitor> Recovery;
+  typedef internal::Recursive_recovery_3<Tr, N> Recovery;
   Indices lost = scene.treatable<N>();
   std::vector<BR::Recursion_level_report> levels;
   Recovery recover(scene.tr, scene.predicates, scene.constraints, scene.context, lost, levels);
@@ -221,7 +222,7 @@ void test_callings(Scene& scene, const int first)
 template <std::size_t N>
 void test_cavities(Scene& scene)
 {
-  internal::Cavity_recovery_3<Tr, Stopping_visitor>
+  internal::Cavity_recovery_3<Tr>
     recover(scene.tr, scene.predicates, scene.constraints, scene.visitor);
   for(const std::size_t i : scene.treatable<N>())
   {
@@ -245,7 +246,7 @@ void test_stop(const br3_test::Plc& plc)
   Indices lost = scene.treatable<2>();
   const Indices before = lost;
   std::vector<BR::Recursion_level_report> levels;
-  internal::Recursive_recovery_3<Tr, 2, Stopping_visitor>
+  internal::Recursive_recovery_3<Tr, 2>
     recover(scene.tr, scene.predicates, scene.constraints, scene.context, lost, levels);
   assert(recover.remove_plainly(BR::Phase::plain_removal) == 0 && lost == before);
   assert(recover.first_calling(BR::Phase::edge_recovery_brc1, 5) == 0 && lost == before);
@@ -289,12 +290,12 @@ struct Watching_visitor
 class Phase_by_phase
 {
 public:
-  typedef internal::Recovery_state_3<Tr, Watching_visitor>     State;
-  typedef internal::Recovery_by_flips_3<Tr, Watching_visitor>  Recovery;
+  typedef internal::Recovery_state_3<Tr>     State;
+  typedef internal::Recovery_by_flips_3<Tr>  Recovery;
   typedef BR::Phase                                   Phase;
 
   explicit Phase_by_phase(const br3_test::Plc& plc)
-    : m_scene(plc), m_visitor(m_scene.tr), m_context(m_visitor),
+    : m_scene(plc), m_visitor(m_scene.tr), m_any_visitor(m_visitor), m_context(m_any_visitor),
       m_state(m_scene.tr, m_scene.predicates, m_scene.constraints, m_context), m_recovery(m_state)
   { }
 
@@ -367,7 +368,8 @@ private:
 
   Scene m_scene;
   Watching_visitor m_visitor;
-  internal::Recovery_context<Watching_visitor> m_context;
+  internal::Any_visitor_3<Tr, Watching_visitor&> m_any_visitor;
+  Context m_context;
   State m_state;
   Recovery m_recovery;
   std::vector<Phase> m_left_out;

@@ -23,6 +23,7 @@
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_editor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_index_transfer_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Mesh_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/split_simplex.h>
 #include <CGAL/Constrained_boundary_recovery_3.h>
 #include <CGAL/Delaunay_triangulation_3.h>
@@ -198,7 +199,7 @@ class Keeper_test
 {
 public:
   explicit Keeper_test(const unsigned seed)
-    : m_rng(seed), m_keeper(m_tr), m_editor(m_tr, m_keeper),
+    : m_rng(seed), m_keeper(m_tr), m_any_keeper(m_keeper), m_editor(m_tr, m_any_keeper),
       m_transform(m_tr, Quality(m_tr), Validity(m_constraints), m_editor)
   {
     for(int i = 0; i < 30; ++i)
@@ -243,7 +244,8 @@ public:
 private:
   typedef BR::Worst_element_quality_3<Tr> Quality;
   typedef BR::Kept_constraints_3<Constraints> Validity;
-  typedef internal::Mesh_editor_3<Tr, Keeper> Editor;
+  typedef internal::Any_visitor_3<Tr, Keeper&> Any_keeper;
+  typedef internal::Mesh_editor_3<Tr> Editor;
 
   int random(const int n) { return static_cast<int>(m_rng() % static_cast<unsigned>(n)); }
 
@@ -321,6 +323,7 @@ private:
   std::mt19937 m_rng;
   Tr m_tr;
   Keeper m_keeper;
+  Any_keeper m_any_keeper; // hands on everything to `m_keeper`
   Editor m_editor;
   Constraints m_constraints;
   Marks m_marks;

@@ -1,5 +1,6 @@
 // mark_domain(): the regions of cells, the patches of facets, and the dimensions of vertices, each found a second time
-// by other means; on vertices and cells of ours, and on those of CGAL's packages.
+// by other means; on vertices and cells of ours, and on those of CGAL's packages. And what of a domain is selected,
+// what its walls and seams are, and which edges are constrained.
 
 #undef NDEBUG // the checks are assertions, also in a Release build
 
@@ -9,6 +10,7 @@
 #include <CGAL/Boundary_constrained_mesh_triangulation_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mark_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Region_labeller_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -315,6 +317,96 @@ void test_small_dimensions()
     assert(v->in_dimension() == 3 && v->index() == 0);
 }
 
+// Four cells around a vertex, of which the first is outside; the facet between the second and the third is marked.
+struct Four_cells
+{
+  typedef CGAL::Boundary_constrained_mesh_triangulation_3<K>::type Tr;
+  typedef Tr::Cell_handle                                          Cell_handle;
+  typedef Tr::Vertex_handle                                        Vertex_handle;
+  typedef std::pair<Vertex_handle, Vertex_handle>                  Edge;
+
+  Four_cells()
+  {
+    for(const K::Point_3& p : { K::Point_3(0, 0, 0), K::Point_3(9, 0, 0), K::Point_3(0, 9, 0), K::Point_3(0, 0, 9) })
+      vertices.push_back(tr.insert(p));
+    center = tr.insert(K::Point_3(1, 1, 1));
+    for(const Cell_handle c : tr.finite_cell_handles())
+    {
+      c->set_subdomain_index(cells.empty() ? 0 : 1);
+      cells.push_back(c);
+    }
+    assert(cells.size() == 4);
+    cells[1]->set_surface_patch_index(cells[1]->index(cells[2]), 5);
+    cells[2]->set_surface_patch_index(cells[2]->index(cells[1]), 5);
+  }
+
+  Tr tr;
+  std::vector<Vertex_handle> vertices;
+  Vertex_handle center;
+  std::vector<Cell_handle> cells;
+};
+
+typedef BR3::internal::Selected_domain_3<Four_cells::Tr> Domain;
+
+// Of the facets of the second cell, in the order of the cells behind them, the last one being infinite.
+void check_facets(const Four_cells& scene, const Domain& domain, const std::array<bool, 4>& walls,
+                  const std::array<bool, 4>& seams)
+{
+  const Four_cells::Cell_handle c = scene.cells[1];
+  const std::array<int, 4> facets = {{ c->index(scene.cells[0]), c->index(scene.cells[2]), c->index(scene.cells[3]),
+                                       c->index(scene.center) }};
+  for(std::size_t k = 0; k < 4; ++k)
+    assert(domain.is_wall(c, facets[k]) == walls[k] && domain.is_seam(c, facets[k]) == seams[k]);
+}
+
+// Cells come and go by the map; a copy of the domain has the same selection.
+void test_selection()
+{
+  Four_cells scene;
+  Domain domain(scene.tr);
+  assert(! domain.has_selection() && ! domain.has_seams() && ! domain.has_constrained_edges());
+  for(const auto c : scene.tr.all_cell_handles())
+    assert(domain.contains(c) == (! scene.tr.is_infinite(c) && c != scene.cells[0]));
+  check_facets(scene, domain, {{ true, true, false, true }}, {{ false, false, false, false }});
+  domain.set_has_seams();
+  assert(domain.has_seams());
+  check_facets(scene, domain, {{ true, true, false, true }}, {{ true, false, false, true }});
+
+  std::set<Four_cells::Cell_handle> selected(scene.cells.begin(), scene.cells.begin() + 3);
+  domain.select(CGAL::make_boolean_property_map(selected));
+  Domain copy(domain);
+  assert(domain.has_selection() && copy.has_selection());
+  check_facets(scene, domain, {{ true, true, true, true }}, {{ true, false, false, true }});
+  copy.remove(scene.cells[2]);
+  copy.add(scene.cells[3]);
+  assert((selected == std::set<Four_cells::Cell_handle>{ scene.cells[0], scene.cells[1], scene.cells[3] }));
+  for(std::size_t k = 0; k < 4; ++k)
+    assert(domain.contains(scene.cells[k]) == (k % 2 == 1));
+  check_facets(scene, domain, {{ true, true, false, true }}, {{ true, false, false, true }});
+}
+
+// In whatever order their vertices are given.
+void test_constrained_edges()
+{
+  Four_cells scene;
+  std::set<Four_cells::Edge> edges = { { scene.vertices[0], scene.center } };
+  std::set<Four_cells::Cell_handle> selected(scene.cells.begin(), scene.cells.end());
+  const auto is_constrained = CGAL::make_boolean_property_map(edges);
+  const auto is_selected = CGAL::make_boolean_property_map(selected);
+  using BR3::internal::selected_domain;
+  const auto all = selected_domain(scene.tr, CGAL::parameters::default_values());
+  assert(! all.has_selection() && ! all.has_seams() && ! all.has_constrained_edges());
+  assert(! all.is_constrained_edge(scene.vertices[0], scene.center));
+  assert(selected_domain(scene.tr, CGAL::parameters::cell_is_selected_map(is_selected)).has_selection());
+  const auto domain = selected_domain(scene.tr, CGAL::parameters::edge_is_constrained_map(is_constrained));
+  assert(! domain.has_selection() && ! domain.has_seams() && domain.has_constrained_edges());
+  for(std::size_t k = 0; k < 4; ++k)
+  {
+    assert(domain.is_constrained_edge(scene.vertices[k], scene.center) == (k == 0));
+    assert(domain.is_constrained_edge(scene.center, scene.vertices[k]) == (k == 0));
+  }
+}
+
 int main()
 {
   typedef CGAL::Boundary_constrained_mesh_triangulation_3<K>::type Ours;
@@ -327,6 +419,8 @@ int main()
   test_patches();
   test_parts<Ours>();
   test_small_dimensions<Ours>();
+  test_selection();
+  test_constrained_edges();
   static_assert(sizeof(Ours::Cell) <= 88 && sizeof(Ours::Vertex) <= 64, "the bases are lean");
   std::cout << "the domain is marked" << std::endl;
 }

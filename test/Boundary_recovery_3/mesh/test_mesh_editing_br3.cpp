@@ -20,6 +20,7 @@
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_editor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_indices.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Mesh_visitor_3.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Shell_transformation_3.h>
@@ -174,14 +175,14 @@ void test_replacement(const std::size_t n, std::mt19937& rng)
 struct Refusal { };
 
 // Throws at the given announcement, the first one being that of a removal of cells.
+template <typename Tr>
 struct Refusing_visitor
-  : public CGAL::Default_meshing_visitor_3
+  : public internal::Mesh_visitor_3<Tr>
 {
-  template <typename CellRange>
-  void before_cells_removal(const CellRange&) { count(); }
+  typedef typename internal::Mesh_visitor_3<Tr>::Cells Cells;
 
-  template <typename CellRange>
-  void after_cells_creation(const CellRange&) { count(); }
+  void before_cells_removal(const Cells&) override { count(); }
+  void after_cells_creation(const Cells&) override { count(); }
 
   void count()
   {
@@ -200,7 +201,7 @@ public:
   typedef typename Tr::Vertex_handle  Vertex_handle;
   typedef typename Tr::Cell_handle    Cell_handle;
   typedef typename Tr::Point          Point;
-  typedef internal::Mesh_editor_3<Tr, Refusing_visitor> Editor;
+  typedef internal::Mesh_editor_3<Tr> Editor;
 
   Journal_test(const int number_of_points, const unsigned seed)
     : m_rng(seed), m_editor(m_tr, m_visitor), m_transform(m_tr, Quality(m_tr), BR::No_shell_validity_3(), m_editor)
@@ -370,7 +371,7 @@ private:
   long m_number_of_allocations = -1;
   std::mt19937 m_rng;
   Tr m_tr;
-  Refusing_visitor m_visitor;
+  Refusing_visitor<Tr> m_visitor;
   Editor m_editor;
   CGAL::Shell_transformation_3<Tr, Quality, BR::No_shell_validity_3, Editor> m_transform;
 };
@@ -404,8 +405,8 @@ void test_inverted_mesh()
   br3_test::insert_random_points(tr, 100, rng);
   br3_test::Vertex_names<Tr> names(tr);
   const br3_test::Mesh_portrait<Tr> before(tr, names);
-  Refusing_visitor visitor;
-  internal::Mesh_editor_3<Tr, Refusing_visitor> editor(tr, visitor);
+  Refusing_visitor<Tr> visitor;
+  internal::Mesh_editor_3<Tr> editor(tr, visitor);
   editor.begin();
   const auto cells = random_cells(tr, 100, rng);
   editor.replace(cells, split_cells<Tr>(cells, [&](const Tr::Point& p) { return editor.create_vertex(p); }));

@@ -373,7 +373,11 @@ void test_parts_of_edges()
   };
   recovery.parts_of_edges = { part(0, 5, 0, 1), part(5, 1, 0, 1), part(3, 6, 3, 2), part(6, 2, 3, 2) };
   const std::vector<std::array<std::size_t, 2> > given = { {{ 2, 3 }}, {{ 1, 2 }}, {{ 1, 0 }}, {{ 0, 1 }} };
-  const BR3::internal::Constrained_mesh_edges_3<Tr> edges(recovery, parameters::constrained_edges(given));
+  std::vector<std::array<std::size_t, 2> > passed;
+  const auto pass = [&](const std::size_t i, const std::size_t j) { passed.push_back({{ i, j }}); };
+  BR3::internal::for_each_constrained_edge(parameters::constrained_edges(given), pass);
+  assert(passed == given);
+  const BR3::internal::Constrained_mesh_edges_3<Tr> edges(recovery, passed);
   typedef std::vector<std::array<Tr::Vertex_handle, 2> > Edges;
   assert((edges.edges == Edges{ {{ v[3], v[6] }}, {{ v[6], v[2] }}, {{ v[1], v[2] }}, {{ v[0], v[5] }},
                                 {{ v[5], v[1] }}, {{ v[0], v[5] }}, {{ v[5], v[1] }} }));

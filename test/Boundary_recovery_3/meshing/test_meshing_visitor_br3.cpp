@@ -6,7 +6,8 @@
 #include "mesh_validity_br3.h"
 
 #include <CGAL/Boundary_recovery_3/Meshing_visitor_3.h>
-#include <CGAL/Boundary_recovery_3/internal/meshing/Boundary_constrained_meshing_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Mesh_visitor_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/make_boundary_constrained_mesh_3.h>
@@ -207,20 +208,28 @@ void test_exceptions(const Surface& surface)
 // What is between the steps and the visitor.
 void test_recorder()
 {
-  Triangulation tr;
+  typedef BR3::internal::Any_visitor_3<Triangulation, Visitor&>  Any_visitor;
+  typedef BR3::internal::Recording_visitor_3<Triangulation>      Recorder;
+  typedef BR3::internal::Recovery_context<Triangulation>         Context;
   Visitor visitor;
   visitor.last_question = 1;
+  Any_visitor any_visitor(visitor);
   std::vector<BR3::Phase_report> reports;
-  BR3::internal::Meshing_recorder_3<Visitor> recorder(visitor, reports, std::numeric_limits<double>::infinity());
-  assert(recorder.can_go_further() && recorder.seconds_left() > 1e9 && recorder.seconds() >= 0);
-  assert(! recorder.go_further() && ! recorder.go_further() && ! recorder.can_go_further());
+  Recorder recorder(any_visitor, reports);
+  Context context(recorder);
+  assert(context.go_further() && context.seconds_left() > 1e9 && context.seconds() >= 0);
+  assert(! recorder.go_further() && ! recorder.go_further() && ! context.go_further());
   assert(visitor.number_of_questions == 2);
 
   Visitor patient;
-  BR3::internal::Meshing_recorder_3<Visitor> late(patient, reports, 0);
-  assert(! late.can_go_further() && late.go_further() && late.seconds_left() <= 0);
-  BR3::internal::Meshing_recorder_3<Visitor> never(patient, reports, std::numeric_limits<double>::quiet_NaN());
-  assert(! never.can_go_further()); // no number of seconds is no time
+  Any_visitor any_patient(patient);
+  Recorder other_recorder(any_patient, reports);
+  Context late(other_recorder), never(other_recorder);
+  late.set_maximum_running_time(0);
+  assert(! late.go_further() && other_recorder.go_further() && late.seconds_left() <= 0);
+  never.set_maximum_running_time(std::numeric_limits<double>::quiet_NaN());
+  assert(! never.go_further()); // no number of seconds is no time
+  assert(patient.number_of_questions == 1);
 }
 
 // Numbers, functions, and nothing, with any number of chains.

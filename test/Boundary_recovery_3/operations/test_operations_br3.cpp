@@ -318,7 +318,8 @@ private:
     for(auto v = m.tr.tds().vertices().begin(); v != m.tr.tds().vertices().end(); ++v)
       m.positions.erase(v);
     br3_test::Change_recorder other;
-    const auto renamed = random_int(rng, 2) == 0 ? m.editor.undo() : m.editor.undo(other);
+    typename Mesh::Any_recorder any_other(other);
+    const auto renamed = random_int(rng, 2) == 0 ? m.editor.undo() : m.editor.undo(any_other);
     before.rename(renamed);
     const State<Mesh> now(m);
     assert(now.cells == before.cells && now.points == before.points);
@@ -432,7 +433,7 @@ void test_delaunay_insertion(const unsigned seed, const int number_of_meshes)
 // --- special polyhedra -----------------------------------------------------------------------------------------------
 
 typedef br3_test::Changing_mesh<K, false>                                     Plain_mesh;
-typedef internal::Remove_vertex_3<Plain_mesh::Tr, br3_test::Change_recorder, Plain_mesh::Constraints>  Remove_vertex;
+typedef internal::Remove_vertex_3<Plain_mesh::Tr, Plain_mesh::Constraints>    Remove_vertex;
 
 Plain_mesh::Tetrahedra positive(const Plain_mesh& mesh, Plain_mesh::Tetrahedra tetrahedra)
 {

@@ -10,6 +10,7 @@
 #include <CGAL/Boundary_recovery_3/internal/geometry/Exact_positions_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_editor_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Mesh_visitor_3.h>
 #include <CGAL/Lazy_exact_nt.h>
 
 #include <algorithm>
@@ -82,7 +83,8 @@ struct Changing_mesh
   typedef typename Tr::Point                                        Point;
   typedef CGAL::Boundary_recovery_3::internal::Exact_positions_3<Tr>    Positions;
   typedef CGAL::Boundary_recovery_3::internal::Vertex_predicates_3<Tr>  Predicates;
-  typedef CGAL::Boundary_recovery_3::internal::Mesh_editor_3<Tr, Change_recorder>  Editor;
+  typedef CGAL::Boundary_recovery_3::internal::Any_visitor_3<Tr, Change_recorder&>  Any_recorder;
+  typedef CGAL::Boundary_recovery_3::internal::Mesh_editor_3<Tr>    Editor;
   typedef Constraint_set<Vertex_handle>                             Constraints;
   typedef typename Constraints::Simplex                             Simplex;
   typedef std::array<Vertex_handle, 4>                              Tetrahedron;
@@ -93,7 +95,8 @@ struct Changing_mesh
   typedef std::array<Number, 3>                                     Exact_point;
 
   Changing_mesh(const Lattice_points& points, const int number_of_flips, std::mt19937& rng)
-    : predicates(tr, has_exact_positions ? &positions : nullptr), editor(tr, recorder)
+    : predicates(tr, has_exact_positions ? &positions : nullptr), any_recorder(recorder),
+      editor(tr, any_recorder)
   {
     insert_points(tr, points);
     if(number_of_flips > 0)
@@ -265,6 +268,7 @@ struct Changing_mesh
   Positions positions;
   Predicates predicates;
   Change_recorder recorder;
+  Any_recorder any_recorder; // hands on everything to `recorder`
   Editor editor;
   Constraints constraints;
 };

@@ -8,6 +8,8 @@
 #include <CGAL/Boundary_recovery_3/internal/input/Constraint_intersections_3.h>
 #include <CGAL/Boundary_recovery_3/internal/input/Indexed_input_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
 #include <array>
@@ -95,7 +97,10 @@ void check_contents(const Input& input, const Defects& defects)
     }
 }
 
-typedef internal::Recovery_context<Stopping_visitor> Context;
+// No triangulation is asked for anything; contexts and visitors are those of one.
+typedef CGAL::Delaunay_triangulation_3<CGAL::Exact_predicates_inexact_constructions_kernel> Unused_triangulation;
+typedef internal::Recovery_context<Unused_triangulation> Context;
+typedef Stopping_visitor<Unused_triangulation>           Soup_visitor;
 
 constexpr std::size_t unlimited = std::size_t(-1);
 
@@ -111,7 +116,7 @@ auto all_defects(const Intersections& intersections, Context& context)
 template <typename K, typename Input>
 auto intersecting_constraints(const Input& input)
 {
-  Stopping_visitor visitor;
+  Soup_visitor visitor;
   Context context(visitor);
   const K gt;
   return all_defects(internal::Constraint_intersections_3<K>(input, gt), context);
@@ -129,7 +134,7 @@ void check_single_constraints(const Input& input, const Defects& defects)
 
   const K kernel;
   const Intersections intersections(input, kernel);
-  Stopping_visitor visitor;
+  Soup_visitor visitor;
   Context context(visitor);
   const auto check = [&](const typename Intersections::Simplex& s)
   {

@@ -7,10 +7,10 @@
 #include "random_numbers_br3.h"
 
 #include <CGAL/Boundary_constrained_mesh_triangulation_3.h>
-#include <CGAL/Boundary_recovery_3/Meshing_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Improved_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/Unit_frame_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Mesh_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/bare_point.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -98,7 +98,7 @@ struct Improvement_scene
   typedef std::map<Cell_handle, bool>                                            Selection;
   typedef boost::associative_property_map<Selection>                             Selection_map;
   typedef Edge_set_map<Vertex_handle>                                            Edge_map;
-  typedef CGAL::Boundary_recovery_3::internal::Selected_domain_3<Tr, Selection_map, Edge_map>  Domain;
+  typedef CGAL::Boundary_recovery_3::internal::Selected_domain_3<Tr>             Domain;
 
   Improvement_scene(const unsigned seed, const Improvement_options& options) : rng(seed)
   {
@@ -126,7 +126,13 @@ struct Improvement_scene
 
   int random_int(const int n) { return br3_test::random_int(rng, n); }
 
-  Domain domain() { return Domain(tr, Selection_map(selection), Edge_map{ &edges }); }
+  Domain domain()
+  {
+    Domain domain(tr);
+    domain.select(Selection_map(selection));
+    domain.constrain_edges(Edge_map{ &edges });
+    return domain;
+  }
 
   bool is_selected(const Cell_handle c) const
   {
@@ -632,8 +638,8 @@ struct Improvement_trial
   typedef Scene_                                              Scene;
   typedef Quality_                                            Quality;
   typedef typename Scene::Domain                              Domain;
-  typedef CGAL::Default_meshing_visitor_3   Visitor;
-  typedef CGAL::Boundary_recovery_3::internal::Improved_mesh_3<typename Scene::Tr, Domain, Quality, Visitor>  Mesh;
+  typedef CGAL::Boundary_recovery_3::internal::Mesh_visitor_3<typename Scene::Tr>            Visitor;
+  typedef CGAL::Boundary_recovery_3::internal::Improved_mesh_3<typename Scene::Tr, Quality>  Mesh;
 
   Improvement_trial(const unsigned seed, const Improvement_options& options, const Quality& q, const double enough)
     : scene(seed, options), domain(scene.domain()), quality(q), mesh(scene.tr, domain, quality, visitor)

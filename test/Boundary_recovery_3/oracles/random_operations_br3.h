@@ -387,7 +387,7 @@ private:
     return true;
   }
 
-  internal::Remove_vertex_3<Tr, Change_recorder, Constraints> m_remove;
+  internal::Remove_vertex_3<Tr, Constraints> m_remove;
 };
 
 } // namespace br3_test

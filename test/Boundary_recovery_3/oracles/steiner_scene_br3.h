@@ -11,6 +11,7 @@
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Constraint_parts_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_ledger_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Mesh_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -42,13 +43,14 @@ struct Steiner_scene
   typedef CGAL::Boundary_recovery_3::internal::Constraints_3<Tr>              Constraints;
   typedef CGAL::Boundary_recovery_3::internal::Steiner_ledger_3<Tr>           Ledger;
   typedef CGAL::Boundary_recovery_3::internal::Vertex_predicates_3<Tr>        Predicates;
-  typedef CGAL::Boundary_recovery_3::internal::Recovery_context<Visitor>      Context;
-  typedef CGAL::Boundary_recovery_3::internal::Recovery_state_3<Tr, Visitor>  State;
+  typedef CGAL::Boundary_recovery_3::internal::Any_visitor_3<Tr, Visitor&>    Any_visitor;
+  typedef CGAL::Boundary_recovery_3::internal::Recovery_context<Tr>           Context;
+  typedef CGAL::Boundary_recovery_3::internal::Recovery_state_3<Tr>           State;
   typedef std::set<std::set<const void*> >                                    Cells; // by their vertices
 
   explicit Steiner_scene(const Plc& plc)
-    : vertices(insert(plc)), ledger(constraints), predicates(tr, &ledger.positions()), visitor(tr), context(visitor),
-      state(tr, predicates, constraints, context)
+    : vertices(insert(plc)), ledger(constraints), predicates(tr, &ledger.positions()), visitor(tr),
+      any_visitor(visitor), context(any_visitor), state(tr, predicates, constraints, context)
   {
     for(const Simplex& e : plc.edges)
       constraints.insert(vertices[e[0]], vertices[e[1]]);
@@ -85,6 +87,7 @@ struct Steiner_scene
   Ledger ledger;
   const Predicates predicates;
   Visitor visitor;
+  Any_visitor any_visitor; // hands on everything to `visitor`
   Context context;
   State state;
 

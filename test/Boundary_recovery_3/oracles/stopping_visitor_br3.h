@@ -3,17 +3,18 @@
 #ifndef BR3_TEST_STOPPING_VISITOR_H
 #define BR3_TEST_STOPPING_VISITOR_H
 
-#include <CGAL/Boundary_recovery_3/Meshing_visitor_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Mesh_visitor_3.h>
 
 #include <cstddef>
 
 namespace br3_test {
 
 // Counts the questions, and says no to one of them.
+template <typename Tr>
 struct Stopping_visitor
-  : public CGAL::Default_meshing_visitor_3
+  : public CGAL::Boundary_recovery_3::internal::Mesh_visitor_3<Tr>
 {
-  bool go_further() { return number_of_questions++ != last_question; }
+  bool go_further() override { return number_of_questions++ != last_question; }
 
   std::size_t number_of_questions = 0;
   std::size_t last_question = std::size_t(-1);

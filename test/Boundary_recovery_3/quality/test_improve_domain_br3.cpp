@@ -10,6 +10,7 @@
 #include <CGAL/Boundary_recovery_3/Meshing_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Improve_bad_cells_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Improve_domain_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Mesh_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -50,7 +51,6 @@ public:
   typedef std::set<Vertex_handle>       Vertices;
   typedef std::map<Vertices, int>       Outside; // the patches of the outer facets, and of those that are marked
   typedef std::map<int, br3_test::Rational> Volumes; // by region
-  typedef std::vector<Cell_handle>      Cells_that_come_back; // operations have another container
 
   explicit Judging_visitor(const Scene& scene) : m_scene(scene) { }
 
@@ -64,6 +64,7 @@ public:
       for(const Cell_handle c : m_scene.tr.finite_cell_handles())
         if(m_scene.contains(c))
           m_floor = (std::min)(m_floor, Quality()(internal::corners(c)));
+    m_going = std::set<Cell_handle>(cells.begin(), cells.end());
     m_outside = outside(cells);
     m_volumes = Volumes();
     m_worst = 2;
@@ -86,7 +87,8 @@ public:
       worst = (std::min)(worst, Quality()(internal::corners(c)));
       m_volumes[static_cast<int>(c->subdomain_index())] -= volume(c);
     }
-    if(std::is_same<CellRange, Cells_that_come_back>::value)
+    const bool is_taken_back = is_in_place_of_going_cells(cells);
+    if(is_taken_back)
     {
       assert(worst >= m_floor - 1e-9);
       ++number_of_exchanges_taken_back;
@@ -94,7 +96,7 @@ public:
     else
       assert(worst >= least_quality() - 1e-9 && m_volumes.size() == 1 && m_volumes.begin()->second == 0);
     ++number_of_exchanges;
-    note_number_of_vertices(std::is_same<CellRange, Cells_that_come_back>::value);
+    note_number_of_vertices(is_taken_back);
     throw_at_last_call();
   }
 
@@ -107,6 +109,14 @@ public:
 private:
   // Of new cells: at last, they may be worse than those that go, but not worse than the whole mesh was.
   double least_quality() const { return (std::min)(m_worst, (std::max)(m_worst / 5, m_floor)); }
+
+  // Operations create cells before they delete the old ones; where those come back that there were, the new ones are
+  // deleted before, and their places in memory are taken.
+  template <typename CellRange>
+  bool is_in_place_of_going_cells(const CellRange& cells) const
+  {
+    return std::any_of(cells.begin(), cells.end(), [&](const Cell_handle c) { return m_going.count(c) > 0; });
+  }
 
   void note_number_of_vertices(const bool is_taken_back)
   {
@@ -142,6 +152,7 @@ private:
   }
 
   const Scene& m_scene;
+  std::set<Cell_handle> m_going; // not there any more when others were created
   Outside m_outside;
   Volumes m_volumes;
   double m_worst = 0; // of the cells that go
@@ -159,14 +170,15 @@ struct Improvement
   typedef typename Scene::Vertex_handle                             Vertex_handle;
   typedef typename Scene::Cell_handle                               Cell_handle;
   typedef Judging_visitor<Scene>                                    Visitor;
-  typedef internal::Recovery_context<Visitor>                       Context;
-  typedef internal::Improved_mesh_3<Tr, Domain, Quality, Visitor>   Mesh;
-  typedef internal::Improve_domain_3<Tr, Domain, Quality, Visitor>  Improve_domain;
+  typedef internal::Any_visitor_3<Tr, Visitor&>                     Any_visitor;
+  typedef internal::Recovery_context<Tr>                            Context;
+  typedef internal::Improved_mesh_3<Tr, Quality>                    Mesh;
+  typedef internal::Improve_domain_3<Tr, Quality>                   Improve_domain;
   typedef br3_test::Improvement_judge<Scene, Mesh>                  Judge;
 
   Improvement(const unsigned seed, const Improvement_options& options)
-    : scene(seed, options), domain(scene.domain()), visitor(scene), context(visitor),
-      mesh(scene.tr, domain, quality, visitor), judge(scene, mesh)
+    : scene(seed, options), domain(scene.domain()), visitor(scene), any_visitor(visitor),
+      context(any_visitor), mesh(scene.tr, domain, quality, any_visitor), judge(scene, mesh)
   {
     mesh.set_enough(quality.of_angle(30));
     judge.remember_all();
@@ -208,6 +220,7 @@ struct Improvement
   Domain domain;
   Quality quality;
   Visitor visitor;
+  Any_visitor any_visitor; // hands on everything to `visitor`
   Context context;
   Mesh mesh;
   Judge judge;
@@ -291,8 +304,8 @@ void test_random_meshes(const unsigned first, const unsigned last)
 struct Bad_cell_improvement
   : public Improvement<K>
 {
-  typedef internal::Improve_bad_cells_3<Tr, Domain, Quality, Visitor> Improve_bad_cells;
-  typedef internal::Search_locally_3<Tr, Domain, Quality, Visitor>    Search_locally;
+  typedef internal::Improve_bad_cells_3<Tr, Quality> Improve_bad_cells;
+  typedef internal::Search_locally_3<Tr, Quality>    Search_locally;
 
   static constexpr double angle = 12;
 

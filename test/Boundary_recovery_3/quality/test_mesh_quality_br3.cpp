@@ -7,6 +7,7 @@
 #include "random_numbers_br3.h"
 
 #include <CGAL/Boundary_constrained_mesh_triangulation_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Cell_angles_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Explain_bad_cells_3.h>
@@ -480,10 +481,9 @@ struct Scene
   }
 
   // The improvement gives up those that the certificate calls so.
-  template <typename Domain>
-  void check_forced_cells(const Certificate& certificate, const Domain& domain) const
+  void check_forced_cells(const Certificate& certificate, const internal::Selected_domain_3<Tr>& domain) const
   {
-    const internal::Walls_at_edge_3<Tr, Domain> walls_at_edge(domain);
+    const internal::Walls_at_edge_3<Tr> walls_at_edge(domain);
     for(const Bad_cell& bad : certificate.cells)
       assert(internal::is_forced(walls_at_edge, bad.cell, certificate.min_dihedral_angle)
              == (bad.reason == BR3::Bad_cell_reason::forced));
@@ -865,21 +865,25 @@ void test_extreme_scales()
   }
 }
 
-// A domain that counts how often it is asked for a wall.
-template <typename Domain>
-struct Counting_domain
-  : public Domain
+// A selection of all cells. It counts how often it is asked, which it is for each facet that might be a wall, unless
+// the domain knows more of it: here, for all but those on the hull.
+template <typename Cell_handle>
+struct Counting_selection
 {
-  explicit Counting_domain(const Domain& domain) : Domain(domain) { }
+  typedef Cell_handle                         key_type;
+  typedef bool                                value_type;
+  typedef bool                                reference;
+  typedef boost::read_write_property_map_tag  category;
 
-  template <typename Cell_handle>
-  bool is_wall(const Cell_handle c, const int i) const
+  friend bool get(const Counting_selection& selection, const key_type)
   {
-    ++number_of_questions;
-    return Domain::is_wall(c, i);
+    ++*selection.number_of_questions;
+    return true;
   }
 
-  mutable std::size_t number_of_questions = 0;
+  friend void put(const Counting_selection&, const key_type, bool) { }
+
+  std::size_t* number_of_questions;
 };
 
 // Around an edge of n bad cells, the questions of the figures and of the certificate do not grow with the square,
@@ -910,18 +914,18 @@ void test_edge_of_many_cells(const bool is_turned)
       ring.push_back(c);
   assert(ring.size() == n);
 
-  const auto selected = internal::selected_domain(tr, parameters::default_values());
-  typedef Counting_domain<std::decay_t<decltype(selected)> > Domain;
-  const Domain domain(selected);
-  internal::Explain_bad_cells_3<Tr, Domain> explain(tr, domain, 2);
-  const auto quality = internal::Measure_quality_3<Tr, Domain>(tr, domain)(
+  std::size_t number_of_questions = 0;
+  internal::Selected_domain_3<Tr> domain(tr);
+  domain.select(Counting_selection<Tr::Cell_handle>{ &number_of_questions });
+  internal::Explain_bad_cells_3<Tr> explain(tr, domain, 2);
+  const auto quality = internal::Measure_quality_3<Tr>(tr, domain)(
     [](const Tr::Cell_handle, const internal::Cell_angles_3&) { }, [] { return true; });
   assert(quality->number_of_cells == tr.number_of_finite_cells());
-  assert(domain.number_of_questions < 10 * tr.number_of_finite_cells());
-  domain.number_of_questions = 0;
+  assert(number_of_questions < 10 * tr.number_of_finite_cells());
+  number_of_questions = 0;
   for(const auto c : ring)
     explain.add(c, internal::Cell_angles_3(internal::corners(c)));
-  assert(explain.certificate().cells.size() == n && domain.number_of_questions < 1500 * n);
+  assert(explain.certificate().cells.size() == n && number_of_questions < 1500 * n);
 }
 
 int main()

@@ -8,6 +8,7 @@
 #include <CGAL/Boundary_recovery_3/internal/input/Indexed_boundary_recovery.h>
 #include <CGAL/Boundary_recovery_3/internal/input/input_conversion.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Planar_edge_recovery_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Mesh_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/label_regions.h>
 #include <CGAL/Constrained_boundary_recovery_3.h>
 #include <CGAL/Delaunay_triangulation_3.h>
@@ -439,7 +440,6 @@ void test_index_form()
 {
   namespace internal = CGAL::Boundary_recovery_3::internal;
   typedef CGAL::Delaunay_triangulation_3<K> Tr;
-  typedef CGAL::Default_meshing_visitor_3 Visitor;
   const Soup<K> soup = read<K>("gear_br3.off");
   Tr expected, tr;
   const auto result = CGAL::recover_boundary(expected, soup.points, soup.triangles);
@@ -449,11 +449,11 @@ void test_index_form()
     input.facets.push_back({{ t[0], t[1], t[2] }});
   const K kernel;
   const internal::Recovery_options options;
-  Visitor visitor;
+  internal::Mesh_visitor_3<Tr> visitor;
   std::vector<Tr::Vertex_handle> vertices;
   for(const bool is_new : { true, false })
   {
-    internal::Indexed_boundary_recovery<Tr, K, Visitor> recover(tr, input, kernel, options, visitor);
+    internal::Indexed_boundary_recovery<Tr, K> recover(tr, input, kernel, options, visitor);
     const auto same = recover(vertices);
     assert(same && same.number_of_inserted_vertices == (is_new ? soup.points.size() : 0));
     assert(cells_by_index(tr, same.vertices) == cells_by_index(expected, result.vertices));

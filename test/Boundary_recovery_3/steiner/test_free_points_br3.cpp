@@ -29,6 +29,7 @@
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_rounding_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_suppression_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Suppress_free_point_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Mesh_visitor_3.h>
 
 #include <algorithm>
 #include <cassert>
@@ -57,7 +58,8 @@ struct Mirror
   br3_test::Patience patience = { 1000000 };
 };
 
-typedef BR::internal::Steiner_mesh_3<Tr, Mirror>  Mesh;
+typedef BR::internal::Any_visitor_3<Tr, Mirror&>  Any_mirror;
+typedef BR::internal::Steiner_mesh_3<Tr>          Mesh;
 typedef Mesh::Editor                              Editor;
 typedef Mesh::Context                             Context;
 
@@ -131,10 +133,11 @@ void test_points_without_number()
     Mirror mirror(tr);
     if(round % 3 == 0)
       mirror.patience = { random_int(rng, 60) };
-    Editor editor(tr, mirror);
-    Context context(mirror);
+    Any_mirror any_mirror(mirror);
+    Editor editor(tr, any_mirror);
+    Context context(any_mirror);
     Mesh mesh(editor, predicates, constraints, ledger, context);
-    BR::internal::Round_free_point_3<Tr, Mirror> round_point(mesh);
+    BR::internal::Round_free_point_3<Tr> round_point(mesh);
     const bool is_done = round_point(v);
     mirror.check(tr);
     assert(BR::internal::is_mesh_valid(tr, predicates) && tr.number_of_vertices() == number_of_vertices);
@@ -185,10 +188,11 @@ void test_cluster_without_numbers(const unsigned seed)
 
   const Predicates predicates(tr, &ledger.positions());
   Mirror mirror(tr);
-  Editor editor(tr, mirror);
-  Context context(mirror);
+  Any_mirror any_mirror(mirror);
+  Editor editor(tr, any_mirror);
+  Context context(any_mirror);
   Mesh mesh(editor, predicates, constraints, ledger, context);
-  BR::internal::Round_free_point_3<Tr, Mirror> round_point(mesh);
+  BR::internal::Round_free_point_3<Tr> round_point(mesh);
   const auto is_held = [&](const Vertex_handle v) { return ledger.is_free(v) && ! round_point(v); };
   std::size_t number_held = points.size() + 1;
   for(bool is_better = true; is_better; ) // a point may get a number when others have got one
@@ -198,7 +202,7 @@ void test_cluster_without_numbers(const unsigned seed)
     number_held = number;
   }
   assert((number_held == 0) == ledger.positions().empty());
-  BR::internal::Steiner_suppression_3<Tr, Mirror> suppress(mesh);
+  BR::internal::Steiner_suppression_3<Tr> suppress(mesh);
   const bool is_done = suppress.round_points(0);
   mirror.check(tr);
   assert(BR::internal::is_mesh_valid(tr, predicates) && is_done == ledger.positions().empty());
@@ -216,7 +220,8 @@ class Scene
 {
 public:
   Scene(const Tr& points, std::mt19937& rng)
-    : tr(points), ledger(constraints), predicates(tr, &ledger.positions()), mirror(tr), editor(tr, mirror)
+    : tr(points), ledger(constraints), predicates(tr, &ledger.positions()), mirror(tr), any_mirror(mirror),
+      editor(tr, any_mirror)
   {
     for(const Vertex_handle v : tr.finite_vertex_handles())
     {
@@ -274,9 +279,9 @@ public:
   void merge(const Vertex_handle v, const int number_of_questions)
   {
     mirror.patience = { number_of_questions };
-    Context context(mirror);
+    Context context(any_mirror);
     Mesh mesh(editor, predicates, constraints, ledger, context);
-    BR::internal::Merge_points_3<Tr, Mirror> merge_points(mesh);
+    BR::internal::Merge_points_3<Tr> merge_points(mesh);
     merge_points(v, ball(v));
   }
 
@@ -285,6 +290,7 @@ public:
   Ledger ledger;
   const Predicates predicates;
   Mirror mirror;
+  Any_mirror any_mirror; // hands on everything to `mirror`
   Editor editor;
 
 private:
@@ -372,7 +378,7 @@ void test_reduction(const unsigned seed)
 {
   std::mt19937 rng(seed);
   Scene scene(random_mesh(rng, 40, seed % 2 == 0), rng);
-  BR::internal::Reduce_ball_3<Tr, Mirror, Constraints> reduce(scene.editor, scene.predicates, scene.constraints);
+  BR::internal::Reduce_ball_3<Tr, Constraints> reduce(scene.editor, scene.predicates, scene.constraints);
   for(const Vertex_handle v : scene.ledger.free_points())
   {
     const std::size_t wanted = 4 + static_cast<std::size_t>(random_int(rng, 3));

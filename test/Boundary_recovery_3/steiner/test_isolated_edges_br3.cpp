@@ -141,7 +141,7 @@ br3_test::Plc edge_along_bars(const int number, const unsigned seed)
 void test_points_that_come_off_edges(const br3_test::Plc& plc)
 {
   Scene scene(plc);
-  internal::Recovery_by_points_3<Tr, Visitor> recover(scene.state, scene.ledger);
+  internal::Recovery_by_points_3<Tr> recover(scene.state, scene.ledger);
   recover.look_up();
   recover.recover_conforming(3);
   assert(scene.state.is_nothing_lost() && scene.is_conforming());
@@ -171,17 +171,17 @@ void split_cell(Editor& editor, const Tr::Cell_handle c, const Vertex_handle v)
 void test_suppression_of_one_point()
 {
   Scene scene(random_segments(12, 3));
-  typedef internal::Mesh_editor_3<Tr, Visitor>    Editor;
-  typedef internal::Steiner_mesh_3<Tr, Visitor>   Mesh;
-  internal::Recovery_by_points_3<Tr, Visitor> recover(scene.state, scene.ledger);
+  typedef internal::Mesh_editor_3<Tr>  Editor;
+  typedef internal::Steiner_mesh_3<Tr> Mesh;
+  internal::Recovery_by_points_3<Tr> recover(scene.state, scene.ledger);
   recover.look_up();
   recover.recover_conforming(0);
   const std::size_t number = scene.ledger.points_on_constraints().size();
   assert(number > 0 && scene.is_conforming());
 
-  Editor editor(scene.tr, scene.visitor);
+  Editor editor(scene.tr, scene.any_visitor);
   Mesh mesh(editor, scene.predicates, scene.constraints, scene.ledger, scene.context);
-  internal::Suppress_free_point_3<Tr, Visitor, Scene::Ledger> suppress(mesh, scene.ledger);
+  internal::Suppress_free_point_3<Tr, Scene::Ledger> suppress(mesh, scene.ledger);
   for(int i = 0; i < 2; ++i)
   {
     const Tr::Cell_handle c = scene.tr.finite_cells_begin();
@@ -206,13 +206,13 @@ void test_suppression_of_one_point()
 void test_points_that_go_from_chains()
 {
   Scene scene(random_segments(30, 6));
-  internal::Recovery_by_points_3<Tr, Visitor> recover(scene.state, scene.ledger);
+  internal::Recovery_by_points_3<Tr> recover(scene.state, scene.ledger);
   recover.look_up();
   recover.recover_conforming(0);
   assert(scene.is_conforming());
-  internal::Mesh_editor_3<Tr, Visitor> editor(scene.tr, scene.visitor);
-  internal::Steiner_mesh_3<Tr, Visitor> mesh(editor, scene.predicates, scene.constraints, scene.ledger, scene.context);
-  internal::Remove_chain_point_3<Tr, Visitor> remove(mesh);
+  internal::Mesh_editor_3<Tr> editor(scene.tr, scene.any_visitor);
+  internal::Steiner_mesh_3<Tr> mesh(editor, scene.predicates, scene.constraints, scene.ledger, scene.context);
+  internal::Remove_chain_point_3<Tr> remove(mesh);
   const std::vector<Vertex_handle> before = scene.ledger.points_on_constraints();
   std::size_t number_of_vertices = scene.tr.number_of_vertices();
   for(const Vertex_handle s : before)
@@ -237,7 +237,7 @@ void test_points_that_go_from_chains()
 
 bool recover_one_by_one(Scene& scene, const std::size_t max_number_at_once = 0)
 {
-  internal::Recovery_by_points_3<Tr, Visitor> recover(scene.state, scene.ledger);
+  internal::Recovery_by_points_3<Tr> recover(scene.state, scene.ledger);
   recover.look_up();
   return recover(Mode::constrained, 30, max_number_at_once);
 }
@@ -316,9 +316,9 @@ void test_numbers_of_points(const Scene::Ledger& ledger)
 void test_edge_after_edge(const br3_test::Plc& plc)
 {
   Scene scene(plc);
-  internal::Mesh_editor_3<Tr, Visitor> editor(scene.tr, scene.visitor);
-  internal::Steiner_mesh_3<Tr, Visitor> mesh(editor, scene.predicates, scene.constraints, scene.ledger, scene.context);
-  internal::Isolated_edge_recovery_3<Tr, Visitor> recover(mesh);
+  internal::Mesh_editor_3<Tr> editor(scene.tr, scene.any_visitor);
+  internal::Steiner_mesh_3<Tr> mesh(editor, scene.predicates, scene.constraints, scene.ledger, scene.context);
+  internal::Isolated_edge_recovery_3<Tr> recover(mesh);
   internal::Constraint_search_3<Tr> search(scene.tr, scene.constraints);
   for(std::vector<std::size_t> lost = search().edges; ! lost.empty(); lost = search().edges)
   {
@@ -345,9 +345,9 @@ void test_edge_after_edge(const br3_test::Plc& plc)
 void test_long_chain()
 {
   Scene scene(edge_along_bars(150, 1));
-  internal::Mesh_editor_3<Tr, Visitor> editor(scene.tr, scene.visitor);
-  internal::Steiner_mesh_3<Tr, Visitor> mesh(editor, scene.predicates, scene.constraints, scene.ledger, scene.context);
-  internal::Isolated_edge_recovery_3<Tr, Visitor> recover(mesh);
+  internal::Mesh_editor_3<Tr> editor(scene.tr, scene.any_visitor);
+  internal::Steiner_mesh_3<Tr> mesh(editor, scene.predicates, scene.constraints, scene.ledger, scene.context);
+  internal::Isolated_edge_recovery_3<Tr> recover(mesh);
   assert(recover(0, 3, 30, 0));
   std::cout << scene.ledger.number_of_constraint_points() << " points came to a long edge" << std::endl;
   assert(scene.ledger.number_of_constraint_points() > 100);

@@ -104,7 +104,7 @@ struct Visitor
 typedef br3_test::Steiner_scene<Visitor>                    Scene;
 typedef Scene::Tr                                           Tr;
 typedef Scene::Vertex_handle                                Vertex_handle;
-typedef internal::Recovery_by_points_3<Tr, Visitor>         Recovery;
+typedef internal::Recovery_by_points_3<Tr>                  Recovery;
 typedef std::vector<Vertex_handle>                          Vertices;
 
 // How often each kind of case was met; main() checks that all of them were.
@@ -271,7 +271,8 @@ void test_exceptions(const Plc& plc, const Mode mode)
     ++number_of[scene.visitor.begun.empty() ? "thrown before the first phase"
                 : "thrown in phase " + std::to_string(static_cast<int>(scene.visitor.begun.back()))];
     Visitor fresh(scene.tr);
-    Scene::Context context(fresh);
+    Scene::Any_visitor any_fresh(fresh);
+    Scene::Context context(any_fresh);
     Scene::State state(scene.tr, scene.predicates, scene.constraints, context);
     Recovery again(state, scene.ledger);
     again.look_up();

@@ -41,7 +41,7 @@ typedef br3_test::Steiner_scene<Visitor>           Scene;
 typedef Scene::Tr                                  Tr;
 typedef Scene::Vertex_handle                       Vertex_handle;
 typedef Scene::Cell_handle                         Cell_handle;
-typedef internal::Mesh_editor_3<Tr, Visitor>       Editor;
+typedef internal::Mesh_editor_3<Tr>                Editor;
 typedef internal::Half_facet_star_3<Tr>            Star;
 typedef internal::Half_facet_3<Tr>                 Half_facet;
 typedef internal::Facet_fan_3<Tr>                  Fan;
@@ -62,7 +62,7 @@ class Splitter
 {
 public:
   explicit Splitter(Scene& scene)
-    : m_scene(scene), m_tr(scene.tr), m_editor(scene.tr, scene.visitor),
+    : m_scene(scene), m_tr(scene.tr), m_editor(scene.tr, scene.any_visitor),
       m_mesh(m_editor, scene.predicates, scene.constraints, scene.ledger, scene.context), m_star(m_tr),
       m_fans(m_tr, scene.predicates), m_sectors(m_tr), m_triangulate_fan(m_tr, scene.predicates),
       m_insert_artificial_fan(m_mesh), m_sector_points(m_mesh)
@@ -425,13 +425,13 @@ private:
   Scene& m_scene;
   const Tr& m_tr;
   Editor m_editor;
-  internal::Steiner_mesh_3<Tr, Visitor> m_mesh;
+  internal::Steiner_mesh_3<Tr> m_mesh;
   Star m_star;
   Fans m_fans;
   Sectors m_sectors;
   internal::Triangulate_fan_3<Tr> m_triangulate_fan;
-  internal::Insert_artificial_fan_3<Tr, Visitor> m_insert_artificial_fan;
-  internal::Sector_points_3<Tr, Visitor> m_sector_points;
+  internal::Insert_artificial_fan_3<Tr> m_insert_artificial_fan;
+  internal::Sector_points_3<Tr> m_sector_points;
   Vertex_handle m_s;
 };
 
@@ -440,7 +440,7 @@ void test(const br3_test::Plc& plc)
   Scene scene(plc);
   if(scene.tr.dimension() < 3)
     return;
-  internal::Recovery_by_points_3<Tr, Visitor> recover(scene.state, scene.ledger);
+  internal::Recovery_by_points_3<Tr> recover(scene.state, scene.ledger);
   recover.look_up();
   recover.recover_conforming(0);
   assert(scene.state.is_nothing_lost() && scene.is_conforming());

@@ -7,7 +7,8 @@
 //
 // Author(s)     : The Boundary_recovery_3 authors
 
-// The tools that know nothing of geometry: ranges, hash tables of simplices, matrices of bits, and the context of runs.
+// The tools that know nothing of geometry: ranges, hash tables of simplices, matrices of bits, and runs: their context,
+// and who stands between them and a visitor.
 
 #undef NDEBUG
 
@@ -18,6 +19,7 @@
 #include <CGAL/Boundary_recovery_3/Size_source_3.h>
 #include <CGAL/Boundary_recovery_3/enumerations.h>
 #include <CGAL/Boundary_recovery_3/internal/input/Constraint_intersections_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Mesh_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/bare_point.h>
@@ -25,7 +27,10 @@
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 #include <CGAL/Boundary_recovery_3/parameters.h>
 
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/Simple_cartesian.h>
+
+#include <boost/container/small_vector.hpp>
 
 #include <algorithm>
 #include <array>
@@ -46,8 +51,19 @@
 #include <utility>
 #include <vector>
 
-namespace internal = CGAL::Boundary_recovery_3::internal;
-using br3_test::Stopping_visitor;
+namespace BR3 = CGAL::Boundary_recovery_3;
+namespace internal = BR3::internal;
+
+// All that a visitor needs of a triangulation are its cell handles: here, numbers.
+struct Numbered_cells
+{
+  typedef int Cell_handle;
+};
+
+typedef internal::Mesh_visitor_3<Numbered_cells>      Mesh_visitor;
+typedef internal::Recording_visitor_3<Numbered_cells> Recording_visitor;
+typedef internal::Recovery_context<Numbered_cells>    Context;
+typedef br3_test::Stopping_visitor<Numbered_cells>    Stopping_visitor;
 
 // Their names are different words, and the only ones; what is written is the name.
 template <typename Enumeration>
@@ -66,7 +82,6 @@ void test_names(const int number)
 
 void test_enumerations()
 {
-  namespace BR3 = CGAL::Boundary_recovery_3;
   test_names<BR3::Recovery_mode>(3);
   test_names<BR3::Recovery_effort>(2);
   test_names<BR3::Recovery_status>(4);
@@ -290,12 +305,211 @@ void test_bit_matrix()
   }
 }
 
+// --- visitors of any type -------------------------------------------------------------------------------------------
+
+template <typename CellRange>
+void test_cell_span(const CellRange& cells)
+{
+  const internal::Cell_span<int> span(cells);
+  assert(span.size() == cells.size() && span.empty() == cells.empty() && span.data() == cells.data());
+  assert(std::equal(span.begin(), span.end(), cells.begin(), cells.end()));
+}
+
+void test_cell_spans()
+{
+  test_cell_span(std::vector<int>{ 3, 1, 2 });
+  test_cell_span(std::vector<int>());
+  test_cell_span(std::array<int, 2>{{ 5, 4 }});
+  test_cell_span(std::array<int, 0>());
+  typedef boost::container::small_vector<int, 2> Small_vector;
+  test_cell_span(Small_vector{ 1, 2 });
+  test_cell_span(Small_vector{ 1, 2, 3 }); // too many for its own memory
+  const std::vector<int> cells = { 7, 8 };
+  test_cell_span(internal::Cell_span<int>(cells));
+}
+
+// Writes down all calls, also those of its copies, and says no to the second question.
+struct Writing_visitor
+{
+  explicit Writing_visitor(std::ostream& os) : os(&os) { }
+
+  void on_phase_begin(const BR3::Phase phase) { *os << "begin " << phase << '\n'; }
+
+  void on_phase_end(const BR3::Phase_report& report)
+  {
+    *os << "end " << report.phase << ' ' << report.lost_edges << ' ' << report.lost_facets << ' '
+        << report.number_of_vertices << ' ' << report.number_of_cells << ' ' << report.number_of_holes << '\n';
+  }
+
+  void on_progress(const BR3::Phase phase, const std::size_t done, const std::size_t total)
+  {
+    *os << "progress " << phase << ' ' << done << ' ' << total << '\n';
+  }
+
+  bool go_further()
+  {
+    *os << "question\n";
+    return ++number_of_questions != 2;
+  }
+
+  template <typename CellRange>
+  void before_cells_removal(const CellRange& cells) { write("removal", cells); }
+
+  template <typename CellRange>
+  void after_cells_creation(const CellRange& cells) { write("creation", cells); }
+
+  template <typename CellRange>
+  void write(const char* const name, const CellRange& cells)
+  {
+    *os << name << " of " << cells.size();
+    for(const int c : cells)
+      *os << ' ' << c;
+    *os << '\n';
+  }
+
+  std::ostream* os;
+  int number_of_questions = 0;
+};
+
+BR3::Phase_report report_of(const BR3::Phase phase)
+{
+  BR3::Phase_report report;
+  report.phase = phase;
+  report.lost_edges = 1;
+  report.lost_facets = 2;
+  report.number_of_vertices = 3;
+  report.number_of_cells = 4;
+  report.number_of_holes = 5;
+  return report;
+}
+
+// One call of each kind, some with several types of arguments.
+template <typename Visitor>
+void call(Visitor& visitor)
+{
+  visitor.on_phase_begin(BR3::Phase::search);
+  visitor.on_progress(BR3::Phase::search, 6, 7);
+  visitor.on_phase_end(report_of(BR3::Phase::search));
+  visitor.on_phase_begin(BR3::Phase::hole_filling);
+  assert(visitor.go_further());
+  visitor.before_cells_removal(std::vector<int>{ 3, 1, 2 });
+  visitor.after_cells_creation(boost::container::small_vector<int, 1>{ 5, 4 });
+  visitor.before_cells_removal(std::array<int, 1>{{ 9 }});
+  visitor.after_cells_creation(std::vector<int>());
+  visitor.on_phase_end(report_of(BR3::Phase::hole_filling));
+}
+
+// What a visitor writes if nobody stands in between.
+std::string expected_text()
+{
+  std::ostringstream os;
+  Writing_visitor visitor(os);
+  call(visitor);
+  assert(! visitor.go_further());
+  return os.str();
+}
+
+// All calls come through, to the visitor itself or to a copy, and its answers come back.
+void test_any_visitor(Mesh_visitor& any_visitor, std::ostringstream& os)
+{
+  os.str("");
+  call(any_visitor);
+  assert(! any_visitor.go_further() && any_visitor.go_further());
+  assert(os.str() == expected_text() + "question\n");
+}
+
+void test_any_visitors()
+{
+  namespace parameters = CGAL::parameters;
+  std::ostringstream os;
+  Writing_visitor of_reference(os), of_copy(os), of_parameter(os);
+  internal::Any_visitor_3<Numbered_cells, Writing_visitor&> with_reference(of_reference);
+  test_any_visitor(with_reference, os);
+  assert(of_reference.number_of_questions == 3);
+  internal::Any_visitor_3<Numbered_cells, Writing_visitor> with_copy{ Writing_visitor(of_copy) };
+  test_any_visitor(with_copy, os);
+  assert(of_copy.number_of_questions == 0);
+
+  auto passed_copy = internal::mesh_visitor<Numbered_cells>(parameters::visitor(of_parameter));
+  test_any_visitor(passed_copy, os);
+  assert(of_parameter.number_of_questions == 0);
+  auto passed_reference = internal::mesh_visitor<Numbered_cells>(parameters::visitor(std::ref(of_parameter)));
+  test_any_visitor(passed_reference, os);
+  assert(of_parameter.number_of_questions == 3);
+
+  // one that is plain already
+  Mesh_visitor& plain = with_reference;
+  of_reference.number_of_questions = 0;
+  auto passed_plain = internal::mesh_visitor<Numbered_cells>(parameters::visitor(std::ref(plain)));
+  test_any_visitor(passed_plain, os);
+
+  // those that do nothing
+  Mesh_visitor silent;
+  auto not_passed = internal::mesh_visitor<Numbered_cells>(parameters::default_values());
+  call(silent);
+  call(not_passed);
+  assert(silent.go_further() && not_passed.go_further());
+}
+
+// It hands on all calls, keeps the reports that are not of a recovery, and the visitor's no is final.
+void test_recording_visitor()
+{
+  std::ostringstream os;
+  Writing_visitor visitor(os);
+  internal::Any_visitor_3<Numbered_cells, Writing_visitor&> any_visitor(visitor);
+  std::vector<BR3::Phase_report> reports;
+  Recording_visitor recorder(any_visitor, reports);
+  call(recorder);
+  for(int i = 0; i < 5; ++i)
+    assert(! recorder.go_further());
+  assert(os.str() == expected_text() && visitor.number_of_questions == 2);
+  assert(reports.size() == 1 && reports[0].phase == BR3::Phase::hole_filling);
+  assert(reports[0].number_of_holes == 5 && reports[0].number_of_cells == 4);
+  for(int i = 0; i < 25; ++i)
+  {
+    const BR3::Phase phase = static_cast<BR3::Phase>(i);
+    const std::size_t before = reports.size();
+    recorder.on_phase_end(report_of(phase));
+    assert(reports.size() == before + (internal::is_of_recovery(phase) ? 0 : 1));
+  }
+}
+
+// --- the context of a run -------------------------------------------------------------------------------------------
+
+// A phase begins, does its work, is described, and ends; the time is that of the work.
+void test_phases()
+{
+  std::ostringstream os;
+  Writing_visitor visitor(os);
+  internal::Any_visitor_3<Numbered_cells, Writing_visitor&> any_visitor(visitor);
+  Context context(any_visitor);
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  std::vector<BR3::Phase_report> reports;
+  context.run(BR3::Phase::hole_recovery, [&]
+  {
+    os << "work\n";
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  },
+  [&](BR3::Phase_report& report)
+  {
+    os << "description\n";
+    assert(report.phase == BR3::Phase::hole_recovery && report.seconds >= .01);
+    assert(report.seconds <= context.seconds() - .02);
+    report.number_of_holes = 8;
+    reports.push_back(report);
+  });
+  std::ostringstream expected;
+  expected << "begin " << BR3::Phase::hole_recovery << "\nwork\ndescription\n"
+           << "end " << BR3::Phase::hole_recovery << " 0 0 0 0 8\n";
+  assert(os.str() == expected.str() && reports.size() == 1);
+}
+
 // The visitor's no is final: it is not asked again.
 void test_cancelling()
 {
   Stopping_visitor visitor;
   visitor.last_question = 2;
-  internal::Recovery_context<Stopping_visitor> context(visitor);
+  Context context(visitor);
   assert(&context.visitor() == &visitor && ! context.is_stopped());
   assert(context.go_further() && context.go_further() && ! context.is_stopped());
   for(int i = 0; i < 3000; ++i)
@@ -308,7 +522,7 @@ void test_short_steps()
 {
   Stopping_visitor visitor;
   visitor.last_question = 3;
-  internal::Recovery_context<Stopping_visitor> context(visitor);
+  Context context(visitor);
   for(std::size_t i = 1; i < 4 * 1024; ++i)
   {
     assert(context.go_further_after_short_step() && ! context.is_stopped());
@@ -322,7 +536,7 @@ void test_long_steps()
 {
   Stopping_visitor visitor;
   visitor.last_question = 3;
-  internal::Recovery_context<Stopping_visitor> context(visitor);
+  Context context(visitor);
   for(std::size_t i = 1; i < 4 * 16; ++i)
   {
     assert(context.go_further_after_long_step() && ! context.is_stopped());
@@ -331,7 +545,7 @@ void test_long_steps()
   assert(! context.go_further_after_long_step() && context.is_stopped());
 
   Stopping_visitor patient;
-  internal::Recovery_context<Stopping_visitor> late(patient);
+  Context late(patient);
   late.set_maximum_running_time(0);
   assert(! late.go_further_after_long_step() && late.is_stopped() && patient.number_of_questions == 0);
 }
@@ -341,7 +555,7 @@ void test_finishing()
 {
   Stopping_visitor visitor;
   visitor.last_question = 1;
-  internal::Recovery_context<Stopping_visitor> context(visitor);
+  Context context(visitor);
   for(std::size_t i = 1; i <= 2 * 1024 + 1; ++i)
     assert(context.can_finish_after_short_step());
   assert(context.is_stopped() && visitor.number_of_questions == 2);
@@ -359,13 +573,15 @@ void test_running_time()
   for(const double seconds : { infinity, 1e6, 0., -1., nan })
   {
     Stopping_visitor visitor;
-    internal::Recovery_context<Stopping_visitor> context(visitor);
+    Context context(visitor);
     context.set_maximum_running_time(seconds);
     assert(context.go_further() == (seconds > 0) && context.is_stopped() == ! (seconds > 0));
+    assert((context.seconds_left() > 0) == (seconds > 0) && ! (context.seconds_left() > seconds));
     assert(visitor.number_of_questions == (seconds > 0 ? 1 : 0));
   }
   Stopping_visitor visitor;
-  internal::Recovery_context<Stopping_visitor> context(visitor);
+  Context context(visitor);
+  assert(context.seconds_left() == infinity);
   const double start = context.seconds();
   context.set_maximum_running_time(start + .01);
   while(context.go_further())
@@ -411,7 +627,7 @@ void test_examination()
   for(const bool is_hopeless : { false, true })
   {
     Stopping_visitor visitor;
-    internal::Recovery_context<Stopping_visitor> context(visitor);
+    Context context(visitor);
     context.add_work(1000); // nobody wants to know
     std::size_t number_of_examinations = 0;
     const auto second = [&]
@@ -468,6 +684,10 @@ int main()
   test_colliding_hash_values();
   test_bits();
   test_bit_matrix();
+  test_cell_spans();
+  test_any_visitors();
+  test_recording_visitor();
+  test_phases();
   test_cancelling();
   test_short_steps();
   test_long_steps();

@@ -22,6 +22,7 @@
 #include <CGAL/Boundary_recovery_3/internal/sizing/Vertex_sizes_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 #include <CGAL/Boundary_recovery_3/internal/util/available_memory.h>
+#include <CGAL/Boundary_recovery_3/internal/util/standard_types.h>
 
 #include <algorithm>
 #include <array>
@@ -361,6 +362,13 @@ Field_point_insertion_3<Tr>::operator()(const std::size_t max_number_of_vertices
     run(Phase::field_point_insertion, [&] { fill(max_number_of_vertices); });
   return finish();
 }
+
+#ifdef CGAL_BOUNDARY_RECOVERY_3_COMPILED
+
+extern template Field_points_result_3<Standard_mesh>
+Field_point_insertion_3<Standard_mesh>::operator()(std::size_t, double);
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_COMPILED
 
 } // namespace internal
 } // namespace Boundary_recovery_3

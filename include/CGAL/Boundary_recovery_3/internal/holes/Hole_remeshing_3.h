@@ -19,6 +19,7 @@
 #include <CGAL/Boundary_recovery_3/internal/holes/Moved_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Sew_holes_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Tetrahedra_incidences_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/standard_types.h>
 
 #include <algorithm>
 #include <array>
@@ -370,6 +371,12 @@ void Hole_remeshing_3<Kernel>::operator()()
   }
   run(Phase::hole_sewing, [this] { sew(); });
 }
+
+#ifdef CGAL_BOUNDARY_RECOVERY_3_COMPILED
+
+extern template void Hole_remeshing_3<Standard_kernel>::operator()();
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_COMPILED
 
 } // namespace internal
 } // namespace Boundary_recovery_3

@@ -18,6 +18,7 @@
 #include <CGAL/Boundary_recovery_3/internal/input/Vertex_location.h>
 #include <CGAL/Boundary_recovery_3/internal/lost/Constraint_search_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
+#include <CGAL/Boundary_recovery_3/internal/util/standard_types.h>
 #include <CGAL/Constrained_boundary_recovery_3.h>
 
 #include <algorithm>
@@ -442,6 +443,18 @@ Indexed_boundary_recovery<Tr, GT>::operator()(std::vector<Vertex_handle> vertice
   recover();
   return std::move(m_result);
 }
+
+#ifdef CGAL_BOUNDARY_RECOVERY_3_COMPILED
+
+extern template Boundary_recovery_result_3<Standard_delaunay>
+Indexed_boundary_recovery<Standard_delaunay, Standard_kernel>::operator()(
+  std::vector<Standard_delaunay::Vertex_handle>);
+
+extern template Boundary_recovery_result_3<Standard_mesh>
+Indexed_boundary_recovery<Standard_mesh, Standard_kernel>::operator()(
+  std::vector<Standard_mesh::Vertex_handle>);
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_COMPILED
 
 } // namespace internal
 } // namespace Boundary_recovery_3

@@ -93,9 +93,9 @@ public:
     const int number_of_regions = labeller.label([&](const Cell_handle c, const int region) { start(c, region); });
     for(const Vertex_handle v : m_tr.finite_vertex_handles())
       internal::set_vertex_indices(*v, 3, v->cell()->subdomain_index());
-    for(auto wall = labeller.walls().rbegin(); wall != labeller.walls().rend(); ++wall) // so that the first one wins
-      if(wall->found)
-        mark_facet(wall->facet.first, wall->facet.second, patches[wall->index]);
+    for(auto f = labeller.facets().rbegin(); f != labeller.facets().rend(); ++f) // so that the first one wins
+      if(f->found)
+        mark_facet(f->facet.first, f->facet.second, patches[f->index]);
     for(std::size_t e = edges.size(); e-- > 0; )
       for(const Vertex_handle v : edges[e])
         internal::set_vertex_indices(*v, 1, static_cast<int>(curves.empty() ? e + 1 : curves[e]));

@@ -54,7 +54,7 @@ class Region_labeller_3
 
 public:
   // a facet that separates: where it is in the triangulation, and how often it was given, with signs
-  struct Wall
+  struct Constrained_facet
   {
     Vertex_triple vertices; // as it was given first
     std::size_t index;   // position of that one in the given range
@@ -67,7 +67,7 @@ public:
   };
 
 private:
-  // a way out of a component through a wall, and what it adds to the winding number
+  // a way out of a component through a constrained facet, and what it adds to the winding number
   struct Crossing
   {
     std::size_t target;
@@ -75,11 +75,11 @@ private:
   };
 
   const Tr& m_tr;
-  std::vector<Wall> m_walls;                               // in the order of the facets
-  Simplex_index_3<Vertex_handle, 3> m_wall_index;
+  std::vector<Constrained_facet> m_facets;                 // in the order of the facets
+  Simplex_index_3<Vertex_handle, 3> m_facet_index;
   CellNumbers m_cell_index;
   std::vector<Cell_handle> m_cells;
-  std::vector<unsigned char> m_closed;                     // bit i: facet i of the cell is a wall
+  std::vector<unsigned char> m_closed;                     // bit i: facet i of the cell is constrained
   std::vector<std::size_t> m_component;                    // of each cell; 0 has the infinite cells
   std::size_t m_number_of_components = 0;
 
@@ -90,9 +90,9 @@ public:
   {
     std::size_t i = 0;
     for(const auto& facet : facets)
-      add_wall(Vertex_triple{{facet[0], facet[1], facet[2]}}, i++);
+      add_facet(Vertex_triple{{facet[0], facet[1], facet[2]}}, i++);
     index_cells();
-    find_walls();
+    find_facets();
     find_components();
   }
 
@@ -108,21 +108,21 @@ public:
   }
 
   // Each given facet once, in the order in which they were given first.
-  const std::vector<Wall>& walls() const { return m_walls; }
+  const std::vector<Constrained_facet>& facets() const { return m_facets; }
 
 private:
-  void add_wall(const Vertex_triple& triple, const std::size_t index)
+  void add_facet(const Vertex_triple& triple, const std::size_t index)
   {
-    const auto inserted = m_wall_index.insert(triple);
+    const auto inserted = m_facet_index.insert(triple);
     if(inserted.second)
     {
-      m_walls.emplace_back();
-      m_walls.back().vertices = triple;
-      m_walls.back().index = index;
+      m_facets.emplace_back();
+      m_facets.back().vertices = triple;
+      m_facets.back().index = index;
     }
-    Wall& wall = m_walls[inserted.first];
-    wall.weight += is_rotation(wall.vertices, triple) ? 1 : -1;
-    wall.odd = ! wall.odd;
+    Constrained_facet& f = m_facets[inserted.first];
+    f.weight += is_rotation(f.vertices, triple) ? 1 : -1;
+    f.odd = ! f.odd;
   }
 
   void index_cells()
@@ -136,15 +136,15 @@ private:
     m_closed.assign(m_cells.size(), 0);
   }
 
-  // one sweep over all facets of the triangulation, instead of one search in a star for each wall
-  void find_walls()
+  // one sweep over all facets of the triangulation, instead of one search in a star for each of them
+  void find_facets()
   {
     for(std::size_t n = 0; n < m_cells.size(); ++n)
       for(int i = 0; i < 4; ++i)
       {
         const Cell_handle c = m_cells[n];
         const std::size_t neighbor = m_cell_index[c->neighbor(i)];
-        if(n < neighbor && is_wall(c, i))
+        if(n < neighbor && is_constrained(c, i))
         {
           close(n, i);
           close(neighbor, c->neighbor(i)->index(c));
@@ -154,19 +154,19 @@ private:
 
   void close(const std::size_t cell, const int i) { m_closed[cell] |= static_cast<unsigned char>(1 << i); }
 
-  // whether the facet is a wall, which is found then
-  bool is_wall(const Cell_handle c, const int i)
+  // whether the facet is constrained; it is found then
+  bool is_constrained(const Cell_handle c, const int i)
   {
     const Vertex_triple triple = internal::facet_vertices(c, i);
-    const std::size_t index = m_wall_index[triple];
-    if(index == m_wall_index.none || m_tr.is_infinite(c, i))
+    const std::size_t index = m_facet_index[triple];
+    if(index == m_facet_index.none || m_tr.is_infinite(c, i))
       return false;
-    Wall& wall = m_walls[index];
-    wall.facet = Facet(c, i);
-    wall.found = true;
-    wall.agrees = is_rotation(wall.vertices, triple);
-    if(! wall.agrees)
-      wall.weight = -wall.weight;
+    Constrained_facet& f = m_facets[index];
+    f.facet = Facet(c, i);
+    f.found = true;
+    f.agrees = is_rotation(f.vertices, triple);
+    if(! f.agrees)
+      f.weight = -f.weight;
     return true;
   }
 
@@ -200,9 +200,9 @@ private:
 
   std::size_t component(const Facet& f) const { return m_component[m_cell_index[f.first]]; }
 
-  // The walls are a cycle iff there are winding numbers: one for each component, such that crossing a wall changes
-  // it by the weight of the wall. A wall with the same component on both sides, as in a sheet that ends inside,
-  // separates nothing and has no say. Without such numbers the same is tried mod 2, where orientation does not
+  // The constrained facets are a cycle iff there are winding numbers: one for each component, such that crossing a
+  // facet changes it by the weight of the facet. One with the same component on both sides, as in a sheet that ends
+  // inside, separates nothing and has no say. Without such numbers the same is tried mod 2, where orientation does not
   // matter, and without these every component that is bounded belongs to the domain.
   std::vector<bool> components_of_domain() const
   {
@@ -221,15 +221,15 @@ private:
   std::vector<std::vector<Crossing> > crossings(const bool mod_2) const
   {
     std::vector<std::vector<Crossing> > result(m_number_of_components);
-    for(const Wall& wall : m_walls)
+    for(const Constrained_facet& f : m_facets)
     {
-      if(! wall.found)
+      if(! f.found)
         continue;
-      const std::size_t here = component(wall.facet);
-      const std::size_t there = component(m_tr.mirror_facet(wall.facet));
+      const std::size_t here = component(f.facet);
+      const std::size_t there = component(m_tr.mirror_facet(f.facet));
       if(here == there)
         continue;
-      const long weight = mod_2 ? long(wall.odd) : wall.weight;
+      const long weight = mod_2 ? long(f.odd) : f.weight;
       result[here].push_back(Crossing{there, weight});
       result[there].push_back(Crossing{here, mod_2 ? weight : -weight});
     }
@@ -275,13 +275,13 @@ private:
       if(in_domain[i] && numbers[i] == 0)
         numbers[i] = ++number_of_regions;
     };
-    for(const Wall& wall : m_walls)
+    for(const Constrained_facet& f : m_facets)
     {
-      if(! wall.found)
+      if(! f.found)
         continue;
-      const std::size_t here = component(wall.facet), there = component(m_tr.mirror_facet(wall.facet));
-      number(wall.agrees ? there : here); // a vertex triple turns such that its normal points into the cell
-      number(wall.agrees ? here : there);
+      const std::size_t here = component(f.facet), there = component(m_tr.mirror_facet(f.facet));
+      number(f.agrees ? there : here); // a vertex triple turns such that its normal points into the cell
+      number(f.agrees ? here : there);
     }
     return numbers;
   }

@@ -25,6 +25,7 @@
 #include <CGAL/Boundary_recovery_3/internal/util/Mesh_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/standard_types.h>
 #include <CGAL/Boundary_recovery_3/parameters.h>
 
 #include <CGAL/Unique_hash_map.h>
@@ -329,6 +330,14 @@ Boundary_constrained_meshing_3<Tr, Quality>::operator()(const Surface& surface, 
   m_result.seconds = m_context.seconds();
   return std::move(m_result);
 }
+
+#ifdef CGAL_BOUNDARY_RECOVERY_3_COMPILED
+
+extern template Boundary_constrained_mesh_result_3<Standard_mesh>
+Boundary_constrained_meshing_3<Standard_mesh, Dihedral_angle_quality_3>::operator()(
+  const Surface_to_mesh_3<Standard_mesh>&, const Size_field_3<Standard_kernel::Point_3>*);
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_COMPILED
 
 } // namespace internal
 } // namespace Boundary_recovery_3

@@ -25,6 +25,7 @@
 #include <CGAL/Boundary_recovery_3/internal/quality/Measure_quality_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Quality_improvement_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
+#include <CGAL/Boundary_recovery_3/internal/util/standard_types.h>
 
 #include <CGAL/tags.h>
 
@@ -393,6 +394,12 @@ void Subdomain_meshing_3<Tr, Quality>::operator()(const std::size_t number_of_su
   if(m_result.filling.status == Meshing_status::too_large)
     correct_forecast();
 }
+
+#ifdef CGAL_BOUNDARY_RECOVERY_3_COMPILED
+
+extern template void Subdomain_meshing_3<Standard_mesh, Dihedral_angle_quality_3>::operator()(std::size_t, bool);
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_COMPILED
 
 } // namespace internal
 } // namespace Boundary_recovery_3

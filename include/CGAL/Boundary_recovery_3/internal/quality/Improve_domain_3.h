@@ -23,6 +23,7 @@
 #include <CGAL/Boundary_recovery_3/internal/quality/Move_vertex_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
+#include <CGAL/Boundary_recovery_3/internal/util/standard_types.h>
 
 #include <CGAL/Random.h>
 
@@ -357,6 +358,12 @@ void Improve_domain_3<Tr, Quality>::operator()()
     improve();
   m_improve.finish();
 }
+
+#ifdef CGAL_BOUNDARY_RECOVERY_3_COMPILED
+
+extern template void Improve_domain_3<Standard_mesh, Dihedral_angle_quality_3>::operator()();
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_COMPILED
 
 } // namespace internal
 } // namespace Boundary_recovery_3

@@ -21,6 +21,7 @@
 #include <CGAL/Boundary_recovery_3/internal/quality/Improve_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Measure_quality_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
+#include <CGAL/Boundary_recovery_3/internal/util/standard_types.h>
 
 #include <cstddef>
 #include <optional>
@@ -137,6 +138,13 @@ Quality_improvement_3<Tr, Quality>::operator()(const double min_dihedral_angle, 
   m_result.seconds = m_context.seconds();
   return std::move(m_result);
 }
+
+#ifdef CGAL_BOUNDARY_RECOVERY_3_COMPILED
+
+extern template Quality_improvement_result_3<Standard_mesh>
+Quality_improvement_3<Standard_mesh, Dihedral_angle_quality_3>::operator()(double, Improvement_effort, double);
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_COMPILED
 
 } // namespace internal
 } // namespace Boundary_recovery_3

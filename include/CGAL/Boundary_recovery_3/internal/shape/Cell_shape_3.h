@@ -182,13 +182,28 @@ inline Coordinates_3 midpoint(const Coordinates_3& p, const Coordinates_3& q)
   return {{ (p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2 }};
 }
 
-// 1 for a regular tetrahedron, 0 for a flat one, negative for an inverted one.
+// Of the lengths of the edges of a tetrahedron.
+inline double sum_of_squares_of_edges(const Cell_corners_3& p)
+{
+  double sum = 0;
+  for(const auto& edge : edges_of_cell)
+    sum += internal::squared_distance(p[edge[1]], p[edge[0]]);
+  return sum;
+}
+
+// The mean ratio of the volume and the edges of a tetrahedron: 1 if it is regular, 0 if it is flat, negative if it is
+// inverted.
+inline double mean_ratio(const double volume_times_6, const double sum_of_squares)
+{
+  return 12 * std::sqrt(3.) * volume_times_6 / (sum_of_squares * std::sqrt(sum_of_squares));
+}
+
 inline double tetrahedron_quality(const std::array<Coordinates_3, 4>& p)
 {
   double sum = 0;
   for(const Tetrahedron_edge_3& e : tetrahedron_edges(p))
     sum += e.length * e.length;
-  return 12 * std::sqrt(3.) * internal::volume_times_6(p) / (sum * std::sqrt(sum));
+  return internal::mean_ratio(internal::volume_times_6(p), sum);
 }
 
 } // namespace internal

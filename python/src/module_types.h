@@ -1,5 +1,5 @@
-#ifndef BOUNDARY_RECOVERY_3_PYTHON_STANDARD_TYPES_H
-#define BOUNDARY_RECOVERY_3_PYTHON_STANDARD_TYPES_H
+#ifndef BOUNDARY_RECOVERY_3_PYTHON_MODULE_TYPES_H
+#define BOUNDARY_RECOVERY_3_PYTHON_MODULE_TYPES_H
 
 // The types that all functions of the module work with: one kernel, one triangulation, one visitor.
 
@@ -9,10 +9,6 @@
 #include <CGAL/Boundary_recovery_3/Meshing_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-
-#ifdef BOUNDARY_RECOVERY_3_IS_COMPILED // our CMakeLists.txt tells
-#include <CGAL/Boundary_recovery_3/compiled.h>
-#endif
 
 #include <boost/iterator/counting_iterator.hpp>
 #include <boost/iterator/transform_iterator.hpp>
@@ -194,4 +190,4 @@ inline std::vector<Record> plain_quality(const BR3::Mesh_quality_3& quality)
 
 } // namespace boundary_recovery
 
-#endif // BOUNDARY_RECOVERY_3_PYTHON_STANDARD_TYPES_H
+#endif // BOUNDARY_RECOVERY_3_PYTHON_MODULE_TYPES_H

@@ -1,0 +1,22 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+// The remeshing of holes.
+
+#include <CGAL/Boundary_recovery_3/internal/holes/Hole_remeshing_3.h>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+template void Hole_remeshing_3<Standard_kernel>::operator()();
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL

@@ -1,0 +1,24 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+// The recovery in Delaunay triangulations.
+
+#include <CGAL/Boundary_recovery_3/internal/input/Indexed_boundary_recovery.h>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+template Boundary_recovery_result_3<Standard_delaunay>
+Indexed_boundary_recovery<Standard_delaunay, Standard_kernel>::operator()(
+  std::vector<Standard_delaunay::Vertex_handle>);
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+} // namespace CGAL
