@@ -25,6 +25,7 @@ class BuildByCMake(build_ext):
         target = os.path.abspath(self.get_ext_fullpath(ext.name))
         build = os.path.join(os.path.abspath(self.build_temp), "cmake")
         options = ["-DCMAKE_BUILD_TYPE=Release", "-DBUILD_TESTING=OFF", "-DBR3_BUILD_PYTHON=ON",
+                   "-DBR3_BUILD_PROGRAMS=OFF", "-DBR3_BUILD_EXAMPLES=OFF",
                    "-DPython_EXECUTABLE=" + sys.executable]
         try:
             import pybind11  # where it is installed as a module of Python, CMake has to be told

@@ -28,10 +28,11 @@ def tetrahedralize(points: Any, triangles: Any, size: Size = None, patches: Any 
                  None: those of the surface, which grow away from it by `grading`;
                  a number;
                  (n,) float64: sizes at the points; at a place, the smallest one of size + grading * distance;
-                 a function f(P) of places P, (k, 3) float64, that returns k sizes, (k,) or, if k is 1, a number. It is
-                 called once with all the points, and then with k = 1 as often as a size is needed elsewhere, which is
-                 several times for each point of the mesh: what takes long is better asked at the vertices of a coarse
-                 mesh beforehand, and given as `background`.
+                 a function f(P) of places P, (k, 3) float64, that returns k sizes, (k,), or a number for all of them. It
+                 is called once with all the points, and then, as they are needed, with the 125 corners of a box that is
+                 divided into 4 x 4 x 4. Where these are not farther from each other than the sizes there, sizes between
+                 them are interpolated, else a part of the box is asked for. It is called for corners outside of the
+                 surface, too, and may return NaN there; it is then asked for places beside such corners one by one.
     patches      (m,) int32: numbers of the groups that triangles are in; they come out again
     patch_names  {number: name}
     edges        (e, 2) integers: edges that have to be in the mesh besides

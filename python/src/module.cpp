@@ -1,16 +1,17 @@
 // The half of the module that knows Python: arrays, callbacks, exceptions, signals.
 
 #include "plain_interface.h"
+#include "sampled_sizes.h"
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstring>
 #include <exception>
-#include <functional>
 #include <limits>
 #include <memory>
 #include <stdexcept>
@@ -109,12 +110,11 @@ private:
   }
 };
 
-// Calls the user's function of sizes: once for all points of the input, then for each other place on its own, since the
-// library asks for one after the other.
+// Calls the user's function of sizes: once for all points of the input, then for places in boxes, see `Sampled_sizes`.
 class Python_sizes
   : public Size_function
 {
-  typedef std::array<double, 3> Place;
+  typedef Sampled_sizes::Place Place;
 
   struct Hash
   {
@@ -128,7 +128,8 @@ class Python_sizes
 
   const py::object m_function;
   Held_exception& m_exception;
-  std::unordered_map<Place, double, Hash> m_known;
+  std::unordered_map<Place, double, Hash> m_known; // at the points of the input
+  Sampled_sizes m_sampled;
 
 public:
   Python_sizes(const py::object& function, Held_exception& exception) : m_function(function), m_exception(exception) { }
@@ -136,29 +137,39 @@ public:
   void ask_at_points(const py::array& points)
   {
     const py::array_t<double, py::array::c_style | py::array::forcecast> rows(points);
-    const py::ssize_t size = rows.shape(0);
-    if(size == 0)
+    std::vector<Place> places(std::size_t(rows.shape(0)));
+    Place low = {{ infinity, infinity, infinity }}, high = {{ -infinity, -infinity, -infinity }};
+    for(std::size_t i = 0; i < places.size(); ++i)
+      for(std::size_t j = 0; j < 3; ++j)
+      {
+        places[i][j] = rows.at(py::ssize_t(i), py::ssize_t(j));
+        low[j] = (std::min)(low[j], places[i][j]);
+        high[j] = (std::max)(high[j], places[i][j]);
+      }
+    if(places.empty())
       return;
-    const auto values = py::array_t<double, py::array::c_style | py::array::forcecast>(m_function(rows));
-    if(values.size() != 1 && values.size() != size)
-      throw py::value_error("size: the function returned " + std::to_string(values.size()) + " sizes for " +
-                            std::to_string(size) + " points");
-    m_known.reserve(std::size_t(size));
-    for(py::ssize_t i = 0; i < size; ++i)
-      m_known[{{ rows.at(i, 0), rows.at(i, 1), rows.at(i, 2) }}] = values.data()[values.size() == 1 ? 0 : i];
+    m_sampled.set_bounds(low, high);
+    const std::vector<double> sizes = ask(places);
+    m_known.reserve(places.size());
+    for(std::size_t i = 0; i < places.size(); ++i)
+      m_known.emplace(places[i], sizes[i]);
   }
 
   double operator()(const double x, const double y, const double z) override
   {
-    const auto known = m_known.find({{ x, y, z }});
+    const Place place = {{ x, y, z }};
+    const auto known = m_known.find(place);
     if(known != m_known.end())
       return known->second;
     if(m_exception.is_there())
       return std::numeric_limits<double>::quiet_NaN();
-    const py::gil_scoped_acquire acquire;
     try
     {
-      return ask(x, y, z);
+      return m_sampled(place, [this](const std::vector<Place>& places)
+      {
+        const py::gil_scoped_acquire acquire;
+        return ask(places);
+      });
     }
     catch(...)
     {
@@ -168,20 +179,18 @@ public:
   }
 
 private:
-  double ask(const double x, const double y, const double z) const
+  std::vector<double> ask(const std::vector<Place>& places) const
   {
-    py::array_t<double> row({ 1, 3 });
-    double* const data = row.mutable_data();
-    data[0] = x;
-    data[1] = y;
-    data[2] = z;
-    const py::object value = m_function(row);
-    if(PyFloat_Check(value.ptr()))
-      return PyFloat_AS_DOUBLE(value.ptr());
-    const auto values = py::array_t<double, py::array::forcecast>(value);
-    if(values.size() != 1)
-      throw py::value_error("size: the function returned " + std::to_string(values.size()) + " sizes for 1 point");
-    return values.data()[0];
+    const py::ssize_t number = py::ssize_t(places.size());
+    py::array_t<double> rows({ number, py::ssize_t(3) });
+    std::memcpy(rows.mutable_data(), places.data(), places.size() * sizeof(Place));
+    const auto sizes = py::array_t<double, py::array::c_style | py::array::forcecast>(m_function(rows));
+    if(sizes.ndim() > 1 || (sizes.ndim() == 1 && sizes.size() != number))
+      throw py::value_error("size: the function returned an array of " + std::to_string(sizes.size()) + " sizes, of " +
+                            std::to_string(sizes.ndim()) + " dimensions, for " + std::to_string(number) + " places");
+    if(sizes.ndim() == 0)
+      return std::vector<double>(places.size(), sizes.data()[0]);
+    return std::vector<double>(sizes.data(), sizes.data() + number);
   }
 };
 

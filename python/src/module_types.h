@@ -1,5 +1,5 @@
-#ifndef BOUNDARY_RECOVERY_3_PYTHON_STANDARD_TYPES_H
-#define BOUNDARY_RECOVERY_3_PYTHON_STANDARD_TYPES_H
+#ifndef BOUNDARY_RECOVERY_3_PYTHON_MODULE_TYPES_H
+#define BOUNDARY_RECOVERY_3_PYTHON_MODULE_TYPES_H
 
 // The types that all functions of the module work with: one kernel, one triangulation, one visitor.
 
@@ -190,4 +190,4 @@ inline std::vector<Record> plain_quality(const BR3::Mesh_quality_3& quality)
 
 } // namespace boundary_recovery
 
-#endif // BOUNDARY_RECOVERY_3_PYTHON_STANDARD_TYPES_H
+#endif // BOUNDARY_RECOVERY_3_PYTHON_MODULE_TYPES_H

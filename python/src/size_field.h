@@ -3,11 +3,11 @@
 
 #include "module_types.h"
 
+#include <CGAL/Boundary_recovery_3/Background_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/Background_mesh_sizing_field_3.h>
+#include <CGAL/Boundary_recovery_3/Size_source_3.h>
 #include <CGAL/Boundary_recovery_3/Source_sizing_field_3.h>
 #include <CGAL/Boundary_recovery_3/Surface_sizing_field_3.h>
-#include <CGAL/Boundary_recovery_3/Background_mesh_3.h>
-#include <CGAL/Boundary_recovery_3/Size_source_3.h>
 
 #include <algorithm>
 #include <cmath>

@@ -21,7 +21,7 @@ def resident():
 
 
 def raising(p):
-    if len(p) == 1 and p[0, 0] > 0.5:
+    if len(p) != len(POINTS) and p[0, 0] > 0.5:
         raise LookupError("in the middle of the work")
     return np.full(len(p), 0.1)
 

@@ -51,10 +51,28 @@ class SizesTest(MeshTest):
         self.assertEqual(asked[0], (len(POINTS), 3))
         self.assertTrue(all(len(shape) == 2 and shape[1] == 3 for shape in asked))
         self.assertLess(mean_length(m, [0.1, 0.5, 0.5], 0.2), 0.8 * mean_length(m, [0.8, 0.5, 0.5], 0.2))
+        self.assertLess(len(asked), len(m.points))
+        places = np.array([shape[0] for shape in asked])
+        self.assertTrue((places[1:] == 125).all())
         again = self.mesh(size=lambda p: 0.08 + 0.2 * p[:, 0])
         self.assertEqual(m.tetrahedra.tobytes(), again.tetrahedra.tobytes())
         number = self.mesh(size=lambda p: 0.2)
         self.assertLess(len(number.tetrahedra), len(m.tetrahedra))
+
+    def test_a_function_that_is_not_defined_outside(self):
+        points, triangles, _ = box(high=(1, 1, 0.3), n=(4, 4, 2))
+        m = br.tetrahedralize(points, triangles, size=lambda p: np.where((p[:, 2] >= 0) & (p[:, 2] <= 0.3), 0.1, np.nan))
+        self.assertTrue(m)
+        self.check_mesh(m, points, triangles, 0.3)
+        with self.assertRaises(ValueError):
+            br.tetrahedralize(points, triangles, size=lambda p: np.where(p[:, 0] < 0.5, 0.1, np.nan))
+
+    def test_a_function_that_jumps(self):
+        def size(p):
+            return np.where(np.linalg.norm(p - 0.5, axis=1) < 0.2, 0.03, 0.2)
+
+        m = self.mesh(size=size)
+        self.assertLess(mean_length(m, [0.5, 0.5, 0.5], 0.15), 0.04)
 
     def test_sources(self):
         for source in (br.Source((0.5, 0.5, 0.5), 0.04), br.Source([(0.5, 0.5, 0.4), (0.5, 0.5, 0.6)], 0.04, radius=0.05),
