@@ -1,5 +1,5 @@
-# What `cmake --install` installs. Its components are headers, library, programs (see program/) and python (see python/);
-# the headers alone need no build before: `cmake --install BUILD --component headers`.
+# What `cmake --install` installs. Its components are headers, library, programs and programs_mpi (see program/), and
+# python (see python/); the headers alone need no build before: `cmake --install BUILD --component headers`.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(config_dir ${CMAKE_INSTALL_DATADIR}/cmake/Boundary_recovery_3)

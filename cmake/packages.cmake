@@ -1,5 +1,5 @@
-# What `cpack` makes of what is built: Debian packages of the programs, of the headers and the library, and of the Python
-# module. scripts/make_packages builds what they need, and makes them. The library is to be static, as it is by default:
+# What `cpack` makes of what is built: Debian packages of the programs, with and without MPI, of the headers and the library, and of the
+# Python module. scripts/make_packages builds what they need, and makes them. The library is to be static, as it is by default:
 # then none of the packages needs another one.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME boundary-recovery)
@@ -46,9 +46,12 @@ endif()
 if(BR3_BUILD_PROGRAMS)
   list(APPEND CPACK_COMPONENTS_ALL programs)
   br3_add_package(boundary-recovery programs programs "the programs, which read and write files")
-  if(TARGET mesh_surface_mpi)
-    set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SUGGESTS openmpi-bin) # mpirun, which starts the program
-  endif()
+endif()
+
+if(TARGET mesh_surface_mpi)
+  list(APPEND CPACK_COMPONENTS_ALL programs_mpi)
+  br3_add_package(boundary-recovery-mpi programs_mpi programs_mpi "the program for several machines")
+  set(CPACK_DEBIAN_PROGRAMS_MPI_PACKAGE_DEPENDS openmpi-bin) # without mpirun, the program does not start
 endif()
 
 if(BR3_BUILD_PYTHON)
