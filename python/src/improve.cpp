@@ -30,12 +30,60 @@ void mark_walls(const Triangulation& tr, const std::vector<Vertex_pair>& edges)
           c->vertex((i + j) & 3)->set_dimension(2);
 }
 
-// A facet of the caller, or one between two regions.
+// A facet of the caller.
 struct Wall
   : public std::array<Vertex_handle, 3>
 {
   std::size_t index;
 };
+
+// A mesh of the caller as a triangulation, and what has to stay in it.
+struct Input
+{
+  Triangulation tr;
+  std::vector<Wall> walls;
+  std::vector<Vertex_pair> edges;
+  std::vector<std::size_t> kept_numbers;     // of the points that stay
+  std::vector<Vertex_handle> kept_vertices;  // and their vertices
+
+  Input(const Point_rows& points, const Index_rows& tetrahedra, const std::int64_t* const regions,
+        const Index_rows& facets, const Index_rows& edge_rows)
+  {
+    Array_triangulation builder(tr);
+    builder.build(as_points(points), as_rows<4>(tetrahedra), regions);
+    for(const auto& f : as_rows<3>(facets))
+    {
+      builder.constrain(f);
+      walls.push_back({ {{ builder.vertex(f[0]), builder.vertex(f[1]), builder.vertex(f[2]) }}, walls.size() });
+    }
+    for(const auto& e : as_rows<2>(edge_rows))
+      edges.push_back({{ builder.vertex(e[0]), builder.vertex(e[1]) }});
+    mark_walls(tr, edges);
+    for(std::size_t i = 0; i < points.size; ++i)
+    {
+      const Vertex_handle v = builder.vertices()[i];
+      if(v == Vertex_handle() || v->in_dimension() != 2)
+        continue;
+      kept_numbers.push_back(i);
+      kept_vertices.push_back(v);
+    }
+  }
+};
+
+template <typename Certificate>
+void collect_mesh(Input& input, const Certificate& certificate, Mesh& mesh)
+{
+  Mesh_collection collection(input.tr, false);
+  collection.add_all(input.kept_vertices);
+  collection.add_used(std::vector<Vertex_handle>(), input.walls);
+  collection.collect_points(Point_rows(), mesh);
+  collection.collect_cells(cells_of(certificate), mesh);
+  collection.collect_facets(input.walls, mesh);
+  collection.collect_bad_cells(certificate, mesh);
+  mesh.point_numbers = Rows<std::int64_t>(mesh.points.size, 1);
+  for(std::size_t i = 0; i < mesh.points.size; ++i)
+    mesh.point_numbers[i][0] = i < input.kept_numbers.size() ? static_cast<std::int64_t>(input.kept_numbers[i]) : -1;
+}
 
 } // namespace
 
@@ -43,46 +91,16 @@ Mesh improve(const Point_rows& points, const Index_rows& tetrahedra, const std::
              const Index_rows& facets, const Index_rows& edges, const Options& options, Watch& watch)
 {
   namespace params = CGAL::parameters;
-  Triangulation tr;
-  Array_triangulation builder(tr);
-  builder.build(as_points(points), as_rows<4>(tetrahedra), regions);
-  std::vector<Wall> walls;
-  for(const auto& f : as_rows<3>(facets))
-  {
-    builder.constrain(f);
-    walls.push_back({ {{ builder.vertex(f[0]), builder.vertex(f[1]), builder.vertex(f[2]) }}, walls.size() });
-  }
-  std::vector<Vertex_pair> constrained_edges;
-  for(const auto& e : as_rows<2>(edges))
-    constrained_edges.push_back({{ builder.vertex(e[0]), builder.vertex(e[1]) }});
-  mark_walls(tr, constrained_edges);
-  std::vector<std::pair<std::size_t, Vertex_handle> > kept;
-  for(std::size_t i = 0; i < points.size; ++i)
-    if(builder.vertices()[i] != Vertex_handle() && builder.vertices()[i]->in_dimension() == 2)
-      kept.emplace_back(i, builder.vertices()[i]);
-
+  Input input(points, tetrahedra, regions, facets, edges);
   Visitor visitor(watch);
   const auto result = CGAL::improve_mesh_quality(
-    tr, params::visitor(std::ref(visitor)).maximum_running_time(options.time_limit)
-          .edge_is_constrained_map(BR3::Constrained_edge_map_3<Triangulation>(constrained_edges)),
+    input.tr, params::visitor(std::ref(visitor)).maximum_running_time(options.time_limit)
+                .edge_is_constrained_map(BR3::Constrained_edge_map_3<Triangulation>(input.edges)),
     params::min_dihedral_angle(options.min_angle), params::improvement_effort(effort_of(options)));
-
   Mesh mesh;
   mesh.status = to_string(result.status);
   mesh.report = improvement_record(result);
-  Mesh_collection collection(tr, false);
-  std::vector<Vertex_handle> vertices;
-  for(const auto& v : kept)
-    vertices.push_back(v.second);
-  collection.add_all(vertices);
-  collection.add_used(std::vector<Vertex_handle>(), walls);
-  collection.collect_points(Point_rows(), mesh);
-  collection.collect_cells(cells_of(result.certificate), mesh);
-  collection.collect_facets(walls, mesh);
-  collection.collect_bad_cells(result.certificate, mesh);
-  mesh.point_numbers = Rows<std::int64_t>(mesh.points.size, 1);
-  for(std::size_t i = 0; i < mesh.points.size; ++i)
-    mesh.point_numbers[i][0] = i < kept.size() ? static_cast<std::int64_t>(kept[i].first) : -1;
+  collect_mesh(input, result.certificate, mesh);
   return mesh;
 }
 
