@@ -11,14 +11,10 @@
 
 #include <CGAL/Boundary_recovery_3/internal/input/Recover_indexed_boundary.h>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 template Boundary_recovery_result_3<Standard_delaunay>
 Recover_indexed_boundary<Standard_delaunay, Standard_kernel>::operator()(
   std::vector<Standard_delaunay::Vertex_handle>);
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal

@@ -209,7 +209,7 @@ class Checker:
         for include in re.findall(r'^#include "(.*)"', text, re.M):
             self.require(False, path, 'includes "%s" with quotes' % include)
         internal = "/internal/" in path
-        self.require(not internal or "namespace internal" in code, path, "not in a namespace internal")
+        self.require(not internal or re.search(r"namespace (\w+::)*internal\b", code), path, "not in a namespace internal")
 
     def check_floors(self, headers):
         """Headers include only what stands above them in FLOORS."""

@@ -24,9 +24,7 @@
 #include <set>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * The walls of a domain that are far larger than cells are to be beside them, and what encroaches on them. Walls are
@@ -223,8 +221,6 @@ private:
   Box_hierarchy_3<1> m_hierarchy; // of the boxes in which points can encroach
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_ENCROACHED_WALLS_3_H

@@ -35,9 +35,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * Fills a domain with field points [CZZ+17, Section 4.1, step 6]: one point for each cell that is too large for the
@@ -424,8 +422,6 @@ private:
   std::size_t m_next_report = 0;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_FILL_DOMAIN_3_H

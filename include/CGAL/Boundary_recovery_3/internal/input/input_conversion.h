@@ -29,9 +29,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 template <typename NamedParameters>
 Recovery_options recovery_options(const NamedParameters& np)
@@ -245,8 +243,6 @@ private:
   std::unordered_map<const void*, std::size_t> m_indices; // look-up only
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_INPUT_INPUT_CONVERSION_H

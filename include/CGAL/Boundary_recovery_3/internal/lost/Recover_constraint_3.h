@@ -24,9 +24,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * Recovery of one lost constraint of dimension N - 1: an edge (N = 2), or a facet whose edges are mesh edges (N = 3).
@@ -159,8 +157,6 @@ private:
   std::size_t m_number_of_crossings = 0;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_LOST_RECOVER_CONSTRAINT_3_H

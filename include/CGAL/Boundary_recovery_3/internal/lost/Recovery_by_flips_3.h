@@ -30,9 +30,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * Recovery of one lost constraint by small polyhedron reconnection of the cells that it crosses, then of these and
@@ -276,8 +274,6 @@ private:
   Recursive_recovery_3<Tr, 3> m_facet_recovery;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_LOST_RECOVERY_BY_FLIPS_3_H

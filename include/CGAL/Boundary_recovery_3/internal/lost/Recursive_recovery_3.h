@@ -32,9 +32,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * How often mesh edges and faces are crossed by the lost constraints of one dimension N - 1 (edges for N = 2, facets
@@ -387,8 +385,6 @@ private:
   std::size_t m_max_number_of_shells = std::size_t(-1); // in one calling of Alg. 5
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_LOST_RECURSIVE_RECOVERY_3_H

@@ -24,9 +24,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 // The vertices of the facet opposite to the vertex i of a cell, which is on the positive side of it.
 template <typename Cell_handle>
@@ -177,8 +175,6 @@ void flood_fill(const Cell_handle seed, const Is_open& is_open, const Add& add)
   }
 }
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_MESH_CELL_SIMPLICES_H

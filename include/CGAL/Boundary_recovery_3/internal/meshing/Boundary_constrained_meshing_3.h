@@ -37,9 +37,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * Keeps the vertices that the result of the recovery names true while the mesh is improved: those of the input stay
@@ -339,8 +337,6 @@ Boundary_constrained_meshing_3<Standard_mesh, Dihedral_angle_quality_3>::operato
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_COMPILED
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_MESHING_BOUNDARY_CONSTRAINED_MESHING_3_H

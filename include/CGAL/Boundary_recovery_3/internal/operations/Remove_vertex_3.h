@@ -25,9 +25,7 @@
 #include <array>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 // Whether x, a neighbor of v, sees all of the star of v from inside: then v can be collapsed onto x, if there is no
 // constraint at v. `star` are the cells around v, all of which are finite.
@@ -151,8 +149,6 @@ private:
   std::vector<Tetrahedron> m_tetrahedra;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_OPERATIONS_REMOVE_VERTEX_3_H

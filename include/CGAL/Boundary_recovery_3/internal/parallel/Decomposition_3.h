@@ -37,9 +37,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * Fills a domain coarsely: what is divided into sub-domains then. The smaller these are, the finer it has to be, for
@@ -391,8 +389,6 @@ private:
   Unique_hash_map<Vertex_handle, std::size_t> m_numbers{ no_number }; // for looking up only
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_PARALLEL_DECOMPOSITION_3_H

@@ -36,9 +36,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 // What was changed elsewhere at the same time: there are as many rounds as where there are most.
 inline void add_counts(Quality_improvement_counts& sum, const Quality_improvement_counts& counts)
@@ -401,8 +399,6 @@ extern template void Mesh_in_subdomains_3<Standard_mesh, Dihedral_angle_quality_
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_COMPILED
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_PARALLEL_MESH_IN_SUBDOMAINS_3_H

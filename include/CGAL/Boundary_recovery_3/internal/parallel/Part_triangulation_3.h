@@ -29,9 +29,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * A triangulation of a part of a mesh, for one thread. What bounds the cells is a wall there, and its vertices stay;
@@ -273,8 +271,6 @@ Selected_domain_3<Tr> domain_of_part(const Tr& tr, const EdgeRange& constrained_
   return domain;
 }
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_PARALLEL_PART_TRIANGULATION_3_H

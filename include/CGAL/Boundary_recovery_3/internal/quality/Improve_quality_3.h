@@ -27,9 +27,7 @@
 #include <optional>
 #include <utility>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 // See "Tuning constants" in the manual.
 constexpr double default_min_dihedral_angle = 25;
@@ -146,8 +144,6 @@ Improve_quality_3<Standard_mesh, Dihedral_angle_quality_3>::operator()(double, I
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_COMPILED
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_IMPROVE_QUALITY_3_H

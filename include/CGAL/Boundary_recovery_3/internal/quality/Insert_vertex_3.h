@@ -33,9 +33,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * Seeds of `Insert_vertex_3`: the centroid of a bad cell. The cavity grows through the face where the new cell is the
@@ -430,8 +428,6 @@ using Insert_near_bad_cell_3 = Insert_vertex_3<Mesh, Seeds_near_cell_3<Mesh>>;
 template <typename Mesh>
 using Insert_into_shell_3 = Insert_vertex_3<Mesh, Seeds_in_shells_3<Mesh>>;
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_INSERT_VERTEX_3_H

@@ -28,9 +28,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * The sizes that the filling asks for: sizes at points in cells, from the size field, and lower bounds of sizes, which
@@ -240,8 +238,6 @@ private:
   double m_constant = 0; // if the field is a number, and was asked at a vertex
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SIZING_REGION_SIZES_3_H

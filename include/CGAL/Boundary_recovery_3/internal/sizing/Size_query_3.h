@@ -24,9 +24,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 // What a size field is, as far as its type tells how to ask it.
 enum class Size_field_kind
@@ -323,8 +321,6 @@ private:
   std::size_t m_number_of_queries = 0;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SIZING_SIZE_QUERY_3_H

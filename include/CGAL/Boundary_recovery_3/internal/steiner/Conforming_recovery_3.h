@@ -35,9 +35,7 @@
 #include <iterator>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * The main procedure of [CZZ+17, Section 4], first half: conforming recovery. Where a lost edge meets a mesh edge or
@@ -305,8 +303,6 @@ private:
   std::vector<Vertex_pair> m_piercing_edges;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_CONFORMING_RECOVERY_3_H

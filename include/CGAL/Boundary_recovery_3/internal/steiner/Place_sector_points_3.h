@@ -26,9 +26,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * The sectors into which fans cut the star of a vertex: sets of cells, numbered in the order of the cells of the star.
@@ -235,8 +233,6 @@ private:
   std::vector<Sector> m_sectors;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_PLACE_SECTOR_POINTS_3_H

@@ -34,9 +34,7 @@
 #include <iterator>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * The recovery by Steiner points: the main procedure and the postprocessing of [CZZ+17, Section 4].
@@ -405,8 +403,6 @@ private:
   Lost_constraints m_unrepresentable;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_RECOVER_BY_POINTS_3_H

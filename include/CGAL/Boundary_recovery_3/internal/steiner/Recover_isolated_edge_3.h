@@ -29,9 +29,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * Removes a Steiner point from the chain of an edge of no constrained facet, and makes the two parts of the edge that
@@ -226,8 +224,6 @@ private:
   Suppression m_suppress;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_RECOVER_ISOLATED_EDGE_3_H

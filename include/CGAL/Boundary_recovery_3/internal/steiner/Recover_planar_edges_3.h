@@ -38,9 +38,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * Recovery of edges that are tangled in a plane: many of them, which cross many mesh edges there, as those of a fan of
@@ -291,8 +289,6 @@ private:
   Remove_vertex_3<Tr, Constraints> m_remove;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_RECOVER_PLANAR_EDGES_3_H

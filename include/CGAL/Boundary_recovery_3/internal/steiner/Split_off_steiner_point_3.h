@@ -32,9 +32,7 @@
 #include <iterator>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * Triangulates the polygon of a fan without its center s. Ears are cut off so that s still sees what is left, the best
@@ -407,8 +405,6 @@ private:
   Vertices m_points_of_fans; // of artificial ones
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_SPLIT_OFF_STEINER_POINT_3_H
