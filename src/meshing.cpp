@@ -15,7 +15,7 @@ namespace CGAL {
 namespace Boundary_recovery_3 {
 namespace internal {
 
-template void Subdomain_meshing_3<Standard_mesh, Dihedral_angle_quality_3>::operator()(std::size_t, bool);
+template void Mesh_in_subdomains_3<Standard_mesh, Dihedral_angle_quality_3>::operator()(std::size_t, bool);
 
 template Boundary_constrained_mesh_result_3<Standard_mesh>
 Boundary_constrained_meshing_3<Standard_mesh, Dihedral_angle_quality_3>::operator()(

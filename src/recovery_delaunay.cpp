@@ -9,14 +9,14 @@
 
 // The recovery in Delaunay triangulations.
 
-#include <CGAL/Boundary_recovery_3/internal/input/Indexed_boundary_recovery.h>
+#include <CGAL/Boundary_recovery_3/internal/input/Recover_indexed_boundary.h>
 
 namespace CGAL {
 namespace Boundary_recovery_3 {
 namespace internal {
 
 template Boundary_recovery_result_3<Standard_delaunay>
-Indexed_boundary_recovery<Standard_delaunay, Standard_kernel>::operator()(
+Recover_indexed_boundary<Standard_delaunay, Standard_kernel>::operator()(
   std::vector<Standard_delaunay::Vertex_handle>);
 
 } // namespace internal

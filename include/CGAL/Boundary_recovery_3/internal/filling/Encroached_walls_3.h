@@ -197,11 +197,7 @@ private:
     for(const Shape& shape : m_shapes)
       boxes.push_back(shape.box());
     m_hierarchy = Box_hierarchy_3<1>(boxes);
-    std::vector<Shape> shapes;
-    for(const std::size_t k : m_hierarchy.order())
-      shapes.push_back(m_shapes[k]);
-    m_shapes.swap(shapes);
-    m_hierarchy.forget_order();
+    m_hierarchy.put_into_order(m_shapes);
   }
 
   // None if the point encroaches on none. In the unit frame.

@@ -206,8 +206,8 @@ private:
     return Cell_handle();
   }
 
-  // The index in c of a facet at u that has v strictly on its other side; -1 if there is none. Then `m_start_sides`
-  // tells on which side of each of the three facets v is.
+  // The index in c of a facet at u that has v behind it, and not in its plane; -1 if there is none. Then
+  // `m_start_sides` tells on which side of each of the three facets v is.
   int separating_facet(const Cell_handle c)
   {
     const int i = c->index(m_u);

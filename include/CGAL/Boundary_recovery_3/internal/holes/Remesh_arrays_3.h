@@ -13,10 +13,10 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/Hole_remeshing_result_3.h>
-#include <CGAL/Boundary_recovery_3/internal/holes/Hole_remeshing_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Moved_mesh_3.h>
+#include <CGAL/Boundary_recovery_3/internal/holes/Remesh_holes_3.h>
 #include <CGAL/Boundary_recovery_3/internal/input/input_conversion.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/Quality_improvement_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Improve_quality_3.h>
 #include <CGAL/Boundary_recovery_3/internal/sizing/Size_query_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 #include <CGAL/Boundary_recovery_3/parameters.h>
@@ -70,7 +70,7 @@ public:
   // `options` has the sizes, the selection, and what named parameters cannot say.
   Result operator()(Mesh&& mesh, Options options) const
   {
-    typedef Hole_remeshing_3<Kernel> Hole_remeshing;
+    typedef Remesh_holes_3<Kernel> Hole_remeshing;
     auto visitor = internal::mesh_visitor<typename Hole_triangulation_3<Kernel>::Tr>(m_np);
     typename Hole_remeshing::Context context(visitor);
     context.set_maximum_running_time(get(internal_np::maximum_running_time, std::numeric_limits<double>::infinity()));

@@ -17,8 +17,8 @@
 #include <CGAL/Boundary_recovery_3/internal/holes/Moved_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Remesh_arrays_3.h>
 #include <CGAL/Boundary_recovery_3/internal/input/input_conversion.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/Cell_replacement.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mark_domain_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Replace_cells.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_indices.h>
 #include <CGAL/Boundary_recovery_3/internal/util/bare_point.h>
 #include <CGAL/Boundary_recovery_3/parameters.h>
@@ -140,7 +140,7 @@ private:
                               result.vertices[t[3]] }});
     }
     Mesh_indices_keeper_3<Tr> keep_patches(m_tr);
-    Cell_replacement<Tr> replace;
+    Replace_cells<Tr> replace;
     replace(m_tr, old_cells, tetrahedra, keep_patches, old_vertices);
     result.cells.insert(result.cells.end(), replace.new_cells().begin(), replace.new_cells().end());
     mark(result);

@@ -13,7 +13,7 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/filling/Field_point_insertion_3.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/Cell_replacement.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Replace_cells.h>
 #include <CGAL/Boundary_recovery_3/internal/numbers/binary_scale.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Mesh_part_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/Cell_shape_3.h>
@@ -377,7 +377,7 @@ private:
         const auto vertex = [&](const std::size_t i) { return m_vertices[part.vertices[t[i]].number]; };
         tetrahedra.push_back({{ vertex(0), vertex(1), vertex(2), vertex(3) }});
       }
-    Cell_replacement<Tr> replacement;
+    Replace_cells<Tr> replacement;
     auto cell = replacement(m_tr, m_cells, tetrahedra).begin();
     for(const Part& part : parts)
       for(const auto& indices : part.cell_indices)

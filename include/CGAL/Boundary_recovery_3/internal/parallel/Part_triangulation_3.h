@@ -211,18 +211,12 @@ private:
 
   // The infinite cell that is met first on a turn around the edge of c that is opposite to its edge from vertex i to
   // vertex j, away from the facet i.
-  Cell_handle beyond_next_wall(Cell_handle c, const int i, const int j) const
+  Cell_handle beyond_next_wall(const Cell_handle c, const int i, const int j) const
   {
-    Vertex_handle apex = c->vertex(i);
-    int exit = j;
-    while(! m_tr.is_infinite(c->neighbor(exit)))
-    {
-      const Cell_handle next = c->neighbor(exit);
-      exit = next->index(apex);
-      apex = next->vertex(next->index(c));
-      c = next;
-    }
-    return c->neighbor(exit);
+    Edge_walk_3<Tr> walk(c, j, i);
+    while(! m_tr.is_infinite(walk.cell()->neighbor(walk.next_facet())))
+      ++walk;
+    return walk.cell()->neighbor(walk.next_facet());
   }
 
   void find_free_vertices()

@@ -268,7 +268,7 @@ public:
   const Invalid_size_3<Point_3>& invalid_size() const { return m_invalid; }
 
   // By how much the sizes grow per length, at most: 0 for a number, infinity if the field does not tell.
-  double gradation() const { return m_grading; }
+  double grading() const { return m_grading; }
 
   std::size_t number_of_queries() const { return m_number_of_queries; }
 

@@ -17,7 +17,7 @@
 #include <CGAL/Boundary_recovery_3/Shell_validity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Segment_walk_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
-#include <CGAL/Boundary_recovery_3/internal/lost/Constraint_recovery_3.h>
+#include <CGAL/Boundary_recovery_3/internal/lost/Recover_constraint_3.h>
 #include <CGAL/Boundary_recovery_3/internal/numbers/exact_numbers.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/split_simplex.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_mesh_3.h>
@@ -298,7 +298,7 @@ private:
 
   Mesh& m_mesh;
   Walk m_walk;
-  Constraint_recovery_3<Tr, 2> m_edge_recovery;
+  Recover_constraint_3<Tr, 2> m_edge_recovery;
   Shell_transformation_3<Tr, Quality, Edge_validity, Editor> m_edge_transformation;
   Shell_transformation_3<Tr, Quality, Facet_validity, Editor> m_facet_transformation;
   std::vector<Cell_handle> m_star;

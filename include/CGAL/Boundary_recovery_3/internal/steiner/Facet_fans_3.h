@@ -179,7 +179,7 @@ private:
 };
 
 /*
- * The fans at a Steiner point s, which cut its ball into sectors: mesh facets in the plane of a constrained facet, and
+ * The fans at a Steiner point s, which cut its star into sectors: mesh facets in the plane of a constrained facet, and
  * hull facets at an edge of the hull, which are planar, for s is on a straight line or in a plane there.
  */
 template <typename Tr>

@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Boundary_recovery_3 authors
 
-#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_MESH_CELL_REPLACEMENT_H
-#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_MESH_CELL_REPLACEMENT_H
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_MESH_REPLACE_CELLS_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_MESH_REPLACE_CELLS_H
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
@@ -137,7 +137,7 @@ private:
  * If memory is lacking, the triangulation stays as it is: new cells are glued only when all of them are there.
  */
 template <typename Tr>
-class Cell_replacement
+class Replace_cells
 {
 public:
   typedef typename Tr::Vertex_handle    Vertex_handle;
@@ -274,4 +274,4 @@ private:
 } // namespace Boundary_recovery_3
 } // namespace CGAL
 
-#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_MESH_CELL_REPLACEMENT_H
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_MESH_REPLACE_CELLS_H
