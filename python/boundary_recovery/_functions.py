@@ -1,4 +1,5 @@
 """The functions of the module."""
+import sys
 from typing import Any, Callable, Dict, Optional, Sequence, Union
 
 import numpy as np
@@ -171,8 +172,8 @@ def remesh_holes(points: Any, tetrahedra: Any, selected: Any = None, regions: An
         min_angle = 10.0 if selected is None else 0.0
     options = _options(min_angle=min_angle, improve=bool(improve), layers=int(layers), time_limit=time_limit)
     sizes = None
-    if size is not None or len(sources) > 0 or background is not None:
-        sizes = size_arguments(np.finfo(float).max if size is None else size, len(points), grading, sources, background)
+    if size is not None or sources != () or background is not None:
+        sizes = size_arguments(sys.float_info.max if size is None else size, len(points), grading, sources, background)
     data = _core.remesh_holes(points, tetrahedra, as_numbers_or_none(regions, np.int64, len(tetrahedra), "regions"),
                               as_numbers_or_none(selected, np.bool_, len(tetrahedra), "selected"), facets,
                               as_indices(edges, 2, "edges"), sizes, options, progress)

@@ -1,6 +1,6 @@
 """What the functions return, and what they raise."""
 import os
-from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, List, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -178,7 +178,9 @@ def refuse(data: Dict[str, Any], triangles: np.ndarray) -> None:
     kind = defects[0][0]
     defects = [simplices for name, simplices in defects if name == kind]
     are_points = all(s["dimension"] == 0 for simplices in defects for s in simplices)
-    number_of = _point_number if are_points else _Triangle_finder(triangles)
+    number_of: Callable[[Dict[str, Any]], int] = _Triangle_finder(triangles)
+    if are_points:
+        number_of = _point_number
     numbers = np.full((len(defects), 2), -1, dtype=np.int64)
     points = np.full((len(defects), 3), np.nan)
     for i, simplices in enumerate(defects):

@@ -22,6 +22,10 @@
 #include <variant>
 #include <vector>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 namespace py = pybind11;
 
 namespace boundary_recovery {
@@ -436,10 +440,21 @@ public:
     auto result = [&]
     {
       const py::gil_scoped_release release;
-      return work(static_cast<Watch&>(m_watch));
+      auto made = work(static_cast<Watch&>(m_watch));
+      give_memory_back();
+      return made;
     }();
     m_exception.rethrow();
     return result;
+  }
+
+private:
+  // Else the memory of the triangulation, several times that of the arrays, would stay with this process.
+  static void give_memory_back()
+  {
+#ifdef __GLIBC__
+    malloc_trim(0);
+#endif
   }
 };
 

@@ -94,6 +94,9 @@ class ImprovementTest(MeshTest):
         self.assertTrue(r)
         self.assertGreater(len(r.tetrahedra), len(m.tetrahedra))
         self.assertFalse(np.isin(np.flatnonzero(selected), r.old_tetrahedra).any())
+        near = br.Source((0.5, 0.5, 0.5), 0.06, grading=0.5)
+        r = br.remesh_holes(m.points, m.tetrahedra, selected=selected, layers=1, sources=[near])
+        self.assertGreater(len(r.tetrahedra), len(m.tetrahedra))
         same = br.remesh_holes(m.points, m.tetrahedra, min_angle=0)
         self.assertEqual((bool(same), same.tetrahedra.tobytes()), (True, m.tetrahedra.tobytes()))
         with self.assertRaises(br.InvalidSurface):

@@ -72,6 +72,15 @@ class LeaksTest(MeshTest):
     def test_meshes(self):
         self.check(mesh, 20, 8 << 20)
 
+    def test_the_triangulation_goes(self):
+        if resident() is None or not sys.platform.startswith("linux"):
+            self.skipTest("the system does not tell the memory of a process")
+        before = resident()
+        m = br.tetrahedralize(POINTS, TRIANGLES, size=0.03, improve=False)
+        arrays = sum(a.nbytes for a in (m.points, m.tetrahedra, m.regions, m.triangles))
+        print("arrays of %d bytes, %d bytes more" % (arrays, resident() - before), file=sys.stderr)
+        self.assertLess(resident() - before, arrays + (24 << 20))
+
     def test_invalid_surfaces(self):
         self.check(invalid, 15, 8 << 20)
 
