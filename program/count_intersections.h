@@ -3,9 +3,9 @@
 
 #include "triangle_soup.h"
 
+#include <CGAL/Boundary_constrained_mesh_triangulation_3.h>
 #include <CGAL/Boundary_recovery_3/Meshing_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/parameters.h>
-#include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/recover_boundary.h>
 
@@ -28,7 +28,9 @@ struct Diagnosis_visitor
 template <typename Point>
 std::size_t number_of_intersections(const Triangle_soup<Point>& soup)
 {
-  typedef CGAL::Delaunay_triangulation_3<typename CGAL::Kernel_traits<Point>::Kernel> Triangulation;
+  // that of `mesh_surface`, which has its recovery anyway
+  typedef typename CGAL::Kernel_traits<Point>::Kernel                            Kernel;
+  typedef typename CGAL::Boundary_constrained_mesh_triangulation_3<Kernel>::type Triangulation;
   Triangulation tr;
   Diagnosis_visitor visitor;
   const auto result = CGAL::recover_boundary(tr, soup.points, soup.triangles,

@@ -416,7 +416,7 @@ private:
       if(is_own(p))
         seam_parts.push_back(m_work.seam_part(p, part(p), round));
     Seams seams(seam_parts, round.number_of_layers, m_exchange);
-    for(const auto& zone : seams.find(round.number_of_parts, round.max_number_of_connected_vertices()))
+    for(const auto& zone : seams.find_zones(round.number_of_parts, round.max_number_of_connected_vertices()))
       plan.tasks.push_back({ zone.parts, zone.number_of_cells, zone.owner });
     for(const Seam_part& seam_part : seam_parts)
     {

@@ -11,13 +11,9 @@
 
 #include <CGAL/Boundary_recovery_3/internal/filling/Field_point_insertion_3.h>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 template Field_points_result_3<Standard_mesh>
 Field_point_insertion_3<Standard_mesh>::operator()(std::size_t, double);
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal

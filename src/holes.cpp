@@ -9,14 +9,10 @@
 
 // The remeshing of holes.
 
-#include <CGAL/Boundary_recovery_3/internal/holes/Hole_remeshing_3.h>
+#include <CGAL/Boundary_recovery_3/internal/holes/Remesh_holes_3.h>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
-template void Hole_remeshing_3<Standard_kernel>::operator()();
+template void Remesh_holes_3<Standard_kernel>::operator()();
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal

@@ -9,17 +9,13 @@
 
 // The improvement of quality.
 
-#include <CGAL/Boundary_recovery_3/internal/quality/Quality_improvement_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Improve_quality_3.h>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 template void Improve_domain_3<Standard_mesh, Dihedral_angle_quality_3>::operator()();
 
 template Quality_improvement_result_3<Standard_mesh>
-Quality_improvement_3<Standard_mesh, Dihedral_angle_quality_3>::operator()(double, Improvement_effort, double);
+Improve_quality_3<Standard_mesh, Dihedral_angle_quality_3>::operator()(double, Improvement_effort, double);
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal

@@ -11,16 +11,12 @@
 
 #include <CGAL/Boundary_recovery_3/internal/meshing/Boundary_constrained_meshing_3.h>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
-template void Subdomain_meshing_3<Standard_mesh, Dihedral_angle_quality_3>::operator()(std::size_t, bool);
+template void Mesh_in_subdomains_3<Standard_mesh, Dihedral_angle_quality_3>::operator()(std::size_t, bool);
 
 template Boundary_constrained_mesh_result_3<Standard_mesh>
 Boundary_constrained_meshing_3<Standard_mesh, Dihedral_angle_quality_3>::operator()(
   const Surface_to_mesh_3<Standard_mesh>&, const Size_field_3<Standard_kernel::Point_3>*);
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal

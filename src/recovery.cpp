@@ -9,15 +9,11 @@
 
 // The recovery in triangulations that are meshed.
 
-#include <CGAL/Boundary_recovery_3/internal/input/Indexed_boundary_recovery.h>
+#include <CGAL/Boundary_recovery_3/internal/input/Recover_indexed_boundary.h>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 template Boundary_recovery_result_3<Standard_mesh>
-Indexed_boundary_recovery<Standard_mesh, Standard_kernel>::operator()(std::vector<Standard_mesh::Vertex_handle>);
+Recover_indexed_boundary<Standard_mesh, Standard_kernel>::operator()(std::vector<Standard_mesh::Vertex_handle>);
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal

@@ -438,7 +438,7 @@ CGAL::Orientation orientation_of(const Triangulation& tr, const typename Triangu
   return tr.geom_traits().orientation_3_object()(*p[0], *p[1], *p[2], *p[3]);
 }
 
-// Whether every finite cell is strictly positive. CGAL's is_valid() asserts that, too, but without assertions
+// Whether every finite cell is positive, and not flat. CGAL's is_valid() asserts that, too, but without assertions
 // (NDEBUG) it ignores what it finds.
 template <typename Triangulation>
 bool cells_are_positive(const Triangulation& tr)

@@ -18,7 +18,7 @@
 #include <CGAL/Boundary_recovery_3/internal/lost/Recovery_by_flips_3.h>
 #include <CGAL/Boundary_recovery_3/internal/lost/Recovery_state_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/Recovery_by_points_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Recover_by_points_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_ledger_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 
@@ -64,7 +64,7 @@ public:
 
   /// the maximal recursion level of the flips while Steiner points are put on constraints.
   static constexpr int default_conforming_recursion_level
-    = Boundary_recovery_3::internal::Recovery_by_points_3<Tr>::default_recursion_level;
+    = Boundary_recovery_3::internal::Recover_by_points_3<Tr>::default_recursion_level;
 
   /*!
    * \param tr the triangulation to change. As long as this object is used, it must not be cleared, assigned to or
@@ -209,7 +209,7 @@ public:
     if(m_state.is_nothing_lost())
       return true; // nothing is going to change, so there is nothing to recount
     recover_planar_edges(mode);
-    remove_plainly();
+    remove_without_recursion();
     recover_edges_brc1();
     if(m_effort == Effort::more_time)
     {
@@ -240,7 +240,7 @@ public:
 
   /// removes what crosses lost edges by complete removals of single shells: the cases that need neither
   /// quality nor recursion.
-  void remove_plainly() { flips().remove_plainly(); }
+  void remove_without_recursion() { flips().remove_without_recursion(); }
 
   /// is the first calling of [CZZ+17, Alg. 5]: under BRC1, with the vector [Q', Q'', Q_1].
   void recover_edges_brc1() { flips().recover_edges_brc1(m_max_recursion_level); }
@@ -353,7 +353,7 @@ private:
   typedef Boundary_recovery_3::internal::Vertex_predicates_3<Tr>         Predicates;
   typedef Boundary_recovery_3::internal::Recovery_state_3<Tr>            State;
   typedef Boundary_recovery_3::internal::Recovery_by_flips_3<Tr>         Recovery_by_flips;
-  typedef Boundary_recovery_3::internal::Recovery_by_points_3<Tr>        Recovery_by_points;
+  typedef Boundary_recovery_3::internal::Recover_by_points_3<Tr>        Recovery_by_points;
 
   // What flips keep are the constraints, not their parts.
   Recovery_by_flips& flips()

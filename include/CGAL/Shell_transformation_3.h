@@ -17,7 +17,7 @@
 #include <CGAL/Boundary_recovery_3/Shell_quality_3.h>
 #include <CGAL/Boundary_recovery_3/Shell_validity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/Cell_replacement.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Replace_cells.h>
 #include <CGAL/Boundary_recovery_3/internal/shell/Covering_mesh_search_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 
@@ -230,8 +230,8 @@ public:
   Quality& quality() { return m_quality; }
 
 private:
-  typedef Boundary_recovery_3::internal::Cell_replacement<Tr>  Cell_replacement;
-  typedef typename Cell_replacement::Tetrahedron               Tetrahedron;
+  typedef Boundary_recovery_3::internal::Replace_cells<Tr>  Replace_cells;
+  typedef typename Replace_cells::Tetrahedron               Tetrahedron;
 
   // A node of the edge tree of [CZZ+17, Section 2.2], with its way up to the root.
   // `cell` is one of the cells around the edge; it is kept up to date while cells are replaced.
@@ -503,7 +503,7 @@ private:
   Visitor* m_visitor;
   Recursion_validity m_search_validity = { nullptr, nullptr };
   Covering_mesh_search m_search{ m_predicates, m_quality, m_search_validity };
-  Cell_replacement m_replacement;
+  Replace_cells m_replacement;
   boost::container::small_vector<Cell_handle, 32> m_old_cells;
   boost::container::small_vector<Tetrahedron, 32> m_tetrahedra;
   Cell_handle m_root_cell;

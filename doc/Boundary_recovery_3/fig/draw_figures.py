@@ -438,7 +438,7 @@ def source():
     return d
 
 
-def gradation():
+def grading():
     """Sizes at vertices of a surface, and what is made of them in between: the lowest of all cones."""
     d = Drawing(560, 300)
     graph = Graph(d, (50, 250), (47, 40), (490, 215), ("place", "size"))
@@ -463,7 +463,7 @@ def clipped(x, h, end, g, top):
 
 FIGURES = {"shell.svg": shell, "recursion.svg": recursion, "conditions.svg": conditions,
            "conforming.svg": conforming, "splitting.svg": splitting, "cavity.svg": cavity, "source.svg": source,
-           "gradation.svg": gradation}
+           "grading.svg": grading}
 
 
 def main(arguments):

@@ -23,8 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
+namespace CGAL::Boundary_recovery_3 {
 
 /*!
  * \ingroup PkgBoundaryRecovery3Classes
@@ -421,7 +420,6 @@ bool read_background_mesh(const std::string& filename, Background_mesh_3<GT>& me
   return false;
 }
 
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_BACKGROUND_MESH_3_H

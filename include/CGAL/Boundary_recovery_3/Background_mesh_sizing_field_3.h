@@ -26,8 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
+namespace CGAL::Boundary_recovery_3 {
 namespace internal {
 
 /*
@@ -147,7 +146,6 @@ private:
   internal::Mesh_interpolation_3 m_interpolation;
 };
 
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_BACKGROUND_MESH_SIZING_FIELD_3_H

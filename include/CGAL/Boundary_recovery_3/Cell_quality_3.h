@@ -24,8 +24,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
+namespace CGAL::Boundary_recovery_3 {
 namespace internal {
 
 // The dihedral angle of the regular tetrahedron, in radians: no cell has a larger smallest angle.
@@ -243,7 +242,6 @@ bool visit_qualities(const Quality& quality, Range&& items, const Corners& corne
 }
 
 } // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_CELL_QUALITY_3_H

@@ -20,8 +20,7 @@
 #include <map>
 #include <tuple>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
+namespace CGAL::Boundary_recovery_3 {
 
 /*!
  * \ingroup PkgBoundaryRecovery3Classes
@@ -248,7 +247,6 @@ private:
   std::map<int, Part> m_parts;
 };
 
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_COMBINED_SIZING_FIELDS_3_H

@@ -19,8 +19,7 @@
 #include <memory>
 #include <utility>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
+namespace CGAL::Boundary_recovery_3 {
 
 /*!
  * \ingroup PkgBoundaryRecovery3Classes
@@ -79,7 +78,6 @@ private:
   std::shared_ptr<Edges> m_edges;
 };
 
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_CONSTRAINED_EDGE_MAP_3_H

@@ -17,8 +17,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
+namespace CGAL::Boundary_recovery_3 {
 
 /*!
  * \ingroup PkgBoundaryRecovery3Classes
@@ -74,7 +73,6 @@ private:
   internal::Mesh_index_transfer_3<Tr> m_transfer;
 };
 
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_MESH_INDICES_KEEPER_3_H

@@ -18,8 +18,7 @@
 #include <array>
 #include <cstddef>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
+namespace CGAL::Boundary_recovery_3 {
 
 /*!
  * \ingroup PkgBoundaryRecovery3Classes
@@ -127,7 +126,6 @@ struct Partial_triangulation
   int core_size() const { return static_cast<int>(core.size()); }
 };
 
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_SHELL_3_H

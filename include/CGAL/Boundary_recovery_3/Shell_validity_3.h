@@ -18,8 +18,7 @@
 
 #include <CGAL/enum.h>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
+namespace CGAL::Boundary_recovery_3 {
 
 /*!
  * \ingroup PkgBoundaryRecovery3Classes
@@ -347,7 +346,6 @@ private:
 template <typename Tr, typename Counter>
 using BRC4 = BRC3<Tr, Counter>;
 
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_SHELL_VALIDITY_3_H

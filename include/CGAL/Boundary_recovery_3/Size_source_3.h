@@ -23,8 +23,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
+namespace CGAL::Boundary_recovery_3 {
 
 /// \ingroup PkgBoundaryRecovery3Classes
 /// how the size around a source grows with the distance from it.
@@ -302,7 +301,6 @@ bool read_size_sources(std::istream& in, std::vector<Size_source_3<GT> >& source
   return true;
 }
 
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_SIZE_SOURCE_3_H

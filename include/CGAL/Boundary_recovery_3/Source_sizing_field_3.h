@@ -25,8 +25,7 @@
 #include <tuple>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
+namespace CGAL::Boundary_recovery_3 {
 namespace internal {
 
 // The size at a distance from a source.
@@ -316,7 +315,6 @@ private:
   internal::Source_minimum_3<GT> m_sizes;
 };
 
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_SOURCE_SIZING_FIELD_3_H

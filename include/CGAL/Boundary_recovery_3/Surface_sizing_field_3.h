@@ -27,8 +27,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
+namespace CGAL::Boundary_recovery_3 {
 namespace internal {
 
 // By how much sizes from a surface grow per length unless the caller says so, see "Tuning constants" in the manual.
@@ -338,7 +337,6 @@ private:
   internal::Cone_minimum_3 m_sizes;
 };
 
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_SURFACE_SIZING_FIELD_3_H

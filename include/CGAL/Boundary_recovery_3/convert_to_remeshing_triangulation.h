@@ -22,8 +22,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
+namespace CGAL::Boundary_recovery_3 {
 namespace internal {
 
 /*
@@ -144,7 +143,6 @@ convert_to_remeshing_triangulation(const Source& source, Target& target,
   return Constrained_edge_map_3<Target>(edges);
 }
 
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_CONVERT_TO_REMESHING_TRIANGULATION_H

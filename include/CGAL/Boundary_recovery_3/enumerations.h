@@ -14,8 +14,7 @@
 
 #include <ostream>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
+namespace CGAL::Boundary_recovery_3 {
 
 /// \ingroup PkgBoundaryRecovery3Classes
 /// how far `CGAL::recover_boundary()` goes to recover a constraint.
@@ -334,7 +333,6 @@ inline const char* to_string(const Bad_cell_reason reason)
 /// writes the name of a reason.
 inline std::ostream& operator<<(std::ostream& os, const Bad_cell_reason value) { return os << to_string(value); }
 
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_ENUMERATIONS_H

@@ -16,8 +16,7 @@
 
 #include <boost/property_map/property_map.hpp>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
+namespace CGAL::Boundary_recovery_3 {
 /*!
  * \ingroup PkgBoundaryRecovery3Functions
  *
@@ -64,7 +63,6 @@ int label_regions(const Tr& tr, const FacetRange& facets, CellRegionMap region)
   });
 }
 
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_LABEL_REGIONS_H

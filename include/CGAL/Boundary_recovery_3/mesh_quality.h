@@ -21,8 +21,7 @@
 
 #include <CGAL/Named_function_parameters.h>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
+namespace CGAL::Boundary_recovery_3 {
 
 /*!
  * \ingroup PkgBoundaryRecovery3Functions
@@ -92,7 +91,6 @@ Quality_certificate_3<Triangulation> quality_certificate(const Triangulation& tr
   return explain.certificate();
 }
 
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_MESH_QUALITY_H

@@ -38,7 +38,7 @@ typedef std::set<Vertex_handle>           Vertex_set;
 // How often each kind of case was met; main() checks that all of them were.
 std::map<std::string, int> number_of;
 
-Cells ball(const Tr& tr, const Vertex_handle v)
+Cells star(const Tr& tr, const Vertex_handle v)
 {
   Cells result;
   tr.incident_cells(v, std::back_inserter(result));
@@ -93,7 +93,7 @@ int test_spanned_cavity(const unsigned seed, const bool on_grid)
   Cavity cavity(tr, constraints);
   for(const Vertex_handle v : tr.finite_vertex_handles())
   {
-    const Cells cells = ball(tr, v);
+    const Cells cells = star(tr, v);
     if(std::any_of(cells.begin(), cells.end(), [&](const Cell_handle c) { return tr.is_infinite(c); }))
       continue;
     std::set<Vertex_handle> vertices;
@@ -170,7 +170,7 @@ void test_boundary(const Tr& tr, const Constraints& constraints, std::mt19937& r
 {
   Cells cells = random_cavity(tr, rng, 1 + random_int(rng, 8));
   if(random_int(rng, 2) == 0)
-    for(const Cell_handle c : ball(tr, random_finite_vertex(tr, rng)))
+    for(const Cell_handle c : star(tr, random_finite_vertex(tr, rng)))
       if(! tr.is_infinite(c) && ! BR::internal::contains(cells, c))
         cells.push_back(c);
   Cavity cavity(tr, constraints, cells);

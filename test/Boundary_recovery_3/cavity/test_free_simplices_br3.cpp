@@ -351,11 +351,11 @@ void test_cavities(const unsigned seed, const int range)
   }
   for(const Vertex_handle v : tr.finite_vertex_handles())
   {
-    Cells ball;
-    if(! BR::internal::collect_ball(tr, v, ball))
+    Cells star;
+    if(! BR::internal::collect_star(tr, v, star))
       continue;
-    Tester(tr, ball, Edges(), Facets(), v)();
-    ++number_of["ball with a superfluous vertex"];
+    Tester(tr, star, Edges(), Facets(), v)();
+    ++number_of["star with a superfluous vertex"];
   }
 }
 
@@ -364,7 +364,7 @@ int main()
   for(const int range : { 5, 1000 })
     for(const unsigned seed : { 31u, 32u })
       test_cavities(seed, range);
-  for(const char* kind : { "obstacle inside", "edge that is in no face", "ball with a superfluous vertex",
+  for(const char* kind : { "obstacle inside", "edge that is in no face", "star with a superfluous vertex",
                            "edge that is crossed", "free edge", "edge outside", "face that is pierced", "free face" })
   {
     std::cout << number_of[kind] << " x " << kind << std::endl;

@@ -12,8 +12,8 @@
 #include <CGAL/Boundary_recovery_3/internal/cavity/Growing_cavity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/cavity/Small_polyhedron_reconnection_3.h>
 #include <CGAL/Boundary_recovery_3/internal/cavity/Tetrahedralization_search.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/Cell_replacement.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Replace_cells.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 #include <CGAL/recover_boundary.h>
 
@@ -138,7 +138,7 @@ void test_hulls()
   });
 }
 
-Cells ball(const Tr& tr, const Vertex_handle v)
+Cells star(const Tr& tr, const Vertex_handle v)
 {
   Cells result;
   tr.incident_cells(v, std::back_inserter(result));
@@ -160,7 +160,7 @@ void test_inner_vertex()
   assert(free.outcome == Face_matching::FOUND && total_volume(free.tetrahedra) == 9 * 9 * 9);
   ++number_of["inner vertex"];
 
-  // The ball can be filled, but is too large, or has too many tetrahedra.
+  // The star can be filled, but is too large, or has too many tetrahedra.
   const Predicates predicates(tr);
   const Constraints none;
   Growing_cavity growing(tr, predicates, none);
@@ -218,7 +218,7 @@ void test_growing_cavity()
   const auto outcome = [&](Growing_cavity& search, const Growing_cavity::Growth growth,
                            const Growing_cavity::Bounds& bounds, Patience& p)
   {
-    return search(ball(tr, v), v, free_vertices, growth, bounds, p);
+    return search(star(tr, v), v, free_vertices, growth, bounds, p);
   };
   const Growing_cavity::Bounds too_small = { 6, many, 1000 };
   for(const auto growth : { Growing_cavity::AROUND, Growing_cavity::TOWARD_DEAD_ENDS })
@@ -230,9 +230,9 @@ void test_growing_cavity()
     assert(outcome(growing, growth, bounds, patience) == Growing_cavity::FOUND);
     ++number_of[growth == Growing_cavity::AROUND ? "cavity that grows around" : "cavity that grows toward dead ends"];
   }
-  assert(growing.cells().size() > ball(tr, v).size() && growing.dropped_points() == free_vertices);
+  assert(growing.cells().size() > star(tr, v).size() && growing.dropped_points() == free_vertices);
   assert(total_volume(growing.tetrahedra()) == total_volume(tetrahedra_of(growing.cells())));
-  BR::internal::Cell_replacement<Tr> replace;
+  BR::internal::Replace_cells<Tr> replace;
   CGAL::Default_meshing_visitor_3 visitor;
   replace(tr, growing.cells(), growing.tetrahedra(), visitor, growing.dropped_points());
   assert(tr.number_of_vertices() == points.size() && tr.tds().is_valid());

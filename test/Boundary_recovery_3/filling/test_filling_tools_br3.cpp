@@ -124,9 +124,9 @@ void test_circumsphere()
 
 // The integral over the unit cube, which consists of six tetrahedra.
 template <typename Size>
-double forecast(Size size, const double gradation, const std::size_t max_number_of_questions)
+double forecast(Size size, const double grading, const std::size_t max_number_of_questions)
 {
-  internal::Forecast_3<Size> integral(size, gradation);
+  internal::Forecast_3<Size> integral(size, grading);
   std::array<int, 3> axes = {{ 0, 1, 2 }};
   do
   {
@@ -193,15 +193,15 @@ void test_region_sizes()
   const Cone cone;
   const internal::Any_size_field_3<K, Cone> any_cone(cone);
   internal::Region_sizes_3<Tr> sizes(tr, any_cone);
-  assert(sizes.ask_at_vertices(cells) && sizes.gradation() == 0.4);
+  assert(sizes.ask_at_vertices(cells) && sizes.grading() == 0.4);
   for(const auto c : cells)
   {
     const Tetrahedron t = internal::corners(c);
     const Coordinates center = internal::centroid(t);
-    const double least = sizes.least_size_inside(c, t);
+    const double least = sizes.least_size_at_centroid(c, t);
     const double size = cone(point(center));
     assert(least > 0 && least <= size && sizes(center, c).asked == size && sizes(center, c).possible == size);
-    assert(sizes.likely_size_inside(c, t, 0.4) >= size);
+    assert(sizes.likely_size_at_centroid(c, t, 0.4) >= size);
   }
 
   // At vertices of several regions, the smallest size counts.
@@ -223,13 +223,14 @@ void test_region_sizes()
   for(const auto& s : smallest)
     assert(s.first->meshing_info() == s.second);
   for(const auto c : cells)
-    assert(regions.least_size_inside(c, internal::corners(c)) == 0); // nothing is known between the vertices
+    assert(regions.least_size_at_centroid(c, internal::corners(c)) == 0); // nothing is known between the vertices
 
   const double number = 0.25;
   const internal::Any_size_field_3<K, double> any_number(number);
   internal::Region_sizes_3<Tr> numbers(tr, any_number);
-  assert(numbers.ask_at_vertices(cells) && numbers.least_size_inside(cells[0], internal::corners(cells[0])) == 0.25);
-  assert(numbers.likely_size_inside(cells[0], internal::corners(cells[0]), 0) == 0.25);
+  assert(numbers.ask_at_vertices(cells));
+  assert(numbers.least_size_at_centroid(cells[0], internal::corners(cells[0])) == 0.25);
+  assert(numbers.likely_size_at_centroid(cells[0], internal::corners(cells[0]), 0) == 0.25);
 
   const auto bad = [](const Point& p) { return p.x() - 0.5; };
   const internal::Any_size_field_3<K, decltype(bad)> any_bad(bad);

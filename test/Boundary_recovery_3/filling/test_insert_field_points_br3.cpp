@@ -442,7 +442,7 @@ bool is_seen(const Field& field, const K::Point_3& place, const bool is_resolved
   return nearest < 0.1;
 }
 
-// None is missed, as long as the field tells how small it can be: by its gradation, or by bounds.
+// None is missed, as long as the field tells how small it can be: by its grading, or by bounds.
 void test_small_sizes()
 {
   typedef BR3::Source_sizing_field_3<K> Sources;

@@ -99,7 +99,7 @@ void test_numbers()
   const float single = .5f;
   auto query = make_query<Tr>(number);
   assert(query.is_constant() && ! query.tells_least_sizes());
-  assert(query(Point_3(1, 2, 3), 3, 1) == 2.5 && query.gradation() == 0 && query.is_valid());
+  assert(query(Point_3(1, 2, 3), 3, 1) == 2.5 && query.grading() == 0 && query.is_valid());
   assert(make_query<Tr>(exact)(Point_3(1, 2, 3), 3, 1) == 2.5 && make_query<Tr>(integer)(Point_3(1, 2, 3), 3, 1) == 3);
   assert(make_query<Tr>(single)(Point_3(1, 2, 3), 3, 1) == .5);
 }
@@ -119,7 +119,7 @@ void test_functions()
   auto query = make_query<Tr>(of_point);
   assert(! query.is_constant() && ! query.tells_least_sizes());
   assert(query(p, 3, 1) == 2 && query(Point_3(0, 5, 0), 3, 1) == 5 && query.number_of_queries() == 2);
-  assert(query.gradation() == std::numeric_limits<double>::infinity());
+  assert(query.grading() == std::numeric_limits<double>::infinity());
   assert(make_query<Tr>(of_region)(p, 3, 7) == 22 && make_query<Tr>(of_both)(p, 3, 7) == 1.5);
   assert((Query<Tr, double(const Point_3&)>(height_plus_one<Point_3>)(p, 3, 1) == 4));
   assert(make_query<Tr>(&height_plus_one<Point_3>)(p, 3, 1) == 4);
@@ -149,8 +149,8 @@ void test_domain_fields()
 
   const Field_with_explicit_index<Point_3> explicit_index;
   auto query = make_query<Tr>(explicit_index);
-  assert(query(p, 3, 4) == 34 && query.gradation() == .25);
-  assert(make_query<Tr>(std::ref(explicit_index)).gradation() == .25);
+  assert(query(p, 3, 4) == 34 && query.grading() == .25);
+  assert(make_query<Tr>(std::ref(explicit_index)).grading() == .25);
 }
 
 // The field of the remeshing, which came with CGAL 6.0.

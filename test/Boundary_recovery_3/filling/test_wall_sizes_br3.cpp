@@ -116,7 +116,7 @@ void test_sizes_of_walls()
         expected = (std::min)(expected, walls[c->vertex(i)] + 0.9 * internal::distance(corners[i], center));
     const auto told = sizes(center, c);
     assert(told.asked == size && std::abs(told.possible - expected) < 1e-12);
-    assert(sizes.least_size_inside(c, corners) == told.possible && sizes.of_field(center, 1) == size);
+    assert(sizes.least_size_at_centroid(c, corners) == told.possible && sizes.of_field(center, 1) == size);
   }
   sizes.restore_sizes_of_field();
   for(const auto& v : edges)

@@ -7,11 +7,11 @@
 #include "moved_grid_br3.h"
 
 #include <CGAL/Boundary_recovery_3/Hole_remeshing_result_3.h>
-#include <CGAL/Boundary_recovery_3/internal/holes/Hole_remeshing_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Hole_surface_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Hole_triangulation_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Moved_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Remesh_arrays_3.h>
+#include <CGAL/Boundary_recovery_3/internal/holes/Remesh_holes_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Sew_holes_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/intersections.h>

@@ -21,7 +21,7 @@
 #include <CGAL/Boundary_recovery_3/Shell_quality_3.h>
 #include <CGAL/Boundary_recovery_3/Shell_validity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
-#include <CGAL/Boundary_recovery_3/internal/lost/Constraint_recovery_3.h>
+#include <CGAL/Boundary_recovery_3/internal/lost/Recover_constraint_3.h>
 #include <CGAL/Boundary_recovery_3/internal/lost/Recovery_by_flips_3.h>
 #include <CGAL/Boundary_recovery_3/internal/lost/Recovery_state_3.h>
 #include <CGAL/Boundary_recovery_3/internal/lost/Recursive_recovery_3.h>
@@ -157,7 +157,7 @@ void test_single_constraints(Scene& scene)
   typedef BR::Worst_element_quality_3<Tr> Quality;
   CGAL::Shell_transformation_3<Tr, Quality, Validity, Stopping_visitor>
     transformation(scene.tr, Quality(scene.tr), scene.visitor, scene.predicates);
-  internal::Constraint_recovery_3<Tr, N> recover(scene.tr, scene.predicates);
+  internal::Recover_constraint_3<Tr, N> recover(scene.tr, scene.predicates);
   for(const std::size_t i : scene.treatable<N>())
   {
     const auto& c = scene.all<N>()[i];
@@ -211,18 +211,18 @@ void test_callings(Scene& scene, const int first)
     number_of[counted<N>(means)] += before.size() - lost.size();
   };
   if(first == 0)
-    call("plainly", [&] { return recover.remove_plainly(BR::Phase::plain_removal); });
+    call("plainly", [&] { return recover.remove_without_recursion(BR::Phase::plain_removal); });
   assert(levels.empty());
   if(first <= 1)
-    call("under BRC1 or BRC2", [&] { return recover.first_calling(BR::Phase::edge_recovery_brc1, 5); });
-  call("under BRC3 or BRC4", [&] { return recover.second_calling(BR::Phase::edge_recovery_brc3, 5); });
+    call("under BRC1 or BRC2", [&] { return recover.recover_with_best_cells(BR::Phase::edge_recovery_brc1, 5); });
+  call("under BRC3 or BRC4", [&] { return recover.recover_with_fewest_crossings(BR::Phase::edge_recovery_brc3, 5); });
 }
 
 // One constraint after the other, by the reconnection of the cells that it crosses.
 template <std::size_t N>
 void test_cavities(Scene& scene)
 {
-  internal::Cavity_recovery_3<Tr>
+  internal::Recover_in_cavity_3<Tr>
     recover(scene.tr, scene.predicates, scene.constraints, scene.visitor);
   for(const std::size_t i : scene.treatable<N>())
   {
@@ -248,8 +248,8 @@ void test_stop(const br3_test::Plc& plc)
   std::vector<BR::Recursion_level_report> levels;
   internal::Recursive_recovery_3<Tr, 2>
     recover(scene.tr, scene.predicates, scene.constraints, scene.context, lost, levels);
-  assert(recover.remove_plainly(BR::Phase::plain_removal) == 0 && lost == before);
-  assert(recover.first_calling(BR::Phase::edge_recovery_brc1, 5) == 0 && lost == before);
+  assert(recover.remove_without_recursion(BR::Phase::plain_removal) == 0 && lost == before);
+  assert(recover.recover_with_best_cells(BR::Phase::edge_recovery_brc1, 5) == 0 && lost == before);
   assert(scene.visitor.number_of_questions == 1 && scene.treatable<2>() == before);
 }
 
@@ -306,7 +306,7 @@ public:
     assert(m_state.is_nothing_lost());
     m_state.run(Phase::search, [this] { m_state.look_up_all(); });
     check_state();
-    run<2>(Phase::plain_removal, [this] { m_recovery.remove_plainly(); });
+    run<2>(Phase::plain_removal, [this] { m_recovery.remove_without_recursion(); });
     run<2>(Phase::edge_recovery_brc1, [this] { m_recovery.recover_edges_brc1(5); });
     run<2>(Phase::edge_recovery_brc3, [this] { m_recovery.recover_edges_brc3(5); });
     run<2>(Phase::edge_reconnection, [this] { m_recovery.reconnect_edges(); });

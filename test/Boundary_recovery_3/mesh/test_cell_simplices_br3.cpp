@@ -15,8 +15,8 @@
 
 #include <CGAL/Boundary_recovery_3/Meshing_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/Cell_replacement.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Replace_cells.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 
 #include <algorithm>
@@ -96,7 +96,7 @@ void test_balls(const Tr& tr)
     const Vertices found = internal::vertices_without(star, v);
     assert(found.size() == neighbors.size() && set_of(found) == set_of(neighbors));
 
-    const auto faces = internal::faces_of_ball(star, v);
+    const auto faces = internal::faces_of_star(star, v);
     assert(faces.size() == star.size());
     for(std::size_t k = 0; k < star.size(); ++k)
     {
@@ -234,7 +234,7 @@ void check_mesh(const Tr& tr, const Mirror& mirror)
 // cavity is not made of cells each of which has one more vertex: such a cavity is certainly a ball.
 bool test_replacement(Tr& tr, std::mt19937& rng)
 {
-  internal::Cell_replacement<Tr> replace;
+  internal::Replace_cells<Tr> replace;
   Mirror mirror(tr);
   const Cells cells = random_cavity(tr, rng, 1 + random_int(rng, 12));
   const Tetrahedra before = tetrahedra_of(cells);

@@ -15,9 +15,9 @@
 #include "mesh_portrait_br3.h"
 
 #include <CGAL/Boundary_recovery_3/Meshing_visitor_3.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/Cell_replacement.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_change_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_editor_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Replace_cells.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_indices.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Mesh_visitor_3.h>
@@ -147,7 +147,7 @@ void test_replacement(const std::size_t n, std::mt19937& rng)
     vertices.back()->set_point(p);
     return vertices.back();
   });
-  internal::Cell_replacement<Tr> replace;
+  internal::Replace_cells<Tr> replace;
   bool is_done = false;
   long failures = 0;
   const std::size_t number_of_cells = tr.tds().number_of_cells();
@@ -317,7 +317,7 @@ private:
     });
   }
 
-  // Inner vertices whose ball can be starred from another vertex, be they old or new.
+  // Inner vertices whose star can be covered from another vertex, be they old or new.
   void remove_vertex()
   {
     const Vertex_handle v = random_cell()->vertex(random(4));
@@ -329,7 +329,7 @@ private:
     for(const Vertex_handle u : internal::vertices_without(star, v))
     {
       std::vector<std::array<Vertex_handle, 4> > tetrahedra;
-      for(const auto& f : internal::faces_of_ball(star, v))
+      for(const auto& f : internal::faces_of_star(star, v))
         if(f[0] != u && f[1] != u && f[2] != u)
           tetrahedra.push_back({{ f[0], f[1], f[2], u }});
       if(std::all_of(tetrahedra.begin(), tetrahedra.end(), [](const auto& t)

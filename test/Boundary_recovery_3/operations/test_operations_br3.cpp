@@ -443,7 +443,7 @@ Plain_mesh::Tetrahedra positive(const Plain_mesh& mesh, Plain_mesh::Tetrahedra t
   return tetrahedra;
 }
 
-// The ball of a vertex is the polyhedron of Schoenhardt: without it, there are no cells that fill it. With the cells
+// The star of a vertex is the polyhedron of Schoenhardt: without it, there are no cells that fill it. With the cells
 // next to it, there are, unless all three diagonals that make it are constrained.
 void test_vertex_that_cannot_go(const std::size_t number_of_constraints)
 {
@@ -465,11 +465,11 @@ void test_vertex_that_cannot_go(const std::size_t number_of_constraints)
   br3_test::Expected_change<Plain_mesh>(m, cells, tetrahedra).make([&] { m.editor.replace(cells, tetrahedra); });
 
   Remove_vertex remove(m.editor, m.predicates, m.constraints);
-  const Plain_mesh::Cells ball = m.cells_with({ v });
-  assert(ball.size() == 8 && ! remove.find(ball, v));
+  const Plain_mesh::Cells star = m.cells_with({ v });
+  assert(star.size() == 8 && ! remove.find(star, v));
   for(const Plain_mesh::Vertex_handle x : p)
-    assert(! internal::is_ball_seen(m.predicates, ball, v, x));
-  const bool is_found = remove.find_with_layer(ball, v);
+    assert(! internal::is_star_seen(m.predicates, star, v, x));
+  const bool is_found = remove.find_with_layer(star, v);
   assert(is_found == (number_of_constraints < 3));
   if(is_found)
     br3_test::Expected_change<Plain_mesh>(m, remove.cells(), remove.tetrahedra(), { v }).make([&] { remove(v); });
@@ -482,10 +482,10 @@ void test_search_after_move()
   std::mt19937 rng(5);
   Plain_mesh m({ { 10, 0, 0 }, { -5, 9, 0 }, { -5, -9, 0 }, { 0, 0, 30 }, { 0, 0, -30 }, { 0, 0, 0 } }, 0, rng);
   const Plain_mesh::Vertices p = br3_test::finite_vertices(m.tr);
-  const Plain_mesh::Cells ball = m.cells_with({ p[5] });
-  assert(ball.size() == 6 && m.tr.number_of_finite_cells() == 6);
+  const Plain_mesh::Cells star = m.cells_with({ p[5] });
+  assert(star.size() == 6 && m.tr.number_of_finite_cells() == 6);
   Remove_vertex remove(m.editor, m.predicates, m.constraints);
-  assert(remove.find_with_layer(ball, p[5]));
+  assert(remove.find_with_layer(star, p[5]));
   const std::size_t number_of_tetrahedra = remove.tetrahedra().size();
   assert(number_of_tetrahedra == 2 || number_of_tetrahedra == 3);
   if(number_of_tetrahedra == 2)
@@ -496,7 +496,7 @@ void test_search_after_move()
   else
     m.editor.move(p[3], Plain_mesh::Point(30, 0, 30));
   remove.forget();
-  assert(remove.find_with_layer(ball, p[5]));
+  assert(remove.find_with_layer(star, p[5]));
   assert(remove.tetrahedra().size() == 5 - number_of_tetrahedra && m.are_positive(remove.tetrahedra()));
 }
 
@@ -514,7 +514,7 @@ int main()
   for(const char* kind : { "shell not seen", "shell seen from the edge", "shell seen from elsewhere", "edge split",
                            "edge split on the hull", "constrained edge split", "facet split",
                            "facet split on the hull", "facet split from elsewhere", "constrained facet split",
-                           "ball seen", "ball not seen", "edge collapsed", "edge collapsed next to a constraint",
+                           "star seen", "star not seen", "edge collapsed", "edge collapsed next to a constraint",
                            "vertex removed by collapse", "vertex removed by reconnection",
                            "vertex removed with a layer", "vertex moved", "vertex not moved",
                            "face hidden", "constraint inside", "vertex lost", "no obstacle",

@@ -76,7 +76,7 @@ private:
 
   using Places::m;
   using Places::rng;
-  using Places::ball;
+  using Places::star;
   using Places::is_any_constraint_at;
   using Places::random_cells;
   using Places::random_finite_cell;
@@ -175,28 +175,28 @@ private:
 
   // --- removal of vertices ------------------------------------------------------------------------------------------
 
-  // The ball of v without the cells at x, starred from x.
-  static Tetrahedra collapsed(const Cells& ball, const Vertex_handle v, const Vertex_handle x)
+  // The cells from x that cover the star of v.
+  static Tetrahedra collapsed(const Cells& star, const Vertex_handle v, const Vertex_handle x)
   {
     Tetrahedra result;
-    for(const Cell_handle c : ball)
+    for(const Cell_handle c : star)
       if(Mesh::vertices_of(c).count(x) == 0)
         result.push_back(Mesh::with_exchanged(c, v, x));
     return result;
   }
 
   // Those neighbors of v onto which it can be collapsed, in the order in which they are met.
-  Vertices seeing_neighbors(const Cells& ball, const Vertex_handle v) const
+  Vertices seeing_neighbors(const Cells& star, const Vertex_handle v) const
   {
     Vertices result;
     Simplex known = { v };
-    for(const Cell_handle c : ball)
+    for(const Cell_handle c : star)
       for(const Vertex_handle x : Mesh::tetrahedron(c))
         if(known.insert(x).second)
         {
-          const bool is_seen = m.are_positive(collapsed(ball, v, x));
-          assert(internal::is_ball_seen(m.predicates, ball, v, x) == is_seen);
-          ++number_of[is_seen ? "ball seen" : "ball not seen"];
+          const bool is_seen = m.are_positive(collapsed(star, v, x));
+          assert(internal::is_star_seen(m.predicates, star, v, x) == is_seen);
+          ++number_of[is_seen ? "star seen" : "star not seen"];
           if(is_seen)
             result.push_back(x);
         }
@@ -208,7 +208,7 @@ private:
     const Vertex_handle v = random_free_vertex();
     if(v == Vertex_handle())
       return;
-    const Cells cells = ball(v);
+    const Cells cells = star(v);
     const Vertices neighbors = seeing_neighbors(cells, v);
     if(neighbors.empty())
       return;
@@ -226,7 +226,7 @@ private:
     const Vertex_handle v = random_free_vertex();
     if(v == Vertex_handle())
       return;
-    const Cells cells = ball(v);
+    const Cells cells = star(v);
     const Vertices neighbors = seeing_neighbors(cells, v);
     const bool is_found = m_remove.find(cells, v);
     assert(is_found || neighbors.empty());
@@ -245,7 +245,7 @@ private:
     const Vertex_handle v = random_free_vertex();
     if(v == Vertex_handle())
       return;
-    const Cells cells = ball(v);
+    const Cells cells = star(v);
     std::set<Cell_handle> expected(cells.begin(), cells.end());
     for(const Cell_handle c : cells)
       for(int i = 0; i < 4; ++i)
@@ -262,13 +262,13 @@ private:
 
   // --- other places for vertices ------------------------------------------------------------------------------------
 
-  // In the ball of a vertex: if it does not see it from there, it is put back. Or into the kernel of the ball.
+  // In the star of a vertex: if it does not see it from there, it is put back. Or into the kernel of the star.
   void move_vertex()
   {
     const Vertex_handle v = random_free_vertex();
     if(v == Vertex_handle())
       return;
-    const Cells cells = ball(v);
+    const Cells cells = star(v);
     const typename Mesh::Exact_point before = m.exact_point(v);
     const typename Mesh::Point rounded = v->point();
     const bool had_exact_position = m.positions.contains(v);
@@ -278,7 +278,7 @@ private:
       m.editor.before_move(v);
       m.positions.erase(v);
       internal::Move_into_kernel_3<Tr> move(m.predicates, m.positions);
-      is_seen = move(v, internal::faces_of_ball(cells, v));
+      is_seen = move(v, internal::faces_of_star(cells, v));
       assert(! is_seen || are_seen_now(cells));
     }
     else
@@ -310,24 +310,24 @@ private:
 
   // --- stars --------------------------------------------------------------------------------------------------------
 
-  // A few cells, and a vertex in the first one; or a ball, and a vertex near its center or that; and sometimes the
+  // A few cells, and a vertex in the first one; or a star, and a vertex near its center or that; and sometimes the
   // cells around them that have two faces in common with them.
   void star_cavity()
   {
     Cells cells;
     Vertices near;
     const Vertex_handle center = random_vertex();
-    const bool is_ball = random_int(rng, 3) > 0 && ! m.is_any_infinite(ball(center));
-    if(is_ball)
+    const bool is_star = random_int(rng, 3) > 0 && ! m.is_any_infinite(star(center));
+    if(is_star)
     {
-      cells = ball(center);
+      cells = star(center);
       near = Vertices(7, center);
     }
     else
       cells = random_cells(1 + random_int(rng, 4));
     for(const Vertex_handle w : Mesh::tetrahedron(cells.front()))
       near.push_back(w);
-    const bool is_vertex_new = ! is_ball || random_int(rng, 2) == 0;
+    const bool is_vertex_new = ! is_star || random_int(rng, 2) == 0;
     const Vertex_handle v = is_vertex_new ? m.create_vertex(near, rng) : random_int(rng, 5) == 0 ? near.back() : center;
     if(v == Vertex_handle())
       return;

@@ -114,10 +114,10 @@ protected:
   }
 
   // All cells around a vertex, in the order of the library.
-  Cells ball(const Vertex_handle v) const
+  Cells star(const Vertex_handle v) const
   {
     Cells cells;
-    const bool is_finite = CGAL::Boundary_recovery_3::internal::collect_ball(m.tr, v, cells);
+    const bool is_finite = CGAL::Boundary_recovery_3::internal::collect_star(m.tr, v, cells);
     const Cells expected = m.cells_with({ v });
     assert(is_finite == ! m.is_any_infinite(expected));
     assert(cells.size() == expected.size());

@@ -6,7 +6,7 @@
 #include "random_triangulations_br3.h"
 
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/Cell_replacement.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Replace_cells.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -57,7 +57,7 @@ inline Tetrahedra tetrahedra_of(const Cells& cells)
   return result;
 }
 
-// All tetrahedra must be strictly positive.
+// All tetrahedra must be positive, and not flat.
 inline Number total_volume(const Tetrahedra& tetrahedra)
 {
   Number sum = 0;
@@ -137,7 +137,7 @@ inline void check_tetrahedralization(const Tetrahedra& tetrahedra, const Cells& 
 inline void replace_cells(Tr& tr, const Cells& cells, const Tetrahedra& tetrahedra)
 {
   const std::size_t number_of_cells = tr.number_of_cells() + tetrahedra.size() - cells.size();
-  BR::internal::Cell_replacement<Tr> replace;
+  BR::internal::Replace_cells<Tr> replace;
   replace(tr, cells, tetrahedra);
   assert(tr.number_of_cells() == number_of_cells && tr.tds().is_valid());
 }

@@ -209,7 +209,7 @@ class Checker:
         for include in re.findall(r'^#include "(.*)"', text, re.M):
             self.require(False, path, 'includes "%s" with quotes' % include)
         internal = "/internal/" in path
-        self.require(not internal or "namespace internal" in code, path, "not in a namespace internal")
+        self.require(not internal or re.search(r"namespace (\w+::)*internal\b", code), path, "not in a namespace internal")
 
     def check_floors(self, headers):
         """Headers include only what stands above them in FLOORS."""
@@ -373,7 +373,7 @@ def self_test(scratch, root):
     """Applies one defect after the other to a copy of the package."""
     header = "include/CGAL/%s/parameters.h" % PACKAGE
     util = "include/CGAL/%s/internal/util/Simplex_index_3.h" % PACKAGE
-    lost = "include/CGAL/%s/internal/lost/Constraint_recovery_3.h" % PACKAGE
+    lost = "include/CGAL/%s/internal/lost/Recover_constraint_3.h" % PACKAGE
 
     def replace(path, old, new):
         def defect(copy):
@@ -420,7 +420,7 @@ def self_test(scratch, root):
         "wrong licence": append("package_info/%s/license.txt" % PACKAGE, "or not\n"),
         "not sorted": append("package_info/%s/dependencies" % PACKAGE, "AABB_tree\n"),
         "does not show": append(examples + "recover_boundary_minimal.cpp", "// more\n"),
-        "names lost/Constraint_recovery_3.h, which does not exist": lambda copy: os.remove(os.path.join(copy, lost)),
+        "names lost/Recover_constraint_3.h, which does not exist": lambda copy: os.remove(os.path.join(copy, lost)),
         "does not name lost/x.h": lambda copy: write(copy, os.path.dirname(lost) + "/x.h", read(copy, lost)),
         "max_number_of_shells is not 256 in": replace(lost, "max_number_of_shells = 256;", "max_number_of_shells = 257;"),
         "max_number_of_thoughts is not in the tables": replace(

@@ -8,11 +8,11 @@
 #include "mesh_validity_br3.h"
 
 #include <CGAL/Boundary_recovery_3/internal/parallel/Decomposition_3.h>
+#include <CGAL/Boundary_recovery_3/internal/parallel/Mesh_in_subdomains_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Mesh_part_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Part_triangulation_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Seam_part_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Seams_3.h>
-#include <CGAL/Boundary_recovery_3/internal/parallel/Subdomain_meshing_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Work_on_part_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/for_each_task.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Measure_quality_3.h>
@@ -645,7 +645,7 @@ void test_seams()
   {
     auto topologies = seam_parts(parts);
     internal::Seams_3<> seams(topologies, 1);
-    const auto zones = seams.find(round);
+    const auto zones = seams.find_zones(round);
     std::vector<std::size_t> numbers(zones.size(), 0);
     for(std::size_t p = 0; p < parts.size(); ++p)
       for(std::size_t c = 0; c < parts[p].number_of_cells(); ++c)
@@ -681,7 +681,7 @@ void test_seams_of_two_processes()
   {
     auto all = seam_parts(parts);
     internal::Seams_3<> all_seams(all, 2);
-    const auto expected = all_seams.find(round);
+    const auto expected = all_seams.find_zones(round);
     Meeting meeting(2);
     const auto compare = [&](const std::size_t rank)
     {
@@ -690,7 +690,7 @@ void test_seams_of_two_processes()
                 own.end());
       const Thread_exchange exchange{ meeting, rank };
       internal::Seams_3<Thread_exchange> seams(own, 2, exchange);
-      const auto zones = seams.find(round);
+      const auto zones = seams.find_zones(round);
       assert(zones.size() == expected.size());
       for(std::size_t z = 0; z < zones.size(); ++z)
         assert(zones[z].parts == expected[z].parts && zones[z].owner == expected[z].owner &&

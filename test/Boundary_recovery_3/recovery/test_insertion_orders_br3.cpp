@@ -1,5 +1,5 @@
-// The order in which points come: every order is recovered strictly, and each again to the same cells. Other orders may
-// lead to other cells, also from the same Delaunay triangulation: nothing promises that they do not.
+// The order in which points come: in every order all triangles are recovered, and each again to the same cells. Other
+// orders may lead to other cells, also from the same Delaunay triangulation: nothing promises that they do not.
 #undef NDEBUG
 
 #include "exact_mesh_checker_br3.h"

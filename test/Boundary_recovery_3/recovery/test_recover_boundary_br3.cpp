@@ -5,9 +5,9 @@
 
 #include "mesh_validity_br3.h"
 
-#include <CGAL/Boundary_recovery_3/internal/input/Indexed_boundary_recovery.h>
+#include <CGAL/Boundary_recovery_3/internal/input/Recover_indexed_boundary.h>
 #include <CGAL/Boundary_recovery_3/internal/input/input_conversion.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/Planar_edge_recovery_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Recover_planar_edges_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Mesh_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/label_regions.h>
 #include <CGAL/Constrained_boundary_recovery_3.h>
@@ -453,7 +453,7 @@ void test_index_form()
   std::vector<Tr::Vertex_handle> vertices;
   for(const bool is_new : { true, false })
   {
-    internal::Indexed_boundary_recovery<Tr, K> recover(tr, input, kernel, options, visitor);
+    internal::Recover_indexed_boundary<Tr, K> recover(tr, input, kernel, options, visitor);
     const auto same = recover(vertices);
     assert(same && same.number_of_inserted_vertices == (is_new ? soup.points.size() : 0));
     assert(cells_by_index(tr, same.vertices) == cells_by_index(expected, result.vertices));

@@ -1,6 +1,7 @@
 // Voronoi diagrams in a cube: their polygons, with vertices rounded to doubles and cut into fans, are a surface that is
-// no manifold anywhere. Each is recovered strictly, and divides the cube into as many regions as there are sites. Since
-// hardly any of their edges needs a point, also a surface with points on edges at which three triangles meet.
+// no manifold anywhere. All triangles of each are recovered, and it divides the cube into as many regions as there are
+// sites. Since hardly any of their edges needs a point, also a surface with points on edges at which three triangles
+// meet.
 #undef NDEBUG
 
 #include "exact_mesh_checker_br3.h"

@@ -15,7 +15,7 @@
 
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_suppression_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Suppress_steiner_points_3.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 

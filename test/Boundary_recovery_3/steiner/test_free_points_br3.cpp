@@ -7,7 +7,7 @@
 //
 // Author(s)     : The Boundary_recovery_3 authors
 
-// Free Steiner points: how they are merged, how their balls are reduced and how they are forgotten, against
+// Free Steiner points: how they are merged, how their stars are reduced and how they are forgotten, against
 // definitions. And those in layers that are thinner than numbers are from each other: cavities grow until such a point
 // sees all from where a number is.
 
@@ -20,15 +20,15 @@
 #include <CGAL/Boundary_recovery_3/internal/cavity/Cavity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Exact_positions_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/Cell_replacement.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Replace_cells.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/star_cavity.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Round_steiner_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_ledger_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_mesh_3.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_rounding_3.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_suppression_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Suppress_free_point_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Suppress_steiner_points_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Mesh_visitor_3.h>
 
 #include <algorithm>
@@ -94,7 +94,7 @@ Vertex_handle insert_in_center(Tr& tr, const Cell_handle c, BR::internal::Exact_
   Tetrahedra tetrahedra;
   for(int i = 0; i < 4; ++i)
     tetrahedra.push_back(BR::internal::with_exchanged_vertex(c, c->vertex(i), v));
-  BR::internal::Cell_replacement<Tr> replace;
+  BR::internal::Replace_cells<Tr> replace;
   replace(tr, Cells(1, c), tetrahedra);
   return v;
 }
@@ -153,7 +153,7 @@ void test_points_without_number()
   }
 }
 
-// Points in a layer of slivers, each but the first in the ball of another one. Where none of those that are left gets a
+// Points in a layer of slivers, each but the first in the star of another one. Where none of those that are left gets a
 // number any more, rounds still help: edges come off the points, some go, and their neighbors move.
 void test_cluster_without_numbers(const unsigned seed)
 {
@@ -178,9 +178,9 @@ void test_cluster_without_numbers(const unsigned seed)
   Vertices points(1, insert_in_center(tr, *thin, ledger.positions()));
   for(int i = random_int(rng, 6); i >= 0; --i)
   {
-    Cells ball;
-    assert(BR::internal::collect_ball(tr, points[random_int(rng, static_cast<int>(points.size()))], ball));
-    const Cell_handle c = ball[random_int(rng, static_cast<int>(ball.size()))];
+    Cells star;
+    assert(BR::internal::collect_star(tr, points[random_int(rng, static_cast<int>(points.size()))], star));
+    const Cell_handle c = star[random_int(rng, static_cast<int>(star.size()))];
     points.push_back(insert_in_center(tr, c, ledger.positions()));
   }
   for(const Vertex_handle v : points)
@@ -202,7 +202,7 @@ void test_cluster_without_numbers(const unsigned seed)
     number_held = number;
   }
   assert((number_held == 0) == ledger.positions().empty());
-  BR::internal::Steiner_suppression_3<Tr> suppress(mesh);
+  BR::internal::Suppress_steiner_points_3<Tr> suppress(mesh);
   const bool is_done = suppress.round_points(0);
   mirror.check(tr);
   assert(BR::internal::is_mesh_valid(tr, predicates) && is_done == ledger.positions().empty());
@@ -225,8 +225,8 @@ public:
   {
     for(const Vertex_handle v : tr.finite_vertex_handles())
     {
-      Cells ball;
-      if(random_int(rng, 2) == 0 && BR::internal::collect_ball(tr, v, ball))
+      Cells star;
+      if(random_int(rng, 2) == 0 && BR::internal::collect_star(tr, v, star))
         ledger.insert_free(v, { 1, 0 });
     }
     for(const Cell_handle c : tr.finite_cell_handles())
@@ -255,16 +255,16 @@ public:
     mirror.check(tr);
   }
 
-  Cells ball(const Vertex_handle v) const
+  Cells star(const Vertex_handle v) const
   {
     Cells result;
-    assert(BR::internal::collect_ball(tr, v, result));
+    assert(BR::internal::collect_star(tr, v, result));
     return result;
   }
 
   Vertex_set neighbors(const Vertex_handle v) const
   {
-    const Vertices result = BR::internal::vertices_without(ball(v), v);
+    const Vertices result = BR::internal::vertices_without(star(v), v);
     return Vertex_set(result.begin(), result.end());
   }
 
@@ -282,7 +282,7 @@ public:
     Context context(any_mirror);
     Mesh mesh(editor, predicates, constraints, ledger, context);
     BR::internal::Merge_points_3<Tr> merge_points(mesh);
-    merge_points(v, ball(v));
+    merge_points(v, star(v));
   }
 
   Tr tr;
@@ -309,8 +309,8 @@ Tr random_mesh(std::mt19937& rng, const int number_of_points, const bool on_grid
 // Whether v could be merged with w without leaving where one of both is.
 bool can_be_merged(const Scene& scene, const Vertex_handle v, const Vertex_handle w)
 {
-  BR::internal::Cavity_3<Tr> cavity(scene.tr, scene.constraints, scene.ball(v));
-  for(const Cell_handle c : scene.ball(w))
+  BR::internal::Cavity_3<Tr> cavity(scene.tr, scene.constraints, scene.star(v));
+  for(const Cell_handle c : scene.star(w))
     cavity.add(c);
   return std::any_of(cavity.vertices().begin(), cavity.vertices().end(), [&](const Vertex_handle x)
   {
@@ -378,7 +378,7 @@ void test_reduction(const unsigned seed)
 {
   std::mt19937 rng(seed);
   Scene scene(random_mesh(rng, 40, seed % 2 == 0), rng);
-  BR::internal::Reduce_ball_3<Tr, Constraints> reduce(scene.editor, scene.predicates, scene.constraints);
+  BR::internal::Reduce_star_3<Tr, Constraints> reduce(scene.editor, scene.predicates, scene.constraints);
   for(const Vertex_handle v : scene.ledger.free_points())
   {
     const std::size_t wanted = 4 + static_cast<std::size_t>(random_int(rng, 3));
@@ -387,11 +387,11 @@ void test_reduction(const unsigned seed)
     br3_test::Patience patience = { random_int(rng, 4) == 0 ? 0 : 1000 };
     const bool has_patience = patience.number_of_steps > 0;
     bool is_reached = false;
-    const bool is_done = reduce(v, random_int(rng, 4), patience, [&](const Cells& ball)
+    const bool is_done = reduce(v, random_int(rng, 4), patience, [&](const Cells& star)
     {
-      assert(! is_reached && std::set<Cell_handle>(ball.begin(), ball.end()).size() == ball.size());
-      const Cells expected = scene.ball(v);
-      assert(std::is_permutation(ball.begin(), ball.end(), expected.begin(), expected.end()));
+      assert(! is_reached && std::set<Cell_handle>(star.begin(), star.end()).size() == star.size());
+      const Cells expected = scene.star(v);
+      assert(std::is_permutation(star.begin(), star.end(), expected.begin(), expected.end()));
       const Vertex_set left = scene.neighbors(v);
       assert(left.size() < neighbors.size());
       assert(std::includes(neighbors.begin(), neighbors.end(), left.begin(), left.end()));
@@ -405,7 +405,7 @@ void test_reduction(const unsigned seed)
     assert(has_patience || (! is_done && reduce.number_of_transformations() == number_of_transformations));
     const Vertex_set left = scene.neighbors(v); // an edge may be removed that the last one could not be tried for
     assert(std::includes(neighbors.begin(), neighbors.end(), left.begin(), left.end()));
-    ++number_of[is_done ? "ball that was reduced" : "ball that was not reduced"];
+    ++number_of[is_done ? "star that was reduced" : "star that was not reduced"];
   }
 }
 
@@ -431,14 +431,14 @@ void test_forgetting()
     scene.check();
     return v;
   };
-  const Vertex_handle v = split(c), w = split(scene.ball(v).front());
-  BR::internal::Cavity_3<Tr> cavity(scene.tr, scene.constraints, scene.ball(v));
-  for(const Cell_handle d : scene.ball(w))
+  const Vertex_handle v = split(c), w = split(scene.star(v).front());
+  BR::internal::Cavity_3<Tr> cavity(scene.tr, scene.constraints, scene.star(v));
+  for(const Cell_handle d : scene.star(w))
     cavity.add(d);
   BR::internal::star_and_forget(scene.editor, scene.ledger, cavity, v);
   scene.check();
   assert(scene.ledger.is_free(v) && scene.tr.degree(v) == 4 && ! scene.ledger.positions().contains(w));
-  BR::internal::replace_and_forget(scene.editor, scene.ledger, scene.ball(v), old_cell, Vertices(1, v));
+  BR::internal::replace_and_forget(scene.editor, scene.ledger, scene.star(v), old_cell, Vertices(1, v));
   scene.check();
   assert(scene.cells() == before && scene.ledger.positions().empty());
 }
@@ -456,7 +456,7 @@ int main()
   for(unsigned seed = 0; seed < 60; ++seed)
     test_cluster_without_numbers(seed);
   for(const char* kind : { "points that were merged", "point that cannot be merged", "neighbor that was removed",
-                           "ball that was reduced", "ball that was not reduced", "point that got a number",
+                           "star that was reduced", "star that was not reduced", "point that got a number",
                            "point without a number", "stop",
                            "cluster that needed a round" })
   {

@@ -23,8 +23,8 @@
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_editor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/star_cavity.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/Isolated_edge_recovery_3.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/Recovery_by_points_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Recover_by_points_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Recover_isolated_edge_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Suppress_free_point_3.h>
 
@@ -141,7 +141,7 @@ br3_test::Plc edge_along_bars(const int number, const unsigned seed)
 void test_points_that_come_off_edges(const br3_test::Plc& plc)
 {
   Scene scene(plc);
-  internal::Recovery_by_points_3<Tr> recover(scene.state, scene.ledger);
+  internal::Recover_by_points_3<Tr> recover(scene.state, scene.ledger);
   recover.look_up();
   recover.recover_conforming(3);
   assert(scene.state.is_nothing_lost() && scene.is_conforming());
@@ -167,13 +167,13 @@ void split_cell(Editor& editor, const Tr::Cell_handle c, const Vertex_handle v)
   editor.replace(std::array<Tr::Cell_handle, 1>{{ c }}, internal::star(faces, v), std::vector<Vertex_handle>());
 }
 
-// A new point goes if its ball can do without it, and else moves to the middle; both keep the parts of edges.
+// A new point goes if its star can do without it, and else moves to the middle; both keep the parts of edges.
 void test_suppression_of_one_point()
 {
   Scene scene(random_segments(12, 3));
   typedef internal::Mesh_editor_3<Tr>  Editor;
   typedef internal::Steiner_mesh_3<Tr> Mesh;
-  internal::Recovery_by_points_3<Tr> recover(scene.state, scene.ledger);
+  internal::Recover_by_points_3<Tr> recover(scene.state, scene.ledger);
   recover.look_up();
   recover.recover_conforming(0);
   const std::size_t number = scene.ledger.points_on_constraints().size();
@@ -206,7 +206,7 @@ void test_suppression_of_one_point()
 void test_points_that_go_from_chains()
 {
   Scene scene(random_segments(30, 6));
-  internal::Recovery_by_points_3<Tr> recover(scene.state, scene.ledger);
+  internal::Recover_by_points_3<Tr> recover(scene.state, scene.ledger);
   recover.look_up();
   recover.recover_conforming(0);
   assert(scene.is_conforming());
@@ -237,7 +237,7 @@ void test_points_that_go_from_chains()
 
 bool recover_one_by_one(Scene& scene, const std::size_t max_number_at_once = 0)
 {
-  internal::Recovery_by_points_3<Tr> recover(scene.state, scene.ledger);
+  internal::Recover_by_points_3<Tr> recover(scene.state, scene.ledger);
   recover.look_up();
   return recover(Mode::constrained, 30, max_number_at_once);
 }
@@ -318,7 +318,7 @@ void test_edge_after_edge(const br3_test::Plc& plc)
   Scene scene(plc);
   internal::Mesh_editor_3<Tr> editor(scene.tr, scene.any_visitor);
   internal::Steiner_mesh_3<Tr> mesh(editor, scene.predicates, scene.constraints, scene.ledger, scene.context);
-  internal::Isolated_edge_recovery_3<Tr> recover(mesh);
+  internal::Recover_isolated_edge_3<Tr> recover(mesh);
   internal::Constraint_search_3<Tr> search(scene.tr, scene.constraints);
   for(std::vector<std::size_t> lost = search().edges; ! lost.empty(); lost = search().edges)
   {
@@ -341,13 +341,13 @@ void test_edge_after_edge(const br3_test::Plc& plc)
   assert(scene.is_valid() && scene.is_conforming() && scene.ledger.positions().empty());
 }
 
-// When one end of a part of the edge went from point to point along the chain, the balls became too thin for numbers.
+// When one end of a part of the edge went from point to point along the chain, the stars became too thin for numbers.
 void test_long_chain()
 {
   Scene scene(edge_along_bars(150, 1));
   internal::Mesh_editor_3<Tr> editor(scene.tr, scene.any_visitor);
   internal::Steiner_mesh_3<Tr> mesh(editor, scene.predicates, scene.constraints, scene.ledger, scene.context);
-  internal::Isolated_edge_recovery_3<Tr> recover(mesh);
+  internal::Recover_isolated_edge_3<Tr> recover(mesh);
   assert(recover(0, 3, 30, 0));
   std::cout << scene.ledger.number_of_constraint_points() << " points came to a long edge" << std::endl;
   assert(scene.ledger.number_of_constraint_points() > 100);

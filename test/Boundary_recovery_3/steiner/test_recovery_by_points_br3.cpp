@@ -18,7 +18,7 @@
 
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/Recovery_by_points_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Recover_by_points_3.h>
 
 #include <algorithm>
 #include <cassert>
@@ -104,7 +104,7 @@ struct Visitor
 typedef br3_test::Steiner_scene<Visitor>                    Scene;
 typedef Scene::Tr                                           Tr;
 typedef Scene::Vertex_handle                                Vertex_handle;
-typedef internal::Recovery_by_points_3<Tr>                  Recovery;
+typedef internal::Recover_by_points_3<Tr>                  Recovery;
 typedef std::vector<Vertex_handle>                          Vertices;
 
 // How often each kind of case was met; main() checks that all of them were.

@@ -32,9 +32,9 @@
 
 #include <CGAL/Boundary_recovery_3/internal/steiner/Conforming_recovery_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Constraint_parts_3.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_rounding_3.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_splitting_3.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_suppression_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Round_steiner_point_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Split_off_steiner_point_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Suppress_steiner_points_3.h>
 #include <CGAL/Constrained_boundary_recovery_3.h>
 #include <CGAL/recover_boundary.h>
 

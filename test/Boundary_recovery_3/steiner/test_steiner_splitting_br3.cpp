@@ -17,10 +17,10 @@
 
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_editor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Facet_fans_3.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/Recovery_by_points_3.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/Sector_points_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Place_sector_points_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Recover_by_points_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Split_off_steiner_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_mesh_3.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_splitting_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 
 #include <algorithm>
@@ -46,7 +46,7 @@ typedef internal::Half_facet_star_3<Tr>            Star;
 typedef internal::Half_facet_3<Tr>                 Half_facet;
 typedef internal::Facet_fan_3<Tr>                  Fan;
 typedef internal::Facet_fans_3<Tr>                 Fans;
-typedef internal::Ball_sectors_3<Tr>               Sectors;
+typedef internal::Star_sectors_3<Tr>               Sectors;
 typedef Scene::Ledger::Carrier                     Carrier;
 typedef Scene::Ledger::Positions                   Positions;
 typedef Positions::Exact_point_3                   Exact_point;
@@ -92,7 +92,7 @@ private:
     check_sectors();
     for(Fan& fan : m_fans)
       triangulate(fan);
-    replace_ball();
+    replace_star();
     const Vertices s_i = m_sector_points.vertices();
     m_scene.ledger.erase(s);
     for(const Vertices& points : { s_i, new_points })
@@ -394,8 +394,8 @@ private:
 
   // --- points of sectors --------------------------------------------------------------------------------------------
 
-  // The new cells fill the ball, so each point sees all of its sector. The triangles of fans are in the mesh then.
-  void replace_ball()
+  // The new cells fill the star, so each point sees all of its sector. The triangles of fans are in the mesh then.
+  void replace_star()
   {
     const std::size_t number_of_vertices = m_tr.number_of_vertices();
     const FT old_volume = volume_of_mesh();
@@ -431,7 +431,7 @@ private:
   Sectors m_sectors;
   internal::Triangulate_fan_3<Tr> m_triangulate_fan;
   internal::Insert_artificial_fan_3<Tr> m_insert_artificial_fan;
-  internal::Sector_points_3<Tr> m_sector_points;
+  internal::Place_sector_points_3<Tr> m_sector_points;
   Vertex_handle m_s;
 };
 
@@ -440,7 +440,7 @@ void test(const br3_test::Plc& plc)
   Scene scene(plc);
   if(scene.tr.dimension() < 3)
     return;
-  internal::Recovery_by_points_3<Tr> recover(scene.state, scene.ledger);
+  internal::Recover_by_points_3<Tr> recover(scene.state, scene.ledger);
   recover.look_up();
   recover.recover_conforming(0);
   assert(scene.state.is_nothing_lost() && scene.is_conforming());

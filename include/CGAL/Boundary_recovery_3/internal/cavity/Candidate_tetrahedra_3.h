@@ -28,9 +28,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * The tetrahedra between the vertices of a polyhedron that can be in a tetrahedralization of it, and the sides of faces
@@ -206,8 +204,6 @@ private:
   std::vector<Number> m_last_vertices;       // of the tetrahedra, their greatest vertices
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_CAVITY_CANDIDATE_TETRAHEDRA_3_H

@@ -25,9 +25,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * Finite cells that are to be replaced together, in the order in which they were added; their vertices, and what is
@@ -343,8 +341,6 @@ bool shrink_until_seen(Cavity& cavity, const typename Cavity::Vertex_handle v, c
   return true;
 }
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_CAVITY_CAVITY_3_H

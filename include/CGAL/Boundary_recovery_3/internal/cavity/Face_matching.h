@@ -23,9 +23,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * Selects tetrahedra that fill a polyhedron, from nothing but the knowledge at which sides of which faces they are.
@@ -296,8 +294,6 @@ private:
   std::vector<Side> m_dead_ends;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_CAVITY_FACE_MATCHING_H

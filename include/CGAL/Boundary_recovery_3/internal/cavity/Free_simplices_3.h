@@ -26,9 +26,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * The edges between vertices of a polyhedron that are inside and cross no obstacle: those that can be in a
@@ -313,8 +311,6 @@ private:
   std::vector<Number> m_thirds;  // of the faces at one edge after the other, their greatest vertices
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_CAVITY_FREE_SIMPLICES_3_H

@@ -30,9 +30,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * Functions that let a `Cavity_3` grow. A cavity *spans* a cell if all four vertices of the cell are in the cavity.
@@ -125,14 +123,14 @@ public:
       m_candidates(predicates)
   { }
 
-  // Searches for tetrahedra that fill a cavity around the ball of v without v. The tetrahedra need not use the
+  // Searches for tetrahedra that fill a cavity around the star of v without v. The tetrahedra need not use the
   // `points`, which may be deleted. Returns `NONE` if constraints and the hull enclose a cavity that cannot be filled,
   // and `GAVE_UP` if a bound was reached or the context says stop.
   template <typename Context>
-  Outcome operator()(const std::vector<Cell_handle>& ball, const Vertex_handle v, const Vertices& points,
+  Outcome operator()(const std::vector<Cell_handle>& star, const Vertex_handle v, const Vertices& points,
                      const Growth growth, const Bounds& bounds, Context& context)
   {
-    start(ball);
+    start(star);
     while(number_of_vertices() <= bounds.vertices && context.go_further())
     {
       const Outcome outcome = reconnect(v, points, bounds);
@@ -208,10 +206,10 @@ private:
     std::vector<Bbox_3> m_boxes;
   };
 
-  void start(const std::vector<Cell_handle>& ball)
+  void start(const std::vector<Cell_handle>& star)
   {
     m_cavity.clear();
-    for(const Cell_handle c : ball)
+    for(const Cell_handle c : star)
       m_cavity.add(c);
     internal::add_spanned_cells(m_cavity);
   }
@@ -328,8 +326,6 @@ private:
   Vertices m_dropped_points;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_CAVITY_GROWING_CAVITY_3_H

@@ -27,9 +27,7 @@
 #include <iterator>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * The vertices of a polyhedron, and its obstacles: the faces of its boundary, and edges and facets that are required
@@ -290,8 +288,6 @@ private:
   std::vector<Edge> m_single_edges;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_CAVITY_POLYHEDRON_OBSTACLES_3_H

@@ -24,9 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * Small polyhedron reconnection: searches a tetrahedralization of a polyhedron that contains given edges and facets.
@@ -365,8 +363,6 @@ private:
   std::vector<Tetrahedron> m_tetrahedra;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_CAVITY_SMALL_POLYHEDRON_RECONNECTION_3_H

@@ -24,9 +24,7 @@
 #include <set>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * The walls of a domain that are far larger than cells are to be beside them, and what encroaches on them. Walls are
@@ -197,11 +195,7 @@ private:
     for(const Shape& shape : m_shapes)
       boxes.push_back(shape.box());
     m_hierarchy = Box_hierarchy_3<1>(boxes);
-    std::vector<Shape> shapes;
-    for(const std::size_t k : m_hierarchy.order())
-      shapes.push_back(m_shapes[k]);
-    m_shapes.swap(shapes);
-    m_hierarchy.forget_order();
+    m_hierarchy.put_into_order(m_shapes);
   }
 
   // None if the point encroaches on none. In the unit frame.
@@ -227,8 +221,6 @@ private:
   Box_hierarchy_3<1> m_hierarchy; // of the boxes in which points can encroach
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_ENCROACHED_WALLS_3_H

@@ -33,9 +33,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 // What a forecast is told of a field that does not tell bounds.
 struct Unknown_least_size
@@ -49,7 +47,7 @@ struct Unknown_least_size
  * volume that they have, until there are enough pieces. Since most sizes in a piece are smaller, by volume of what they
  * ask for, than that at its centroid, a part of what may differ still is added.
  *
- * `Size` returns the size at a place, given by coordinates and the number of the region. `gradation` is by how much
+ * `Size` returns the size at a place, given by coordinates and the number of the region. `grading` is by how much
  * sizes grow per length, as far as that is known. If they grow fast, `Least_size` is asked for a size that those in a
  * tetrahedron are not below, so that it is cut where small sizes are hidden.
  */
@@ -59,13 +57,13 @@ class Forecast_3
 public:
   typedef std::array<Coordinates_3, 4> Tetrahedron;
 
-  Forecast_3(Size& size, const double gradation, const Least_size& least_size = Least_size())
-    : m_size(size), m_gradation((std::min)(gradation, assumed_gradation)),
-      m_asks_for_least_sizes(gradation > assumed_gradation), m_least_size(least_size)
+  Forecast_3(Size& size, const double grading, const Least_size& least_size = Least_size())
+    : m_size(size), m_grading((std::min)(grading, assumed_grading)),
+      m_asks_for_least_sizes(grading > assumed_grading), m_least_size(least_size)
   { }
 
   // By how much sizes are assumed to grow per length.
-  double gradation() const { return m_gradation; }
+  double grading() const { return m_grading; }
 
   // Its size at the centroid is about `h`.
   void add(const Tetrahedron& t, const int region, const double h) { push(t, region, h); }
@@ -100,7 +98,7 @@ private:
     }
   };
 
-  static constexpr double assumed_gradation = 0.5; // of fields that do not tell
+  static constexpr double assumed_grading = 0.5; // of fields that do not tell
   static constexpr double tolerance = 1e-6;        // of a piece, as a part of the whole
   static constexpr double most_refined = 0.2;      // no size is expected to fall below that part of one nearby
   static constexpr double part_of_error = 0.025;   // that is expected to be missing in the sum
@@ -110,7 +108,7 @@ private:
   void push(const Tetrahedron& t, const int region, const double h)
   {
     const double volume = std::abs(volume_times_6(t)) / 6;
-    const double reach = m_gradation * internal::longest_edge(t).length / 2;
+    const double reach = m_grading * internal::longest_edge(t).length / 2;
     const double lowest = (std::max)(h - reach, most_refined * h);
     const double error = volume * (density(lowest) - density(h + reach));
     const double least = m_asks_for_least_sizes ? m_least_size(t, region) : 0;
@@ -137,7 +135,7 @@ private:
   }
 
   Size& m_size;
-  double m_gradation;
+  double m_grading;
   bool m_asks_for_least_sizes;
   Least_size m_least_size;
   double m_sum = 0;
@@ -292,11 +290,11 @@ private:
       return m_sizes.query().tells_least_sizes()
            ? m_sizes.least_size_around(center, internal::largest_distance(center, t), region) : 0;
     };
-    Forecast_3<decltype(size), decltype(least_size)> integral(size, m_sizes.gradation(), least_size);
+    Forecast_3<decltype(size), decltype(least_size)> integral(size, m_sizes.grading(), least_size);
     for(const Cell_handle c : m_cells)
     {
       const auto corners = internal::corners(c);
-      integral.add(corners, m_sizes.region(c), m_sizes.likely_size_inside(c, corners, integral.gradation()));
+      integral.add(corners, m_sizes.region(c), m_sizes.likely_size_at_centroid(c, corners, integral.grading()));
     }
     const std::size_t least = m_effort == Forecast_effort::usual ? least_number_of_questions : 0;
     const double number = integral((std::min)(least + m_cells.size(), largest_number_of_questions));
@@ -370,8 +368,6 @@ Field_point_insertion_3<Standard_mesh>::operator()(std::size_t, double);
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_COMPILED
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_FIELD_POINT_INSERTION_3_H

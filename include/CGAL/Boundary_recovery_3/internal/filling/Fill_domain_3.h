@@ -17,6 +17,7 @@
 #include <CGAL/Boundary_recovery_3/internal/filling/Field_point_cavity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Insert_field_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Remove_long_edge_3.h>
+#include <CGAL/Boundary_recovery_3/internal/geometry/walk_to.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/Cell_shape_3.h>
@@ -31,11 +32,10 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * Fills a domain with field points [CZZ+17, Section 4.1, step 6]: one point for each cell that is too large for the
@@ -174,7 +174,7 @@ private:
   {
     const Corners p = internal::corners(c);
     const double longest = internal::longest_edge_of_facet(p, i);
-    if(! Encroached_walls_3::is_large(longest, m_sizes.least_size_inside(c, p)))
+    if(! Encroached_walls_3::is_large(longest, m_sizes.least_size_at_centroid(c, p)))
       return;
     const double size = m_sizes.of_field(internal::centroid(p), m_sizes.region(c));
     if(Encroached_walls_3::is_large(longest, size))
@@ -191,7 +191,7 @@ private:
     const Corners p = internal::corners(c);
     const Sphere_3 sphere = internal::circumsphere(p);
     const double radius = std::sqrt(sphere.squared_radius);
-    if(radius <= largest_radius * m_sizes.least_size_inside(c, p))
+    if(radius <= largest_radius * m_sizes.least_size_at_centroid(c, p))
       return look_where_small(c, p, radius / largest_radius);
     const Coordinates_3 center = internal::centroid(p);
     const Size size = m_sizes(center, c);
@@ -210,7 +210,7 @@ private:
   void look_where_small(const Cell_handle c, const Corners& p, const double size)
   {
     constexpr double harmless_growth = (1 - Search::certain) / (1.5 * largest_radius);
-    if(! (m_sizes.gradation() <= harmless_growth))
+    if(! (m_sizes.grading() <= harmless_growth))
       try_where_small(c, p, size);
   }
 
@@ -262,7 +262,7 @@ private:
       if(! (e.length > Length_rules::longest_edge * size.possible) || m_number_of_edges_left == 0)
         return;
       --m_number_of_edges_left;
-      if(m_domain.is_constrained_edge(c->vertex(e.i), c->vertex(e.j)) || is_at_large_wall(c, e))
+      if(m_domain.is_constrained_edge(c->vertex(e.i), c->vertex(e.j)) || has_to_be_long(c, e))
         continue;
       if(m_remove_edge(typename Tr::Edge(c, e.i, e.j)))
       {
@@ -276,7 +276,7 @@ private:
 
   // Whether an edge has to be long: it is on a wall, or one of its cells has a wall that is not much smaller than the
   // edge. Also true for edges with too many cells for a removal.
-  bool is_at_large_wall(const Cell_handle c, const Tetrahedron_edge_3& e) const
+  bool has_to_be_long(const Cell_handle c, const Tetrahedron_edge_3& e) const
   {
     auto around = m_tr.tds().incident_cells(c, e.i, e.j);
     const auto first = around;
@@ -301,20 +301,17 @@ private:
 
   // The cell that contains a point, found by a walk from c in floating point numbers; none if a wall is in the way, or
   // if it takes too many steps. A wrong answer makes another cavity, not an invalid one.
-  Cell_handle walk(Cell_handle c, const Coordinates_3& q) const
+  Cell_handle walk(const Cell_handle start, const Coordinates_3& q) const
   {
     if(! std::isfinite(q[0] + q[1] + q[2]))
       return Cell_handle();
-    for(int step = 0; step < max_number_of_steps; ++step)
+    const auto facet_towards = [&](const Cell_handle c) { return internal::facet_towards(c, q); };
+    const auto cell_behind = [&](const Cell_handle c, const int i)
     {
-      const int i = internal::facet_towards(c, q);
-      if(i < 0)
-        return is_in_box(c, q) ? c : Cell_handle();
-      if(m_domain.is_wall(c, i))
-        return Cell_handle();
-      c = c->neighbor(i);
-    }
-    return Cell_handle();
+      return m_domain.is_wall(c, i) ? std::nullopt : std::optional<Cell_handle>(c->neighbor(i));
+    };
+    const auto last = internal::walk_to(start, max_number_of_steps, facet_towards, cell_behind);
+    return last && is_in_box(*last, q) ? *last : Cell_handle();
   }
 
   // Nearly flat cells seem to contain points that are far away.
@@ -425,8 +422,6 @@ private:
   std::size_t m_next_report = 0;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_FILL_DOMAIN_3_H

@@ -22,9 +22,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * Stars the cavity of a field point from it, where millions of points are inserted. The cells are linked by a hash
@@ -188,8 +186,6 @@ private:
   std::vector<std::uint32_t> m_slots;   // of edges: 4 times the number of a face, plus the index of its other vertex
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_INSERT_FIELD_POINT_3_H

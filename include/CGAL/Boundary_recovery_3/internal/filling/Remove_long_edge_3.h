@@ -20,9 +20,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 // That of the worst cell, and that counts more than the number of cells around the edge.
 template <typename Tr>
@@ -109,8 +107,6 @@ private:
   Transformation m_transform;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_FILLING_REMOVE_LONG_EDGE_3_H

@@ -32,9 +32,7 @@
 #include <type_traits>
 #include <unordered_map>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * A point in numbers of a ring: numerators over a common positive denominator.
@@ -264,8 +262,6 @@ private:
   std::unordered_map<const void*, Position> m_positions; // look-up only
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_GEOMETRY_EXACT_POSITIONS_3_H

@@ -24,9 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * The orientations of all quadruples of a few vertices, and the predicates that can be read off them, for many vertices
@@ -211,8 +209,6 @@ private:
   std::vector<Sides> m_sides; // by index, seen from where i, j, k with i < j < k are counterclockwise
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_GEOMETRY_ORIENTATION_TABLE_3_H

@@ -29,9 +29,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 // A mesh edge (dimension 1) or facet (dimension 2) that crosses a constraint, and a cell that has it.
 template <typename Tr>
@@ -206,8 +204,8 @@ private:
     return Cell_handle();
   }
 
-  // The index in c of a facet at u that has v strictly on its other side; -1 if there is none. Then `m_start_sides`
-  // tells on which side of each of the three facets v is.
+  // The index in c of a facet at u that has v behind it, and not in its plane; -1 if there is none. Then
+  // `m_start_sides` tells on which side of each of the three facets v is.
   int separating_facet(const Cell_handle c)
   {
     const int i = c->index(m_u);
@@ -315,8 +313,6 @@ private:
   std::vector<Cell_handle> m_star;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_GEOMETRY_SEGMENT_WALK_3_H

@@ -24,9 +24,7 @@
 #include <algorithm>
 #include <array>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * Exact decisions about finite vertices of a triangulation.
@@ -218,8 +216,6 @@ bool is_mesh_valid(const Tr& tr, const Predicates& predicates)
          });
 }
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_GEOMETRY_VERTEX_PREDICATES_3_H

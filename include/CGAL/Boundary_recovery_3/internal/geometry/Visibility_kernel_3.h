@@ -32,9 +32,7 @@
 #include <random>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * The visibility kernel of a polyhedron, the points that see all of its faces from inside, in floating point numbers:
@@ -261,8 +259,6 @@ private:
   std::vector<Half_space> m_half_spaces;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_GEOMETRY_VISIBILITY_KERNEL_3_H

@@ -28,9 +28,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 // Whether none of the faces of a polyhedron is hidden from a point. Where points are tried one after the other, the
 // next one is likely to be on the wrong side of the same face, so this is asked for first.
@@ -207,8 +205,6 @@ center_of_kernel(const Positions& positions, const FaceRange& faces)
   return Representable_point_3<Rational>().center(internal::planes_of_kernel(positions, faces));
 }
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_GEOMETRY_POINTS_IN_KERNEL_H

@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 // The property map of the places of what is sorted. `hilbert_sort()` cannot be stopped; the map throws to leave it, and
 // `sort_in_space()` catches that.
@@ -78,8 +76,6 @@ void sort_in_space(std::vector<Item>& items, const CoordinatesOf& coordinates_of
     items[k] = entries[k].second;
 }
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_GEOMETRY_SORT_IN_SPACE_H

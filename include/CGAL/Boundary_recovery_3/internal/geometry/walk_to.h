@@ -14,9 +14,7 @@
 
 #include <optional>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * A walk from cell to cell to a place: always through a facet that has the place behind it, until no facet of the cell
@@ -40,8 +38,6 @@ std::optional<Cell> walk_to(const Cell start, const int max_number_of_steps, con
   return std::nullopt;
 }
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_GEOMETRY_WALK_TO_H

@@ -23,9 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * Which cells of a mesh have to be replaced: those that are inverted or flat, which exact predicates tell; those with a
@@ -179,8 +177,6 @@ private:
   std::vector<std::vector<std::size_t> > m_cells; // of each hole
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_HOLES_HOLE_CELLS_3_H

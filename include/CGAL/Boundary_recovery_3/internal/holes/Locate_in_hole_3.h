@@ -36,9 +36,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * Finds the old cell of a hole in which a place is.
@@ -250,8 +248,6 @@ private:
   Box_hierarchy_3<1> m_hierarchy;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_HOLES_LOCATE_IN_HOLE_3_H

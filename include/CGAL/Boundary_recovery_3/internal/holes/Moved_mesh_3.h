@@ -26,9 +26,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * A mesh as arrays: what the caller of remesh_holes() has. Some of its tetrahedra may be flat or inverted, that is, the
@@ -238,8 +236,6 @@ private:
   std::vector<Defect> m_defects;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_HOLES_MOVED_MESH_3_H

@@ -13,10 +13,10 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/Hole_remeshing_result_3.h>
-#include <CGAL/Boundary_recovery_3/internal/holes/Hole_remeshing_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Moved_mesh_3.h>
+#include <CGAL/Boundary_recovery_3/internal/holes/Remesh_holes_3.h>
 #include <CGAL/Boundary_recovery_3/internal/input/input_conversion.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/Quality_improvement_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Improve_quality_3.h>
 #include <CGAL/Boundary_recovery_3/internal/sizing/Size_query_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 #include <CGAL/Boundary_recovery_3/parameters.h>
@@ -33,9 +33,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 // In the place of a size field: the sizes are those of the old mesh.
 struct Sizes_of_old_mesh { };
@@ -70,7 +68,7 @@ public:
   // `options` has the sizes, the selection, and what named parameters cannot say.
   Result operator()(Mesh&& mesh, Options options) const
   {
-    typedef Hole_remeshing_3<Kernel> Hole_remeshing;
+    typedef Remesh_holes_3<Kernel> Hole_remeshing;
     auto visitor = internal::mesh_visitor<typename Hole_triangulation_3<Kernel>::Tr>(m_np);
     typename Hole_remeshing::Context context(visitor);
     context.set_maximum_running_time(get(internal_np::maximum_running_time, std::numeric_limits<double>::infinity()));
@@ -187,8 +185,6 @@ private:
   const NamedParameters& m_np;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_HOLES_REMESH_ARRAYS_3_H

@@ -17,8 +17,8 @@
 #include <CGAL/Boundary_recovery_3/internal/holes/Moved_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Remesh_arrays_3.h>
 #include <CGAL/Boundary_recovery_3/internal/input/input_conversion.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/Cell_replacement.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mark_domain_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Replace_cells.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_indices.h>
 #include <CGAL/Boundary_recovery_3/internal/util/bare_point.h>
 #include <CGAL/Boundary_recovery_3/parameters.h>
@@ -33,9 +33,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * The work behind remesh_cells(): the finite cells are made arrays, these are remeshed, and what is new is put into the
@@ -140,7 +138,7 @@ private:
                               result.vertices[t[3]] }});
     }
     Mesh_indices_keeper_3<Tr> keep_patches(m_tr);
-    Cell_replacement<Tr> replace;
+    Replace_cells<Tr> replace;
     replace(m_tr, old_cells, tetrahedra, keep_patches, old_vertices);
     result.cells.insert(result.cells.end(), replace.new_cells().begin(), replace.new_cells().end());
     mark(result);
@@ -179,8 +177,6 @@ private:
   const std::vector<Cell_handle> m_cells;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_HOLES_REMESH_TRIANGULATION_3_H

@@ -27,9 +27,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * Puts the new mesh together: what is outside of the holes, in its order, then what is in the holes, one after the
@@ -185,8 +183,6 @@ private:
   std::vector<std::size_t> m_new_number; // of the old vertices
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_HOLES_SEW_HOLES_3_H

@@ -30,9 +30,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * Keeps the smallest of the elements that are inserted, a bounded number of them, whatever their order. Never stores
@@ -379,8 +377,6 @@ private:
   std::vector<Constraint> m_constraints;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_INPUT_CONSTRAINT_INTERSECTIONS_3_H

@@ -29,9 +29,7 @@
 
 // The input in index form, and the few questions about it that every part of the diagnosis asks.
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /// the input in index form: what all overloads of `recover_boundary()` are turned into.
 template <typename Point_3_>
@@ -236,8 +234,6 @@ Input_simplex_3<Point_3> describe_facet(const Indexed_input_3<Point_3>& input, c
   return describe_simplex(input, f, input.facets[f]);
 }
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_INPUT_INDEXED_INPUT_3_H

@@ -31,9 +31,7 @@
 // What is wrong with the input. The first half is cheap: what can be seen without comparing constraints with each
 // other. The second half, where constraints are missing after the recovery, compares them.
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /// the checks behind `simple_defects()`; each appends the defects of one kind, by increasing index.
 template <typename GT>
@@ -374,8 +372,6 @@ private:
   std::size_t m_number_of_defects = 0;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_INPUT_INPUT_DIAGNOSIS_3_H

@@ -24,9 +24,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 // Only a triangulation that is Delaunay by type and in fact can take new points by Delaunay insertion. Not asked by
 // is_valid(), where an assertion fails if it is not.
@@ -122,8 +120,6 @@ std::size_t insert_points(Tr& tr, const std::vector<typename Tr::Geom_traits::Po
   return tr.number_of_vertices() - before;
 }
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_INPUT_VERTEX_LOCATION_H

@@ -13,7 +13,7 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/Meshing_visitor_3.h>
-#include <CGAL/Boundary_recovery_3/internal/input/Indexed_boundary_recovery.h>
+#include <CGAL/Boundary_recovery_3/internal/input/Recover_indexed_boundary.h>
 #include <CGAL/Boundary_recovery_3/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -29,9 +29,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 template <typename NamedParameters>
 Recovery_options recovery_options(const NamedParameters& np)
@@ -61,7 +59,7 @@ recover_indexed_boundary(Tr& tr, const Indexed_input_3<typename Tr::Geom_traits:
                                                    tr.geom_traits());
   const Recovery_options options = recovery_options(np);
   typedef std::decay_t<decltype(traits)> GT;
-  return Indexed_boundary_recovery<Tr, GT>(tr, input, traits, options, visitor)(std::move(vertices));
+  return Recover_indexed_boundary<Tr, GT>(tr, input, traits, options, visitor)(std::move(vertices));
 }
 
 // Edges that are no edges of facets: a range of arrays of two indices or handles, if it was given.
@@ -245,8 +243,6 @@ private:
   std::unordered_map<const void*, std::size_t> m_indices; // look-up only
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_INPUT_INPUT_CONVERSION_H

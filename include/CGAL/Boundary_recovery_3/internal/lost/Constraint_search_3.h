@@ -23,9 +23,7 @@
 #include <iterator>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * Looks for given constraints in the stars of vertices, each visited once for all the constraints that are looked for
@@ -355,8 +353,6 @@ private:
   std::vector<Cell_handle> m_places; // a cell of each facet, where it was found last
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_LOST_CONSTRAINT_SEARCH_3_H

@@ -21,8 +21,8 @@
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/lost/Recovery_state_3.h>
 #include <CGAL/Boundary_recovery_3/internal/lost/Recursive_recovery_3.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/Cell_replacement.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Replace_cells.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 
 #include <algorithm>
@@ -30,9 +30,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * Recovery of one lost constraint by small polyhedron reconnection of the cells that it crosses, then of these and
@@ -42,7 +40,7 @@ namespace internal {
  * between are of no use.
  */
 template <typename Tr>
-class Cavity_recovery_3
+class Recover_in_cavity_3
 {
 public:
   typedef typename Tr::Vertex_handle           Vertex_handle;
@@ -55,7 +53,7 @@ public:
 
   static constexpr int number_of_layers = 3;
 
-  Cavity_recovery_3(Tr& tr, const Predicates& predicates, const Constraints& constraints, Mesh_visitor_3<Tr>& visitor)
+  Recover_in_cavity_3(Tr& tr, const Predicates& predicates, const Constraints& constraints, Mesh_visitor_3<Tr>& visitor)
     : m_tr(tr), m_constraints(constraints), m_visitor(visitor),
       m_segment_walk(tr, predicates), m_facet_walk(tr, predicates), m_reconnection(predicates),
       m_cavity(tr, constraints)
@@ -141,7 +139,7 @@ private:
   Segment_walk_3<Tr> m_segment_walk;
   Facet_walk_3<Tr> m_facet_walk;
   Reconnection m_reconnection;
-  Cell_replacement<Tr> m_replacement;
+  Replace_cells<Tr> m_replacement;
   Cavity_3<Tr, Constraints> m_cavity;
   std::size_t m_number_of_replacements = 0;
 };
@@ -164,22 +162,22 @@ public:
       m_facet_recovery(state.tr, state.predicates, state.constraints, state.context, m_treatable_facets, state.levels)
   { }
 
-  void remove_plainly()
+  void remove_without_recursion()
   {
     run_if_any(m_state.lost.edges, Phase::plain_removal,
-               [&](const Phase phase) { return m_edge_recovery.remove_plainly(phase); });
+               [&](const Phase phase) { return m_edge_recovery.remove_without_recursion(phase); });
   }
 
   void recover_edges_brc1(const int l_max)
   {
     run_if_any(m_state.lost.edges, Phase::edge_recovery_brc1,
-               [&](const Phase phase) { return m_edge_recovery.first_calling(phase, l_max); });
+               [&](const Phase phase) { return m_edge_recovery.recover_with_best_cells(phase, l_max); });
   }
 
   void recover_edges_brc3(const int l_max)
   {
     run_if_any(m_state.lost.edges, Phase::edge_recovery_brc3,
-               [&](const Phase phase) { return m_edge_recovery.second_calling(phase, l_max); });
+               [&](const Phase phase) { return m_edge_recovery.recover_with_fewest_crossings(phase, l_max); });
   }
 
   void reconnect_edges()
@@ -193,13 +191,13 @@ public:
   void recover_facets_brc2(const int l_max)
   {
     run_if_any(treatable_facets(), Phase::facet_recovery_brc2,
-               [&](const Phase phase) { return m_facet_recovery.first_calling(phase, l_max); });
+               [&](const Phase phase) { return m_facet_recovery.recover_with_best_cells(phase, l_max); });
   }
 
   void recover_facets_brc4(const int l_max)
   {
     run_if_any(treatable_facets(), Phase::facet_recovery_brc4,
-               [&](const Phase phase) { return m_facet_recovery.second_calling(phase, l_max); });
+               [&](const Phase phase) { return m_facet_recovery.recover_with_fewest_crossings(phase, l_max); });
   }
 
   void reconnect_facets()
@@ -247,7 +245,7 @@ private:
   template <typename Simplex>
   std::size_t reconnect(const Phase phase, std::vector<std::size_t>& lost, const std::vector<Simplex>& simplices)
   {
-    Cavity_recovery_3<Tr>
+    Recover_in_cavity_3<Tr>
       recover(m_state.tr, m_state.predicates, m_state.constraints, m_state.context.visitor());
     std::vector<std::size_t> hopeless_since(lost.size(), std::size_t(-1)); // numbers of replacements, or -1
     for(std::size_t before = 0; before != lost.size() && ! lost.empty(); )
@@ -276,8 +274,6 @@ private:
   Recursive_recovery_3<Tr, 3> m_facet_recovery;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_LOST_RECOVERY_BY_FLIPS_3_H

@@ -21,9 +21,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * What the phases of a recovery share: the mesh, the constraints and what is lost of them, the context of the run, and
@@ -76,8 +74,6 @@ private:
   Constraint_search_3<Tr> m_search;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_LOST_RECOVERY_STATE_3_H

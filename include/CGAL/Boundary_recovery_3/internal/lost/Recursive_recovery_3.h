@@ -16,7 +16,7 @@
 #include <CGAL/Boundary_recovery_3/Shell_quality_3.h>
 #include <CGAL/Boundary_recovery_3/Shell_validity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
-#include <CGAL/Boundary_recovery_3/internal/lost/Constraint_recovery_3.h>
+#include <CGAL/Boundary_recovery_3/internal/lost/Recover_constraint_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
@@ -32,9 +32,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * How often mesh edges and faces are crossed by the lost constraints of one dimension N - 1 (edges for N = 2, facets
@@ -169,7 +167,7 @@ public:
   // Passes without recursion, which try to remove each crossing edge or facet by a single shell transformation. They go
   // on as long as a pass at least halves the number of lost constraints: the others need recursion, and more passes
   // would change the mesh without much use, see "Tuning constants" in the manual.
-  std::size_t remove_plainly(const Phase phase)
+  std::size_t remove_without_recursion(const Phase phase)
   {
     typedef Shell_transformation_3<Tr, No_shell_quality_3, Target_validity, Mesh_visitor_3<Tr> > Transformation;
     Transformation st(m_tr, No_shell_quality_3(), m_context.visitor(), Predicates(m_tr));
@@ -184,7 +182,7 @@ public:
   }
 
   // The first calling of Alg. 5: under BRC1 or BRC2, with the vector [Q', Q'', Q_1].
-  std::size_t first_calling(const Phase phase, const int max_recursion_level)
+  std::size_t recover_with_best_cells(const Phase phase, const int max_recursion_level)
   {
     typedef Worst_element_quality_3<Tr> Quality;
     typedef Shell_transformation_3<Tr, Quality, Target_validity, Mesh_visitor_3<Tr> > Transformation;
@@ -197,7 +195,7 @@ public:
   }
 
   // The second calling of Alg. 5: under BRC3 or BRC4, which is BRC3 for facets, with the vector [Q_2, Q', Q''].
-  std::size_t second_calling(const Phase phase, const int max_recursion_level)
+  std::size_t recover_with_fewest_crossings(const Phase phase, const int max_recursion_level)
   {
     typedef Intersection_table_3<Tr, N> Table;
     typedef Fewest_intersections_quality_3<Tr, Table> Quality;
@@ -291,7 +289,7 @@ private:
 
   Report add_level(const Phase phase, const int l_max)
   {
-    Report result = report();
+    Report result = count_and_sort_lost();
     result.phase = phase;
     result.max_recursion_level = l_max;
     if(! m_context.is_refuted()) // else it may be unfinished
@@ -299,9 +297,9 @@ private:
     return result;
   }
 
-  // Reports how many constraints are lost and what they cross, and sorts them for the next pass. n4 counts the crossed
+  // Counts the lost constraints and what they cross, and sorts them for the next pass. n4 counts the crossed
   // mesh entities, each once.
-  Report report()
+  Report count_and_sort_lost()
   {
     Report result;
     result.n1 = m_lost.size();
@@ -378,17 +376,15 @@ private:
   Tr& m_tr;
   const Constraints& m_constraints;
   Context& m_context;
-  Constraint_recovery_3<Tr, N> m_recover;
+  Recover_constraint_3<Tr, N> m_recover;
   std::vector<std::size_t>& m_lost;
   std::vector<Report>& m_levels;
   const Target_validity_of m_target_validity;
-  std::vector<std::pair<std::size_t, std::size_t> > m_order; // the lost constraints, as report() sorted them
+  std::vector<std::pair<std::size_t, std::size_t> > m_order; // the lost ones, sorted by count_and_sort_lost()
   std::vector<std::size_t> m_hopeless_since; // numbers of transformations, or never, for each constraint
   std::size_t m_max_number_of_shells = std::size_t(-1); // in one calling of Alg. 5
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_LOST_RECURSIVE_RECOVERY_3_H

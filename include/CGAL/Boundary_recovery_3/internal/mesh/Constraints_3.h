@@ -23,9 +23,7 @@
 #include <unordered_set>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * The constraints: edges and facets, numbered in the order in which they were given.
@@ -243,8 +241,6 @@ void collect_constraints(const Constraints& constraints, const CellRange& cells,
     }
 }
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_MESH_CONSTRAINTS_3_H

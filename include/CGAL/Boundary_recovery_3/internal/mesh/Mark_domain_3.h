@@ -22,9 +22,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 // Numbers of cells, kept in the cells themselves, in the place of their region, where they are found at once.
 template <typename Tr>
@@ -126,8 +124,6 @@ private:
   Tr& m_tr;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_MESH_MARK_DOMAIN_3_H

@@ -13,8 +13,8 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/Cell_replacement.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_change_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Replace_cells.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Mesh_visitor_3.h>
 
 #include <CGAL/assertions.h>
@@ -23,9 +23,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * Records the changes of a mesh, and can undo them, in a time that depends on the size of the changes, not on the size
@@ -166,8 +164,8 @@ public:
   typedef typename Tr::Vertex_handle              Vertex_handle;
   typedef typename Tr::Cell_handle                Cell_handle;
   typedef typename Tr::Point                      Point;
-  typedef typename Cell_replacement<Tr>::Cells        Cells;
-  typedef typename Cell_replacement<Tr>::Tetrahedron  Tetrahedron;
+  typedef typename Replace_cells<Tr>::Cells        Cells;
+  typedef typename Replace_cells<Tr>::Tetrahedron  Tetrahedron;
   typedef typename Mesh_journal_3<Tr>::Vertex_pair    Vertex_pair;
 
   Mesh_editor_3(Tr& tr, Visitor& visitor) : m_tr(tr), m_visitor(visitor) { }
@@ -180,7 +178,7 @@ public:
 
   // --- changes ------------------------------------------------------------------------------------------------------
 
-  // Puts cells with the given vertices in the place of others, see `Cell_replacement`. The vertices in `dropped` go
+  // Puts cells with the given vertices in the place of others, see `Replace_cells`. The vertices in `dropped` go
   // with the old cells. If memory is lacking, or the visitor throws when it is told what goes, nothing changes.
   template <typename CellRange, typename TetrahedronRange, typename VertexRange = std::array<Vertex_handle, 0> >
   const Cells& replace(const CellRange& old_cells, const TetrahedronRange& tetrahedra,
@@ -289,12 +287,10 @@ public:
 private:
   Tr& m_tr;
   Visitor& m_visitor;
-  Cell_replacement<Tr> m_replacement;
+  Replace_cells<Tr> m_replacement;
   Mesh_journal_3<Tr> m_journal;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_MESH_MESH_EDITOR_3_H

@@ -21,9 +21,7 @@
 #include <cmath>
 #include <cstdlib>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * Brings a triangulation to another scale as long as this exists, if its coordinates are so large, or so small, that
@@ -92,8 +90,6 @@ private:
   const double m_factor;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_MESH_ORDINARY_SCALE_3_H

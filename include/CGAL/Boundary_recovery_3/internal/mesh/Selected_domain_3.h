@@ -22,9 +22,7 @@
 #include <memory>
 #include <utility>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * The part of a triangulation that is filled or improved: the cells of the regions of the domain, as far as they are
@@ -238,8 +236,6 @@ private:
   bool m_is_exchanging = false;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_MESH_SELECTED_DOMAIN_3_H

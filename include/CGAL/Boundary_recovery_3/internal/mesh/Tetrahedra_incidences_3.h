@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * Which tetrahedra of a mesh, given by arrays, are at a vertex, and which two are at a facet.
@@ -229,8 +227,6 @@ private:
   std::vector<Side_pair> m_inconsistent;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_MESH_TETRAHEDRA_INCIDENCES_3_H

@@ -24,9 +24,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 // The vertices of the facet opposite to the vertex i of a cell, which is on the positive side of it.
 template <typename Cell_handle>
@@ -87,16 +85,16 @@ void for_each_outer_facet(const CellRange& cells, const Work& work)
 
 // Collects the cells around v. Returns whether all of them are finite.
 template <typename Tr>
-bool collect_ball(const Tr& tr, const typename Tr::Vertex_handle v, std::vector<typename Tr::Cell_handle>& ball)
+bool collect_star(const Tr& tr, const typename Tr::Vertex_handle v, std::vector<typename Tr::Cell_handle>& star)
 {
-  ball.clear();
-  tr.incident_cells(v, std::back_inserter(ball));
-  return std::none_of(ball.begin(), ball.end(), [&](const typename Tr::Cell_handle c) { return tr.is_infinite(c); });
+  star.clear();
+  tr.incident_cells(v, std::back_inserter(star));
+  return std::none_of(star.begin(), star.end(), [&](const typename Tr::Cell_handle c) { return tr.is_infinite(c); });
 }
 
-// The faces of the ball of v, seen from inside; `star` are the cells around v.
+// The faces of the star of v, that is, of the cells around v, seen from inside.
 template <typename Cell_handle, typename Vertex_handle>
-std::vector<std::array<Vertex_handle, 3> > faces_of_ball(const std::vector<Cell_handle>& star, const Vertex_handle v)
+std::vector<std::array<Vertex_handle, 3> > faces_of_star(const std::vector<Cell_handle>& star, const Vertex_handle v)
 {
   std::vector<std::array<Vertex_handle, 3> > faces;
   for(const Cell_handle c : star)
@@ -177,8 +175,6 @@ void flood_fill(const Cell_handle seed, const Is_open& is_open, const Add& add)
   }
 }
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_MESH_CELL_SIMPLICES_H

@@ -18,9 +18,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 // Whether cells carry the indices of CGAL's mesh cells: a region, and a mark on each facet.
 template <typename Cell, typename = void>
@@ -198,8 +196,6 @@ void forget_shape(Cell& c)
   internal::forget_quality(c, 0);
 }
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_MESH_MESH_INDICES_H

@@ -19,8 +19,8 @@
 #include <CGAL/Boundary_recovery_3/internal/filling/Field_point_insertion_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mark_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
-#include <CGAL/Boundary_recovery_3/internal/parallel/Subdomain_meshing_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/Quality_improvement_3.h>
+#include <CGAL/Boundary_recovery_3/internal/parallel/Mesh_in_subdomains_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Improve_quality_3.h>
 #include <CGAL/Boundary_recovery_3/internal/sizing/Size_query_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Mesh_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
@@ -37,9 +37,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * Keeps the vertices that the result of the recovery names true while the mesh is improved: those of the input stay
@@ -277,7 +275,7 @@ private:
     if(! m_result.filling || ! m_options.improve_quality)
       return;
     Hold_recovered_vertices_3<Tr> hold(m_tr, m_result.recovery);
-    Quality_improvement_3<Tr, Quality> improve(m_tr, domain, m_quality, m_options.max_number_of_vertices, m_visitor);
+    Improve_quality_3<Tr, Quality> improve(m_tr, domain, m_quality, m_options.max_number_of_vertices, m_visitor);
     m_result.improvement = improve(m_options.min_dihedral_angle, m_options.effort, m_context.seconds_left());
     m_result.status = m_result.improvement.status;
     hold.forget_lost_steiner_vertices();
@@ -286,8 +284,8 @@ private:
   void mesh_in_subdomains(const Size_field& size)
   {
     Hold_recovered_vertices_3<Tr> hold(m_tr, m_result.recovery);
-    Subdomain_meshing_3<Tr, Quality>(m_tr, size, m_quality, m_options.min_dihedral_angle, m_options.effort,
-                                     m_options.max_number_of_vertices, m_context, m_result)(
+    Mesh_in_subdomains_3<Tr, Quality>(m_tr, size, m_quality, m_options.min_dihedral_angle, m_options.effort,
+                                      m_options.max_number_of_vertices, m_context, m_result)(
       m_options.number_of_subdomains, m_options.improve_quality);
     hold.forget_lost_steiner_vertices();
     if(! m_result.filling)
@@ -339,8 +337,6 @@ Boundary_constrained_meshing_3<Standard_mesh, Dihedral_angle_quality_3>::operato
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_COMPILED
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_MESHING_BOUNDARY_CONSTRAINED_MESHING_3_H

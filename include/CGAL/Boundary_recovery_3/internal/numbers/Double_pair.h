@@ -15,9 +15,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * Double_pair: two floating point numbers as one. Whatever is computed is computed of the first ones, and of the second
@@ -78,8 +76,6 @@ inline Double_pair if_negative(const Double_pair& x, const double u, const doubl
   return if_less(x, Double_pair{ 0, 0 }, Double_pair{ u, u }, Double_pair{ v, v });
 }
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_NUMBERS_DOUBLE_PAIR_H

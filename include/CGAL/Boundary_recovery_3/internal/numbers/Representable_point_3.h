@@ -28,9 +28,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * Decides whether there is a point with coordinates of type `double` in an open convex polyhedron, and finds one. The
@@ -355,8 +353,6 @@ private:
   int m_number_of_visits = 0;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_NUMBERS_REPRESENTABLE_POINT_3_H

@@ -19,9 +19,7 @@
 #include <cmath>
 #include <limits>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 // The largest absolute value of the three coordinates of a vector or a point, approximately where they are exact.
 template <typename Coordinates>
@@ -72,8 +70,6 @@ inline double binary_unit(const int exponent)
   return std::ldexp(1., (std::max)(exponent, Limits::min_exponent - Limits::digits));
 }
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_NUMBERS_BINARY_SCALE_H

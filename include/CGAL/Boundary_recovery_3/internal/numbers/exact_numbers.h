@@ -27,9 +27,7 @@
 #include <limits>
 #endif
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * The exact number types.
@@ -100,8 +98,6 @@ double nearest_double(const FT& x)
   return std::isfinite(neighbor) && CGAL::abs(FT(x - FT(neighbor))) < CGAL::abs(error) ? neighbor : d;
 }
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_NUMBERS_EXACT_NUMBERS_H

@@ -27,9 +27,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * Moves a vertex into the open visibility kernel of a polyhedron, so that it sees all of its faces from inside.
@@ -211,8 +209,6 @@ private:
   Is_in_kernel_3<Tr> m_is_in_kernel;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_OPERATIONS_MOVE_INTO_KERNEL_3_H

@@ -25,16 +25,14 @@
 #include <array>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
-// Whether x, a neighbor of v, sees all of the ball of v from inside: then v can be collapsed onto x, if there is no
-// constraint at v. `ball` are the cells around v, all of which are finite.
+// Whether x, a neighbor of v, sees all of the star of v from inside: then v can be collapsed onto x, if there is no
+// constraint at v. `star` are the cells around v, all of which are finite.
 template <typename Predicates, typename CellRange, typename Vertex_handle>
-bool is_ball_seen(const Predicates& predicates, const CellRange& ball, const Vertex_handle v, const Vertex_handle x)
+bool is_star_seen(const Predicates& predicates, const CellRange& star, const Vertex_handle v, const Vertex_handle x)
 {
-  return std::all_of(ball.begin(), ball.end(), [&](const auto c)
+  return std::all_of(star.begin(), star.end(), [&](const auto c)
   {
     if(c->has_vertex(x))
       return true;
@@ -43,30 +41,30 @@ bool is_ball_seen(const Predicates& predicates, const CellRange& ball, const Ver
   });
 }
 
-// The tetrahedra that fill the ball of v when v is collapsed onto x.
+// The tetrahedra that fill the star of v when v is collapsed onto x.
 template <typename CellRange, typename Vertex_handle>
-std::vector<std::array<Vertex_handle, 4> > collapsed_ball(const CellRange& ball, const Vertex_handle v,
+std::vector<std::array<Vertex_handle, 4> > collapsed_star(const CellRange& star, const Vertex_handle v,
                                                           const Vertex_handle x)
 {
   std::vector<std::array<Vertex_handle, 4> > tetrahedra;
-  for(const auto c : ball)
+  for(const auto c : star)
     if(! c->has_vertex(x))
       tetrahedra.push_back(internal::with_exchanged_vertex(c, v, x));
   return tetrahedra;
 }
 
-// Collapses the edge from v to x, which sees the ball of v: the ball is starred from x, and v is gone. It contains the
-// 4-1 flip. `editor` changes the mesh, see `Mesh_editor_3`, and can take it back.
+// Collapses the edge from v to x, which sees the star of v: it is covered by cells from x, and v is gone. It contains
+// the 4-1 flip. `editor` changes the mesh, see `Mesh_editor_3`, and can take it back.
 template <typename Editor, typename CellRange>
-void collapse_edge(Editor& editor, const CellRange& ball, const typename Editor::Tr::Vertex_handle v,
+void collapse_edge(Editor& editor, const CellRange& star, const typename Editor::Tr::Vertex_handle v,
                    const typename Editor::Tr::Vertex_handle x)
 {
-  editor.replace(ball, internal::collapsed_ball(ball, v, x),
+  editor.replace(star, internal::collapsed_star(star, v, x),
                  std::array<typename Editor::Tr::Vertex_handle, 1>{{ v }});
 }
 
 /*
- * Removes a vertex at which there is no constraint: its ball is covered with other cells, by collapsing an edge or by
+ * Removes a vertex at which there is no constraint: its star is covered with other cells, by collapsing an edge or by
  * small polyhedron reconnection.
  *
  * The search changes nothing; what it found is done then, or left.
@@ -88,17 +86,17 @@ public:
   // To be called if vertices moved, were created, or came back by an undo.
   void forget() { m_reconnection.forget(); }
 
-  // Whether v can go by one of the two ways. `ball` are the cells around it, which are finite.
-  bool find(const std::vector<Cell_handle>& ball, const Vertex_handle v)
+  // Whether v can go by one of the two ways. `star` are the cells around it, which are finite.
+  bool find(const std::vector<Cell_handle>& star, const Vertex_handle v)
   {
-    return find_neighbor(ball, v) || find_reconnection(ball, v);
+    return find_neighbor(star, v) || find_reconnection(star, v);
   }
 
-  // Whether v can go by reconnection of its ball and the cells next to that.
-  bool find_with_layer(const std::vector<Cell_handle>& ball, const Vertex_handle v)
+  // Whether v can go by reconnection of its star and the cells next to that.
+  bool find_with_layer(const std::vector<Cell_handle>& star, const Vertex_handle v)
   {
-    Cavity_3<Tr, Constraints> cavity(m_editor.triangulation(), m_constraints, ball);
-    for(const Cell_handle c : ball)
+    Cavity_3<Tr, Constraints> cavity(m_editor.triangulation(), m_constraints, star);
+    for(const Cell_handle c : star)
       cavity.add(c->neighbor(c->index(v)));
     return find_reconnection(cavity.cells(), v);
   }
@@ -117,17 +115,17 @@ private:
   typedef Small_polyhedron_reconnection_3<Tr>  Reconnection;
 
   // The first neighbor of v onto which it can be collapsed.
-  bool find_neighbor(const std::vector<Cell_handle>& ball, const Vertex_handle v)
+  bool find_neighbor(const std::vector<Cell_handle>& star, const Vertex_handle v)
   {
-    const std::vector<Vertex_handle> neighbors = internal::vertices_without(ball, v);
+    const std::vector<Vertex_handle> neighbors = internal::vertices_without(star, v);
     const auto x = std::find_if(neighbors.begin(), neighbors.end(), [&](const Vertex_handle w)
     {
-      return internal::is_ball_seen(m_predicates, ball, v, w);
+      return internal::is_star_seen(m_predicates, star, v, w);
     });
     if(x == neighbors.end())
       return false;
-    m_cells = ball;
-    m_tetrahedra = internal::collapsed_ball(ball, v, *x);
+    m_cells = star;
+    m_tetrahedra = internal::collapsed_star(star, v, *x);
     return true;
   }
 
@@ -151,8 +149,6 @@ private:
   std::vector<Tetrahedron> m_tetrahedra;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_OPERATIONS_REMOVE_VERTEX_3_H

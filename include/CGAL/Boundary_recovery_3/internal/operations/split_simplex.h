@@ -18,9 +18,7 @@
 #include <array>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 // Splits the edge ab of the cell c by v, a vertex that is in no cell yet: two cells come in the place of each of those
 // around the edge. If ab is on the hull, v has to be on it exactly, else it has to see the whole shell from inside.
@@ -89,8 +87,6 @@ void split_facet(Editor& editor, Constraints& constraints, const typename Editor
     constraints.split(facet[0], facet[1], facet[2], v);
 }
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_OPERATIONS_SPLIT_SIMPLEX_H

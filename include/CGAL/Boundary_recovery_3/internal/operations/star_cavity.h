@@ -22,9 +22,7 @@
 #include <array>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 // Why a cavity cannot be starred from a vertex.
 enum class Star_obstacle
@@ -84,8 +82,6 @@ void star_cavity(Editor& editor, Cavity& cavity, const typename Cavity::Vertex_h
   editor.replace(cavity.cells(), internal::star(faces, v), dropped);
 }
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_OPERATIONS_STAR_CAVITY_H

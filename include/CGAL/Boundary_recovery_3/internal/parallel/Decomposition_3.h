@@ -13,7 +13,7 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/filling/Field_point_insertion_3.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/Cell_replacement.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Replace_cells.h>
 #include <CGAL/Boundary_recovery_3/internal/numbers/binary_scale.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Mesh_part_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/Cell_shape_3.h>
@@ -37,9 +37,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * Fills a domain coarsely: what is divided into sub-domains then. The smaller these are, the finer it has to be, for
@@ -377,7 +375,7 @@ private:
         const auto vertex = [&](const std::size_t i) { return m_vertices[part.vertices[t[i]].number]; };
         tetrahedra.push_back({{ vertex(0), vertex(1), vertex(2), vertex(3) }});
       }
-    Cell_replacement<Tr> replacement;
+    Replace_cells<Tr> replacement;
     auto cell = replacement(m_tr, m_cells, tetrahedra).begin();
     for(const Part& part : parts)
       for(const auto& indices : part.cell_indices)
@@ -391,8 +389,6 @@ private:
   Unique_hash_map<Vertex_handle, std::size_t> m_numbers{ no_number }; // for looking up only
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_PARALLEL_DECOMPOSITION_3_H

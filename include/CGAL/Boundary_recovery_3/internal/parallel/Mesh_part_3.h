@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * Some cells of a mesh that is divided into parts, as arrays. There are no handles in it, and it has all that it needs,
@@ -244,8 +242,6 @@ private:
   std::vector<std::uint32_t> m_positions;   // of these
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_PARALLEL_MESH_PART_3_H

@@ -29,9 +29,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * A triangulation of a part of a mesh, for one thread. What bounds the cells is a wall there, and its vertices stay;
@@ -211,18 +209,12 @@ private:
 
   // The infinite cell that is met first on a turn around the edge of c that is opposite to its edge from vertex i to
   // vertex j, away from the facet i.
-  Cell_handle beyond_next_wall(Cell_handle c, const int i, const int j) const
+  Cell_handle beyond_next_wall(const Cell_handle c, const int i, const int j) const
   {
-    Vertex_handle apex = c->vertex(i);
-    int exit = j;
-    while(! m_tr.is_infinite(c->neighbor(exit)))
-    {
-      const Cell_handle next = c->neighbor(exit);
-      exit = next->index(apex);
-      apex = next->vertex(next->index(c));
-      c = next;
-    }
-    return c->neighbor(exit);
+    Edge_walk_3<Tr> walk(c, j, i);
+    while(! m_tr.is_infinite(walk.cell()->neighbor(walk.next_facet())))
+      ++walk;
+    return walk.cell()->neighbor(walk.next_facet());
   }
 
   void find_free_vertices()
@@ -279,8 +271,6 @@ Selected_domain_3<Tr> domain_of_part(const Tr& tr, const EdgeRange& constrained_
   return domain;
 }
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_PARALLEL_PART_TRIANGULATION_3_H

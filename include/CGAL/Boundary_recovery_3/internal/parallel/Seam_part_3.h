@@ -22,9 +22,7 @@
 #include <tuple>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 // What has to be known of a part of a mesh where it meets others. The part itself need not be in memory.
 struct Seam_part_3
@@ -155,8 +153,6 @@ private:
   std::vector<std::size_t> m_sizes_of_sets;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_PARALLEL_SEAM_PART_3_H

@@ -27,9 +27,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 // How processes exchange data if there is only one of them. If there are several, all call gather() at the same time.
 struct No_exchange
@@ -80,7 +78,7 @@ public:
   // Finds the zones of a round: the number of parts that meet, where `last_round` stands for this number and all larger
   // ones; 0 for zones around the starts. Sets `zone_of_cell` in the parts to positions in the returned list, or to
   // `none`. In round 0 and in the last one, a zone is around at most `max_number` vertices, which are connected.
-  std::vector<Zone> find(const std::size_t round, const std::size_t max_number = max_number_of_connected_vertices)
+  std::vector<Zone> find_zones(const std::size_t round, const std::size_t max_number = max_number_of_connected_vertices)
   {
     if(round == 0)
       start_at_starts(max_number);
@@ -88,7 +86,7 @@ public:
       start_at_connected_vertices(max_number);
     else
       start_at_vertices_of(round);
-    return zones(round == 0 || round == last_round ? std::size_t(-1) : round);
+    return grow_zones(round == 0 || round == last_round ? std::size_t(-1) : round);
   }
 
 private:
@@ -250,7 +248,7 @@ private:
 
   // Adds layers of cells around the vertices that have a zone, and returns the list of zones, in the order of their
   // first cells. Cells at vertices of more than `blocked` parts get no zone.
-  std::vector<Zone> zones(const std::size_t blocked)
+  std::vector<Zone> grow_zones(const std::size_t blocked)
   {
     for(Part& part : m_parts)
       for(auto& v : part.shared)
@@ -387,8 +385,6 @@ private:
   Shared_vertices_3 m_shared;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_PARALLEL_SEAMS_3_H

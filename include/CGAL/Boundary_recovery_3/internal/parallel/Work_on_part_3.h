@@ -35,9 +35,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 // What is done at the same time: the parts, or zones of cells around their seams, are filled, and maybe improved.
 struct Subdomain_round
@@ -250,8 +248,6 @@ private:
   const Improvement_effort m_effort;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_PARALLEL_WORK_ON_PART_3_H

@@ -28,9 +28,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 #ifdef CGAL_LINKED_WITH_TBB
 
@@ -112,8 +110,6 @@ private:
   std::size_t m_total = 0;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_PARALLEL_FOR_EACH_TASK_H

@@ -29,9 +29,7 @@
 #include <tuple>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * How long edges of the mesh may be, so that the size field holds: neither longer than twice nor shorter than half of
@@ -265,8 +263,6 @@ private:
   std::vector<Limit> m_limits;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_ALLOWED_LENGTHS_3_H

@@ -16,9 +16,7 @@
 #include <cmath>
 #include <limits>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * How bad cells are, by what their qualities lack of what is enough, and what operations may do for the sum of it.
@@ -76,8 +74,6 @@ private:
   bool m_is_lenient = false;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_BADNESS_3_H

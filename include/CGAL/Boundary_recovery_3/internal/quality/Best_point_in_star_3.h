@@ -29,9 +29,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * Searches the point from which a polyhedron is starred best: the cells of its faces and the point are to be as little
@@ -231,8 +229,6 @@ std::optional<Coordinates_3> deepest_point(const Tr& tr,
   return Coordinates_3{{ deepest->x(), deepest->y(), deepest->z() }};
 }
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_BEST_POINT_IN_STAR_3_H

@@ -25,9 +25,7 @@
 #include <cmath>
 #include <optional>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 // Decides like the cotangent of an angle, but needs no root: its square, with its sign. It falls from infinity to minus
 // infinity while the angle grows from 0 to 180 degrees.
@@ -214,8 +212,6 @@ bool is_forced(const Walls_at_edge_3<Tr>& walls_at_edge, const typename Tr::Cell
   return false;
 }
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_CELL_ANGLES_3_H

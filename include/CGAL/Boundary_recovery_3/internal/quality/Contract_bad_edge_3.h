@@ -22,9 +22,7 @@
 #include <array>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * Removes a free vertex by the contraction of one of its edges: the cells that are left fill the star of the vertex
@@ -167,8 +165,6 @@ private:
   const Cells* m_new_cells = nullptr;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_CONTRACT_BAD_EDGE_3_H

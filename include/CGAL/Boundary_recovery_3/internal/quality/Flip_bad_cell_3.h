@@ -22,9 +22,7 @@
 
 #include <algorithm>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * The shell transformation that is led by quality alone, and removes the supporting edge [CZZ+17, Sections 1.3 and 2]:
@@ -276,8 +274,6 @@ private:
   bool m_is_edge_removed = false;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_FLIP_BAD_CELL_3_H

@@ -21,9 +21,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 // Vertices of more cells are left alone where each neighbor is tried with each cell, which would take too long. See
 // "Tuning constants" in the manual.
@@ -153,8 +151,6 @@ private:
   Unique_hash_map<Vertex_handle, std::size_t> m_times; // in changes of the mesh; for looking up only
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_FREE_STAR_3_H

@@ -31,9 +31,7 @@
 #include <tuple>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * The account of an operation: what it costs and what it yields, for each kind of cell. An operation that does not pay
@@ -368,8 +366,6 @@ private:
   double m_told_share = 0;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_IMPROVE_BAD_CELLS_3_H

@@ -32,9 +32,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * *Iterated local search* [LMS03]: the mesh is perturbed near one bad cell after the other, and all operations have a
@@ -365,8 +363,6 @@ extern template void Improve_domain_3<Standard_mesh, Dihedral_angle_quality_3>::
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_COMPILED
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_IMPROVE_DOMAIN_3_H

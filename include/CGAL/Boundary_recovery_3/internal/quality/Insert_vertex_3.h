@@ -13,6 +13,7 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
+#include <CGAL/Boundary_recovery_3/internal/geometry/walk_to.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Best_point_in_star_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Cell_angles_3.h>
@@ -29,11 +30,10 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * Seeds of `Insert_vertex_3`: the centroid of a bad cell. The cavity grows through the face where the new cell is the
@@ -166,19 +166,17 @@ private:
   // in the way, or if the walk takes too many steps.
   bool walk(const Coordinates_3& p)
   {
-    Cell_handle c = m_cell;
     m_way.clear();
-    for(int step = 0; step < max_number_of_steps; ++step)
+    const auto facet_towards = [&](const Cell_handle c)
     {
       m_way.push_back(c);
-      const int i = internal::facet_towards(c, p, [&](const int k) { return ! is_on_way(c->neighbor(k)); });
-      if(i < 0)
-        return true;
-      if(m_mesh.domain().is_wall(c, i))
-        return false;
-      c = c->neighbor(i);
-    }
-    return false;
+      return internal::facet_towards(c, p, [&](const int k) { return ! is_on_way(c->neighbor(k)); });
+    };
+    const auto cell_behind = [&](const Cell_handle c, const int i)
+    {
+      return m_mesh.domain().is_wall(c, i) ? std::nullopt : std::optional<Cell_handle>(c->neighbor(i));
+    };
+    return bool(internal::walk_to(m_cell, max_number_of_steps, facet_towards, cell_behind));
   }
 
   bool is_on_way(const Cell_handle c) const { return internal::contains(m_way, c); }
@@ -430,8 +428,6 @@ using Insert_near_bad_cell_3 = Insert_vertex_3<Mesh, Seeds_near_cell_3<Mesh>>;
 template <typename Mesh>
 using Insert_into_shell_3 = Insert_vertex_3<Mesh, Seeds_in_shells_3<Mesh>>;
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_INSERT_VERTEX_3_H

@@ -37,9 +37,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 // The angles 5, 10, ..., 85 degrees as the squares of their cotangents. Fixed, so that cells with angles like 45
 // degrees are counted the same way by all machines.
@@ -295,8 +293,6 @@ inline Mesh_quality_3 sum_of_qualities(const std::vector<Mesh_quality_3>& qualit
   return sum.quality();
 }
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_MEASURE_QUALITY_3_H

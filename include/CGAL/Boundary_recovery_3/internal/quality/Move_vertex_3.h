@@ -31,9 +31,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * Where the cells around a free vertex are less bad, and none is worse than the worst one was: optimising smoothing.
@@ -403,8 +401,6 @@ using Center_vertex_3 = Move_vertex_3<Mesh, Central_place_3<Mesh>>;
 template <typename Mesh>
 using Move_at_random_3 = Move_vertex_3<Mesh, Random_place_3<Mesh>>;
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_MOVE_VERTEX_3_H

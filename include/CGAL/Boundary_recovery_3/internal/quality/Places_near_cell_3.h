@@ -24,9 +24,7 @@
 #include <cmath>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * Places where a vertex may make cells good that are beside the surface, above all beside thin triangles of it. With w,
@@ -127,8 +125,6 @@ private:
   std::vector<Coordinates_3> m_places;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_PLACES_NEAR_CELL_3_H

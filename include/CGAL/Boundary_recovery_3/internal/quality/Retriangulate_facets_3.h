@@ -24,9 +24,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * *Multi-face retriangulation* [MBA+09]: facets that are side by side and all between the same two vertices are
@@ -149,8 +147,6 @@ private:
   boost::container::static_vector<Edge, max_number_of_facets + 4> m_open_edges;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_RETRIANGULATE_FACETS_3_H

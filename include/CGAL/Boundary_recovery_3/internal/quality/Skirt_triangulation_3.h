@@ -19,9 +19,7 @@
 #include <algorithm>
 #include <array>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * Exchanges cells that fill the polyhedron between a closed polygon and two vertices, one on each of its sides, for
@@ -163,8 +161,6 @@ private:
   const Cells* m_new_cells = nullptr;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_SKIRT_TRIANGULATION_3_H

@@ -28,9 +28,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * Cells that are to be exchanged for the star of a new vertex: they grow one by one, through facets that are no walls.
@@ -283,8 +281,6 @@ private:
   std::vector<Vertex_handle> m_vertices_inside;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_STAR_CAVITY_3_H

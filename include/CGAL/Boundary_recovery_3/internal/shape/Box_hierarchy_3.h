@@ -24,9 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * A tree of boxes around things in space, in which those things are found that may make a value smaller.
@@ -316,8 +314,6 @@ private:
   std::vector<Node> m_nodes;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SHAPE_BOX_HIERARCHY_3_H

@@ -26,9 +26,7 @@
 #include <cstddef>
 #include <numeric>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 typedef std::array<Coordinates_3, 4> Cell_corners_3;
 
@@ -206,8 +204,6 @@ inline double tetrahedron_quality(const std::array<Coordinates_3, 4>& p)
   return internal::mean_ratio(internal::volume_times_6(p), sum);
 }
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SHAPE_CELL_SHAPE_3_H

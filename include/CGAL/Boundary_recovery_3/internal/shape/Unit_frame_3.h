@@ -21,9 +21,7 @@
 #include <cmath>
 #include <limits>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 typedef std::array<double, 3> Coordinates_3;
 
@@ -135,8 +133,6 @@ private:
   double m_inverse = 1;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SHAPE_UNIT_FRAME_3_H

@@ -19,9 +19,7 @@
 #include <array>
 #include <cmath>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 struct Sphere_3
 {
@@ -134,8 +132,6 @@ int facet_towards(const Cell_handle c, const Coordinates_3& q)
   return internal::facet_towards(c, q, [](int) { return true; });
 }
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SHAPE_CIRCUMSPHERE_H

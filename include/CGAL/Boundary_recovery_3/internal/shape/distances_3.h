@@ -18,9 +18,7 @@
 #include <array>
 #include <limits>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 // Nearest points of simple shapes, and squares of distances from them, in floating point numbers. Shapes may be
 // degenerate.
@@ -129,8 +127,6 @@ private:
   std::array<Coordinates_3, 3> m_inwards; // in the plane, across the side opposite to each vertex
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SHAPE_DISTANCES_3_H

@@ -21,9 +21,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * Searches the best core of a shell: step 4 of [CZZ+17, Alg. 3].
@@ -358,8 +356,6 @@ private:
   Partial_triangulation m_result;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SHELL_COVERING_MESH_SEARCH_3_H

@@ -26,9 +26,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * Geometric validity of the elements that a partial triangulation of the skirt polygon of a shell stands for.
@@ -376,8 +374,6 @@ private:
   Position_matrix<Value> m_value;       // the matrix M_q
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SHELL_RING_TRIANGULATIONS_3_H

@@ -22,9 +22,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * The sizes at sites, carried from there into space: at p the smallest h + g |pq| of all sites q with sizes h.
@@ -179,8 +177,6 @@ private:
   std::vector<Leaf> m_leaves;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SIZING_CONE_MINIMUM_3_H

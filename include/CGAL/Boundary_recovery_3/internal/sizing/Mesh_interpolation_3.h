@@ -27,9 +27,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * Numbers at the vertices of tetrahedra, between them interpolated linearly. The tetrahedra may be any: where several
@@ -398,8 +396,6 @@ private:
   bool m_has_hidden_boundary = false;   // of facets that several tetrahedra have, not one on each side
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SIZING_MESH_INTERPOLATION_3_H

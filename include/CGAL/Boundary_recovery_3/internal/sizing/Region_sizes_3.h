@@ -28,9 +28,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * The sizes that the filling asks for: sizes at points in cells, from the size field, and lower bounds of sizes, which
@@ -118,7 +116,7 @@ public:
   }
 
   // A lower bound of the size at the centroid of a cell, 0 if none is known; `corners` are the corners of the cell.
-  double least_size_inside(const Cell_handle c, const std::array<Coordinates_3, 4>& corners) const
+  double least_size_at_centroid(const Cell_handle c, const std::array<Coordinates_3, 4>& corners) const
   {
     const Coordinates_3 center = internal::centroid(corners);
     const double least = known_least_size(c, corners, center, 0);
@@ -133,10 +131,10 @@ public:
     double least = 0;
     if(m_query.is_constant())
       least = m_constant;
-    else if(m_query.gradation() < std::numeric_limits<double>::infinity())
+    else if(m_query.grading() < std::numeric_limits<double>::infinity())
       for(int i = 0; i < 4; ++i)
         least = (std::max)(least, m_at_vertices[c->vertex(i)]
-                                    - m_query.gradation() * (internal::distance(corners[i], center) + radius));
+                                    - m_query.grading() * (internal::distance(corners[i], center) + radius));
     return least;
   }
 
@@ -146,14 +144,14 @@ public:
     return m_query.least_size_around(Point_3(center[0], center[1], center[2]), radius, region);
   }
 
-  // A size that is likely at the centroid of a cell, if the sizes of the field grow with `gradation`.
-  double likely_size_inside(const Cell_handle c, const std::array<Coordinates_3, 4>& corners,
-                            const double gradation) const
+  // A size that is likely at the centroid of a cell, if the sizes of the field grow with `grading`.
+  double likely_size_at_centroid(const Cell_handle c, const std::array<Coordinates_3, 4>& corners,
+                                 const double grading) const
   {
     const Coordinates_3 center = internal::centroid(corners);
     double likely = std::numeric_limits<double>::infinity();
     for(int i = 0; i < 4; ++i)
-      likely = (std::min)(likely, m_at_vertices[c->vertex(i)] + gradation * internal::distance(corners[i], center));
+      likely = (std::min)(likely, m_at_vertices[c->vertex(i)] + grading * internal::distance(corners[i], center));
     return likely;
   }
 
@@ -161,7 +159,7 @@ public:
   void set_scale(const double scale) { m_query.set_scale(scale); }
 
   // By how much sizes grow per length, at most; maybe infinite.
-  double gradation() const { return m_query.gradation(); }
+  double grading() const { return m_query.grading(); }
 
   // The number that a field is told for the region of a cell.
   static int region(const Cell_handle c)
@@ -240,8 +238,6 @@ private:
   double m_constant = 0; // if the field is a number, and was asked at a vertex
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SIZING_REGION_SIZES_3_H

@@ -24,9 +24,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 // What a size field is, as far as its type tells how to ask it.
 enum class Size_field_kind
@@ -268,7 +266,7 @@ public:
   const Invalid_size_3<Point_3>& invalid_size() const { return m_invalid; }
 
   // By how much the sizes grow per length, at most: 0 for a number, infinity if the field does not tell.
-  double gradation() const { return m_grading; }
+  double grading() const { return m_grading; }
 
   std::size_t number_of_queries() const { return m_number_of_queries; }
 
@@ -323,8 +321,6 @@ private:
   std::size_t m_number_of_queries = 0;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SIZING_SIZE_QUERY_3_H

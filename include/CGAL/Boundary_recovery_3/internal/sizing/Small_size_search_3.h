@@ -21,9 +21,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * Searches cells for places where the size field is far smaller than at their centroids, by branch and bound: a cell is
@@ -122,8 +120,6 @@ private:
   bool m_is_complete = true;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SIZING_SMALL_SIZE_SEARCH_3_H

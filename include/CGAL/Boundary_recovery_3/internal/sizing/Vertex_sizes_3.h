@@ -27,9 +27,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * How long edges may be, as parts of the sizes at their ends. All the rules are here, since each of them leaves to the
@@ -172,8 +170,6 @@ private:
   std::vector<Vertex_handle> m_vertices;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_SIZING_VERTEX_SIZES_3_H

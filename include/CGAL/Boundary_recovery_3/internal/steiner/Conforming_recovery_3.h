@@ -17,7 +17,7 @@
 #include <CGAL/Boundary_recovery_3/Shell_validity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Segment_walk_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
-#include <CGAL/Boundary_recovery_3/internal/lost/Constraint_recovery_3.h>
+#include <CGAL/Boundary_recovery_3/internal/lost/Recover_constraint_3.h>
 #include <CGAL/Boundary_recovery_3/internal/numbers/exact_numbers.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/split_simplex.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_mesh_3.h>
@@ -35,9 +35,7 @@
 #include <iterator>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * The main procedure of [CZZ+17, Section 4], first half: conforming recovery. Where a lost edge meets a mesh edge or
@@ -298,15 +296,13 @@ private:
 
   Mesh& m_mesh;
   Walk m_walk;
-  Constraint_recovery_3<Tr, 2> m_edge_recovery;
+  Recover_constraint_3<Tr, 2> m_edge_recovery;
   Shell_transformation_3<Tr, Quality, Edge_validity, Editor> m_edge_transformation;
   Shell_transformation_3<Tr, Quality, Facet_validity, Editor> m_facet_transformation;
   std::vector<Cell_handle> m_star;
   std::vector<Vertex_pair> m_piercing_edges;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_CONFORMING_RECOVERY_3_H

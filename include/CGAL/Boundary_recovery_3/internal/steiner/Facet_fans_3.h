@@ -28,9 +28,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 // The side of a mesh facet s v w from which v and w are seen in counterclockwise order around s.
 template <typename Tr>
@@ -179,7 +177,7 @@ private:
 };
 
 /*
- * The fans at a Steiner point s, which cut its ball into sectors: mesh facets in the plane of a constrained facet, and
+ * The fans at a Steiner point s, which cut its star into sectors: mesh facets in the plane of a constrained facet, and
  * hull facets at an edge of the hull, which are planar, for s is on a straight line or in a plane there.
  */
 template <typename Tr>
@@ -300,8 +298,6 @@ private:
   std::vector<Fan> m_fans;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_FACET_FANS_3_H

@@ -24,9 +24,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * The ledger of Steiner points: of each point on a constraint, which constraint that is, in what order, and where
@@ -358,8 +356,6 @@ private:
   std::unordered_map<std::size_t, std::vector<std::size_t> > m_facets_at_edge; // look-up only
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_STEINER_LEDGER_3_H

@@ -23,9 +23,7 @@
 #include <array>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * What all that deals with Steiner points shares: the mesh and who changes it, the predicates, which know the exact
@@ -85,8 +83,6 @@ void star_and_forget(Editor& editor, Ledger& ledger, Cavity& cavity, const typen
   internal::star_cavity(editor, cavity, v);
 }
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_STEINER_MESH_3_H

@@ -28,9 +28,7 @@
 #include <iterator>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * The condition that no new edge ends at a given vertex.
@@ -54,11 +52,11 @@ private:
 };
 
 /*
- * Removes the edges at a vertex one after the other by recursive shell transformations, until its ball is small enough
+ * Removes the edges at a vertex one after the other by recursive shell transformations, until its star is small enough
  * for the vertex to go ("Christmas tree", [CZZ+17, Fig. 7]).
  */
 template <typename Tr, typename Constraints>
-class Reduce_ball_3
+class Reduce_star_3
 {
 public:
   typedef typename Tr::Vertex_handle           Vertex_handle;
@@ -67,7 +65,7 @@ public:
   typedef Vertex_predicates_3<Tr>              Predicates;
   typedef Mesh_editor_3<Tr>           Editor;
 
-  Reduce_ball_3(Editor& editor, const Predicates& predicates, const Constraints& constraints)
+  Reduce_star_3(Editor& editor, const Predicates& predicates, const Constraints& constraints)
     : m_tr(editor.triangulation()), m_constraints(constraints),
       m_transformation(m_tr, Quality(m_tr), editor, predicates)
   { }
@@ -78,11 +76,11 @@ public:
   bool operator()(const Vertex_handle v, const int l_max, Context& context, const Try_to_remove& try_to_remove)
   {
     const Validity validity{ Kept(m_constraints), No_new_edge_at_vertex_3<Tr>(v) };
-    collect_ball(v);
+    collect_star(v);
     for(bool is_changed = true; is_changed; )
     {
       is_changed = false;
-      const std::vector<Vertex_handle> neighbors = internal::vertices_without(m_ball, v);
+      const std::vector<Vertex_handle> neighbors = internal::vertices_without(m_star, v);
       for(const Vertex_handle x : neighbors)
       {
         if(! context.go_further())
@@ -92,11 +90,11 @@ public:
         if(! m_tr.is_edge(v, x, c, i, j))
           continue;
         const bool is_removed = m_transformation.remove_edge(Edge(c, i, j), l_max, validity);
-        collect_ball(v); // its cells may have been replaced even if the edge is still there
+        collect_star(v); // its cells may have been replaced even if the edge is still there
         if(! is_removed)
           continue;
         is_changed = true;
-        if(try_to_remove(m_ball))
+        if(try_to_remove(m_star))
           return true;
       }
     }
@@ -110,25 +108,25 @@ private:
   typedef Shell_validity_conjunction_3<Kept, No_new_edge_at_vertex_3<Tr> >  Validity;
   typedef Worst_element_quality_3<Tr>                                       Quality;
 
-  void collect_ball(const Vertex_handle v)
+  void collect_star(const Vertex_handle v)
   {
-    m_ball.clear();
-    m_tr.incident_cells(v, std::back_inserter(m_ball));
+    m_star.clear();
+    m_tr.incident_cells(v, std::back_inserter(m_star));
   }
 
   Tr& m_tr;
   const Constraints& m_constraints;
   Shell_transformation_3<Tr, Quality, Validity, Editor> m_transformation;
-  std::vector<Cell_handle> m_ball;
+  std::vector<Cell_handle> m_star;
 };
 
 /*
  * The postprocessing of [CZZ+17, Section 4.3] for one Steiner point that is on no constraint: removes it, or moves it
  * to where it is least in the way.
  *
- * The vertex is dropped when its ball can be covered without it: by collapsing an edge of it, or by small polyhedron
- * reconnection of the ball. Until that works, the edges at the vertex are removed one after the other by recursive
- * shell transformations. In the end, the ball and one layer more is tried.
+ * The vertex is dropped when its star can be covered without it: by collapsing an edge of it, or by small polyhedron
+ * reconnection of the star. Until that works, the edges at the vertex are removed one after the other by recursive
+ * shell transformations. In the end, the star and one layer more is tried.
  *
  * `Constraints` are the ledger's as long as there are points on constraints.
  */
@@ -142,34 +140,34 @@ public:
 
   Suppress_free_point_3(Mesh& mesh, const Constraints& constraints)
     : m_mesh(mesh), m_remove(mesh.editor, mesh.predicates, constraints),
-      m_reduce_ball(mesh.editor, mesh.predicates, constraints), m_move_into_kernel(mesh.predicates, mesh.positions)
+      m_reduce_star(mesh.editor, mesh.predicates, constraints), m_move_into_kernel(mesh.predicates, mesh.positions)
   { }
 
-  // Where points may be given up for time, no more than the ball itself is tried.
+  // Where points may be given up for time, no more than the star itself is tried.
   void set_effort(const Recovery_effort effort) { m_effort = effort; }
 
   // Returns whether v is gone. If it is on the hull, it is not.
   bool remove(const Vertex_handle v, const int l_max)
   {
     m_remove.forget(); // points may have moved since the last call
-    if(! internal::collect_ball(m_mesh.tr, v, m_ball))
+    if(! internal::collect_star(m_mesh.tr, v, m_star))
       return false;
-    const auto try_to_remove = [this, v](const std::vector<Cell_handle>& ball)
+    const auto try_to_remove = [this, v](const std::vector<Cell_handle>& star)
     {
-      return m_remove.find(ball, v) && drop(v);
+      return m_remove.find(star, v) && drop(v);
     };
-    if(try_to_remove(m_ball) || m_reduce_ball(v, l_max, m_mesh.context, try_to_remove))
+    if(try_to_remove(m_star) || m_reduce_star(v, l_max, m_mesh.context, try_to_remove))
       return true;
     return m_effort == Recovery_effort::more_time && m_mesh.context.go_further()
-        && internal::collect_ball(m_mesh.tr, v, m_ball) && m_remove.find_with_layer(m_ball, v) && drop(v);
+        && internal::collect_star(m_mesh.tr, v, m_star) && m_remove.find_with_layer(m_star, v) && drop(v);
   }
 
-  // Moves v to the deepest point of the kernel of its ball, from where more may be possible, if that can be stored.
+  // Moves v to the deepest point of the kernel of its star, from where more may be possible, if that can be stored.
   void relocate(const Vertex_handle v)
   {
-    if(! internal::collect_ball(m_mesh.tr, v, m_ball))
+    if(! internal::collect_star(m_mesh.tr, v, m_star))
       return;
-    const auto faces = internal::faces_of_ball(m_ball, v);
+    const auto faces = internal::faces_of_star(m_star, v);
     const auto exact = m_mesh.positions(v);
     const auto before = v->point();
     const bool is_exact = m_mesh.positions.contains(v);
@@ -181,7 +179,7 @@ public:
       m_mesh.positions.set(v, exact);
   }
 
-  std::size_t number_of_transformations() const { return m_reduce_ball.number_of_transformations(); }
+  std::size_t number_of_transformations() const { return m_reduce_star.number_of_transformations(); }
 
 private:
   bool drop(const Vertex_handle v)
@@ -193,14 +191,12 @@ private:
 
   Mesh& m_mesh;
   Remove_vertex_3<Tr, Constraints> m_remove;
-  Reduce_ball_3<Tr, Constraints> m_reduce_ball;
+  Reduce_star_3<Tr, Constraints> m_reduce_star;
   Move_into_kernel_3<Tr> m_move_into_kernel;
   Recovery_effort m_effort = Recovery_effort::more_time;
-  std::vector<Cell_handle> m_ball;
+  std::vector<Cell_handle> m_star;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_SUPPRESS_FREE_POINT_3_H

@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 // Cell handles that lie one after the other in the memory of somebody else.
 template <typename Cell_handle>
@@ -145,8 +143,6 @@ auto mesh_visitor(const NamedParameters& np)
   return Any_visitor_3<Tr, decltype(internal::visitor_of(np))>(internal::visitor_of(np));
 }
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_UTIL_MESH_VISITOR_3_H

@@ -21,9 +21,7 @@
 #include <limits>
 #include <utility>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * Progress, cancelling and the deadline: one mechanism for all phases.
@@ -156,8 +154,6 @@ private:
   std::size_t m_number_of_long_steps = 0;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_UTIL_RECOVERY_CONTEXT_H

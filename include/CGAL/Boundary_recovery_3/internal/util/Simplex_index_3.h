@@ -21,9 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 // Fibonacci hashing: numbers and addresses are often equally spaced, so the low bits alone would collide.
 inline std::uint64_t mixed_bits(const std::uint64_t bits)
@@ -329,8 +327,6 @@ bool has_repeated_vertex(Simplex simplex)
 template <typename Vertex_handle, std::size_t N>
 using Simplex_index_3 = Hash_index<std::array<Vertex_handle, N>, Simplex_hash, Have_same_vertices>;
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_UTIL_SIMPLEX_INDEX_3_H

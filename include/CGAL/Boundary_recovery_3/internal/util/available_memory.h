@@ -22,9 +22,7 @@
 #include <sys/resource.h>
 #endif
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 // The number behind this word at the beginning of a line of a file, or the largest number.
 inline std::size_t number_in_file(const std::string& file, const std::string& word)
@@ -68,8 +66,6 @@ inline std::size_t available_memory()
   return result;
 }
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_UTIL_AVAILABLE_MEMORY_H

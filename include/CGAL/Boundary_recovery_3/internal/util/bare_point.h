@@ -14,9 +14,7 @@
 
 #include <type_traits>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 // A point without its weight, if it has one, as those of Mesh_3 have.
 template <typename Point_3, typename Point>
@@ -28,8 +26,6 @@ const Point_3& bare_point(const Point& p)
     return p.point();
 }
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_UTIL_BARE_POINT_H

@@ -15,9 +15,7 @@
 #include <algorithm>
 #include <iterator>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 // Whether an item is in a small range, by linear search.
 template <typename Range, typename Item>
@@ -26,8 +24,6 @@ bool contains(const Range& items, const Item& item)
   return std::find(std::begin(items), std::end(items), item) != std::end(items);
 }
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_UTIL_CONTAINS_H

@@ -21,17 +21,13 @@
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 typedef Exact_predicates_inexact_constructions_kernel                    Standard_kernel;
 typedef Delaunay_triangulation_3<Standard_kernel>                        Standard_delaunay;
 typedef Boundary_constrained_mesh_triangulation_3<Standard_kernel>::type Standard_mesh;
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_COMPILED
 

@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Boundary_recovery_3 authors
 
-#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_PARALLEL_SUBDOMAIN_MESHING_3_H
-#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_PARALLEL_SUBDOMAIN_MESHING_3_H
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_PARALLEL_MESH_IN_SUBDOMAINS_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_PARALLEL_MESH_IN_SUBDOMAINS_3_H
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
@@ -22,8 +22,8 @@
 #include <CGAL/Boundary_recovery_3/internal/parallel/Work_on_part_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/for_each_task.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Explain_bad_cells_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Improve_quality_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Measure_quality_3.h>
-#include <CGAL/Boundary_recovery_3/internal/quality/Quality_improvement_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 #include <CGAL/Boundary_recovery_3/internal/util/standard_types.h>
 
@@ -36,9 +36,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 // What was changed elsewhere at the same time: there are as many rounds as where there are most.
 inline void add_counts(Quality_improvement_counts& sum, const Quality_improvement_counts& counts)
@@ -60,16 +58,16 @@ inline void add_counts(Quality_improvement_counts& sum, const Quality_improvemen
  * The mesh depends on the number of sub-domains, but not on the number of threads.
  */
 template <typename Tr, typename Quality>
-class Subdomain_meshing_3
+class Mesh_in_subdomains_3
 {
 public:
   typedef typename Tr::Cell_handle               Cell_handle;
   typedef Boundary_constrained_mesh_result_3<Tr> Result;
   typedef Size_field_3<typename Tr::Geom_traits::Point_3> Size_field;
 
-  Subdomain_meshing_3(Tr& tr, const Size_field& size, const Quality& quality, const double min_dihedral_angle,
-                      const Improvement_effort effort, const std::size_t max_number_of_vertices,
-                      Recovery_context<Tr>& context, Result& result)
+  Mesh_in_subdomains_3(Tr& tr, const Size_field& size, const Quality& quality, const double min_dihedral_angle,
+                       const Improvement_effort effort, const std::size_t max_number_of_vertices,
+                       Recovery_context<Tr>& context, Result& result)
     : m_tr(tr), m_size(size), m_min_dihedral_angle(min_dihedral_angle),
       m_max_number_of_vertices(max_number_of_vertices),
       m_work(size, quality, min_dihedral_angle, effort), m_context(context), m_task_visitor(context.visitor()),
@@ -218,7 +216,7 @@ private:
     for(std::size_t p = 0; p < m_parts.size(); ++p)
       seam_parts.push_back(m_work.seam_part(p, m_parts[p], round));
     Seams seams(seam_parts, round.number_of_layers);
-    const auto zones = seams.find(round.number_of_parts, round.max_number_of_connected_vertices());
+    const auto zones = seams.find_zones(round.number_of_parts, round.max_number_of_connected_vertices());
     std::vector<std::vector<typename Split_part_3<Tr>::Group> > pieces(m_parts.size());
     internal::for_each_task(weights_of_parts(), [&](const std::size_t p)
     {
@@ -378,7 +376,7 @@ private:
 };
 
 template <typename Tr, typename Quality>
-void Subdomain_meshing_3<Tr, Quality>::operator()(const std::size_t number_of_subdomains, const bool improve)
+void Mesh_in_subdomains_3<Tr, Quality>::operator()(const std::size_t number_of_subdomains, const bool improve)
 {
   const double start = m_context.seconds();
   if(! forecast())
@@ -397,12 +395,10 @@ void Subdomain_meshing_3<Tr, Quality>::operator()(const std::size_t number_of_su
 
 #ifdef CGAL_BOUNDARY_RECOVERY_3_COMPILED
 
-extern template void Subdomain_meshing_3<Standard_mesh, Dihedral_angle_quality_3>::operator()(std::size_t, bool);
+extern template void Mesh_in_subdomains_3<Standard_mesh, Dihedral_angle_quality_3>::operator()(std::size_t, bool);
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_COMPILED
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
-#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_PARALLEL_SUBDOMAIN_MESHING_3_H
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_PARALLEL_MESH_IN_SUBDOMAINS_3_H

@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Boundary_recovery_3 authors
 
-#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_PLANAR_EDGE_RECOVERY_3_H
-#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_PLANAR_EDGE_RECOVERY_3_H
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_RECOVER_PLANAR_EDGES_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_RECOVER_PLANAR_EDGES_3_H
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
@@ -18,7 +18,7 @@
 #include <CGAL/Boundary_recovery_3/Shell_validity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/cavity/Cavity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Segment_walk_3.h>
-#include <CGAL/Boundary_recovery_3/internal/lost/Constraint_recovery_3.h>
+#include <CGAL/Boundary_recovery_3/internal/lost/Recover_constraint_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/Remove_vertex_3.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/star_cavity.h>
@@ -38,9 +38,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * Recovery of edges that are tangled in a plane: many of them, which cross many mesh edges there, as those of a fan of
@@ -53,7 +51,7 @@ namespace internal {
  * not get stuck. The apexes are free points of the ledger; those that can go at once do when the edges are back.
  */
 template <typename Tr>
-class Planar_edge_recovery_3
+class Recover_planar_edges_3
 {
 public:
   typedef Steiner_mesh_3<Tr>          Mesh;
@@ -62,7 +60,7 @@ public:
   typedef std::vector<std::size_t>             Indices;
   typedef std::vector<std::pair<std::size_t, std::size_t> > Edges; // how much each crosses, and its index; in order
 
-  explicit Planar_edge_recovery_3(Mesh& mesh)
+  explicit Recover_planar_edges_3(Mesh& mesh)
     : m_mesh(mesh), m_walk(mesh.tr, mesh.predicates), m_recover(mesh.tr, mesh.predicates),
       m_transformation(mesh.editor.triangulation(), No_shell_quality_3(), mesh.editor, mesh.predicates),
       m_remove(mesh.editor, mesh.predicates, mesh.constraints)
@@ -250,11 +248,11 @@ private:
   // Those that are in the way of nothing; in a large star, more takes long, and hardly ever helps.
   void remove_apexes()
   {
-    std::vector<Cell_handle> ball;
+    std::vector<Cell_handle> star;
     for(const Vertex_handle v : std::vector<Vertex_handle>(m_mesh.ledger.free_points()))
     {
       m_remove.forget();
-      if(! internal::collect_ball(m_mesh.tr, v, ball) || ! m_remove.find(ball, v))
+      if(! internal::collect_star(m_mesh.tr, v, star) || ! m_remove.find(star, v))
         continue;
       m_mesh.ledger.erase(v);
       m_remove(v);
@@ -286,13 +284,11 @@ private:
 
   Mesh& m_mesh;
   Walk m_walk;
-  Constraint_recovery_3<Tr, 2> m_recover;
+  Recover_constraint_3<Tr, 2> m_recover;
   Shell_transformation_3<Tr, No_shell_quality_3, Validity, typename Mesh::Editor> m_transformation;
   Remove_vertex_3<Tr, Constraints> m_remove;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
-#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_PLANAR_EDGE_RECOVERY_3_H
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_RECOVER_PLANAR_EDGES_3_H

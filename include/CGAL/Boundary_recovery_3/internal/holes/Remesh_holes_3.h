@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Boundary_recovery_3 authors
 
-#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_HOLES_HOLE_REMESHING_3_H
-#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_HOLES_HOLE_REMESHING_3_H
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_HOLES_REMESH_HOLES_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_HOLES_REMESH_HOLES_3_H
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
@@ -30,9 +30,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 // What the caller of remesh_holes() can choose.
 template <typename Point_3>
@@ -54,7 +52,7 @@ struct Hole_remeshing_options_3
  * The work behind remesh_holes(), one phase after the other.
  */
 template <typename Kernel>
-class Hole_remeshing_3
+class Remesh_holes_3
 {
 public:
   typedef typename Kernel::Point_3          Point_3;
@@ -63,7 +61,7 @@ public:
   typedef Hole_remeshing_options_3<Point_3> Options;
   typedef Recovery_context<typename Hole_triangulation_3<Kernel>::Tr> Context;
 
-  Hole_remeshing_3(const Mesh& mesh, const Options& options, Context& context, Result& result)
+  Remesh_holes_3(const Mesh& mesh, const Options& options, Context& context, Result& result)
     : m_mesh(mesh), m_options(options), m_context(context), m_result(result)
   { }
 
@@ -356,7 +354,7 @@ private:
 };
 
 template <typename Kernel>
-void Hole_remeshing_3<Kernel>::operator()()
+void Remesh_holes_3<Kernel>::operator()()
 {
   m_result.status = Meshing_status::meshed;
   run(Phase::hole_selection, [this] { select(); });
@@ -374,12 +372,10 @@ void Hole_remeshing_3<Kernel>::operator()()
 
 #ifdef CGAL_BOUNDARY_RECOVERY_3_COMPILED
 
-extern template void Hole_remeshing_3<Standard_kernel>::operator()();
+extern template void Remesh_holes_3<Standard_kernel>::operator()();
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_COMPILED
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
-#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_HOLES_HOLE_REMESHING_3_H
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_HOLES_REMESH_HOLES_3_H

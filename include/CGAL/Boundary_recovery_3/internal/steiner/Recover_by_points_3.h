@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Boundary_recovery_3 authors
 
-#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_RECOVERY_BY_POINTS_3_H
-#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_RECOVERY_BY_POINTS_3_H
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_RECOVER_BY_POINTS_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_RECOVER_BY_POINTS_3_H
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
@@ -19,13 +19,13 @@
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_editor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Conforming_recovery_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Constraint_parts_3.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/Isolated_edge_recovery_3.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/Planar_edge_recovery_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Recover_isolated_edge_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Recover_planar_edges_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Round_steiner_point_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Split_off_steiner_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_ledger_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_mesh_3.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_rounding_3.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_splitting_3.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_suppression_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Suppress_steiner_points_3.h>
 
 #include <CGAL/assertions.h>
 
@@ -34,9 +34,7 @@
 #include <iterator>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * The recovery by Steiner points: the main procedure and the postprocessing of [CZZ+17, Section 4].
@@ -46,7 +44,7 @@ namespace internal {
  * one before, each as a transaction of its own.
  */
 template <typename Tr>
-class Recovery_by_points_3
+class Recover_by_points_3
 {
 public:
   typedef typename Tr::Vertex_handle         Vertex_handle;
@@ -61,7 +59,7 @@ public:
   static constexpr std::size_t max_number_of_edges_at_once = 100;
 
   // `state` has predicates that know the exact positions of the ledger. Both have to outlive this object.
-  Recovery_by_points_3(State& state, Ledger& ledger)
+  Recover_by_points_3(State& state, Ledger& ledger)
     : m_state(state), m_ledger(ledger), m_parts(state.tr, ledger), m_editor(state.tr, state.context.visitor()),
       m_mesh(m_editor, state.predicates, state.constraints, ledger, state.context)
   { }
@@ -109,7 +107,7 @@ public:
   // them, or in the mode `flips_only` a point is left, what was done there is taken back.
   void recover_planar_edges(const Mode mode)
   {
-    Planar_edge_recovery_3<Tr> recover(m_mesh);
+    Recover_planar_edges_3<Tr> recover(m_mesh);
     const auto groups = recover.find(m_state.lost.edges);
     if(groups.empty())
       return;
@@ -133,7 +131,7 @@ public:
   // triangulation can store.
   bool round_points()
   {
-    Steiner_rounding_3<Tr> round(m_state.tr, m_state.predicates, m_ledger.positions());
+    Round_steiner_point_3<Tr> round(m_state.tr, m_state.predicates, m_ledger.positions());
     bool is_done = true;
     for(const Vertex_handle v : m_ledger.points_on_constraints())
       if(! round(v, is_done && m_state.context.go_further()))
@@ -148,7 +146,7 @@ public:
   // none is left there.
   bool split_points()
   {
-    Steiner_splitting_3<Tr> split(m_mesh);
+    Split_off_steiner_point_3<Tr> split(m_mesh);
     m_state.run(Phase::steiner_splitting, [&]
     {
       for(std::size_t before = 0; before != m_ledger.points_on_constraints().size(); )
@@ -173,7 +171,7 @@ public:
   bool suppress_points(const int max_recursion_level, const Recovery_effort effort)
   {
     CGAL_precondition(m_ledger.points_on_constraints().empty());
-    Steiner_suppression_3<Tr> suppress(m_mesh);
+    Suppress_steiner_points_3<Tr> suppress(m_mesh);
     m_state.run(Phase::steiner_suppression, [&] { suppress(max_recursion_level, effort); });
     const bool is_storable = suppress.round_points(max_recursion_level); // also if the recovery was stopped before
     m_state.number_of_transformations += suppress.number_of_transformations();
@@ -262,7 +260,7 @@ private:
     if(isolated.size() <= max_number_at_once)
       return;
     recover_one_by_one(isolated, max_recursion_level, 0);
-    for(const int number_of_rounds : { 0, Steiner_suppression_3<Tr>::max_number_of_rounds })
+    for(const int number_of_rounds : { 0, Suppress_steiner_points_3<Tr>::max_number_of_rounds })
       for(std::size_t before = 0; ! isolated.empty() && before != isolated.size(); )
       {
         before = isolated.size();
@@ -296,7 +294,7 @@ private:
   template <typename Work>
   void remove_points_between(const Work& work)
   {
-    Isolated_edge_recovery_3<Tr> recover(m_mesh);
+    Recover_isolated_edge_3<Tr> recover(m_mesh);
     work(recover);
     m_state.number_of_transformations += recover.number_of_transformations();
   }
@@ -319,7 +317,7 @@ private:
     {
       return l_max <= max_recursion_level && m_state.context.go_further() && transact([&]
       {
-        Isolated_edge_recovery_3<Tr> recover(m_mesh);
+        Recover_isolated_edge_3<Tr> recover(m_mesh);
         const bool is_done = recover(e, l_max, max_recursion_level, number_of_rounds);
         m_state.number_of_transformations += recover.number_of_transformations();
         return is_done;
@@ -405,8 +403,6 @@ private:
   Lost_constraints m_unrepresentable;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
-#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_RECOVERY_BY_POINTS_3_H
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_RECOVER_BY_POINTS_3_H

@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Boundary_recovery_3 authors
 
-#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_STEINER_SPLITTING_3_H
-#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_STEINER_SPLITTING_3_H
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_SPLIT_OFF_STEINER_POINT_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_SPLIT_OFF_STEINER_POINT_3_H
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
@@ -17,7 +17,7 @@
 #include <CGAL/Boundary_recovery_3/internal/numbers/binary_scale.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/split_simplex.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Facet_fans_3.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/Sector_points_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Place_sector_points_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Suppress_free_point_3.h>
 
@@ -32,9 +32,7 @@
 #include <iterator>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * Triangulates the polygon of a fan without its center s. Ears are cut off so that s still sees what is left, the best
@@ -137,7 +135,7 @@ private:
     return CGAL::cross_product(difference(t[1], t[0]), difference(t[2], t[0]));
   }
 
-  // In units of the size of the ball.
+  // In units of the size of the star.
   Vector difference(const Vertex_handle v, const Vertex_handle w) const
   {
     return m_scale * (m_predicates.approximate_point(v) - m_predicates.approximate_point(w));
@@ -164,10 +162,10 @@ private:
 /*
  * Adds an artificial fan, which is in no constrained facet, at a Steiner point s on a constrained edge. This is needed
  * if the edge has fewer than two fans, since the edge is isolated or belongs to one facet: a single fan does not cut
- * the ball of s into sectors.
+ * the star of s into sectors.
  *
  * The fan is in the half plane through the edge and a neighbor of s. Each mesh facet at s that is cut by this half
- * plane gets a new point, halfway between s and the boundary of the ball. The neighbor with the fewest cut facets is
+ * plane gets a new point, halfway between s and the boundary of the star. The neighbor with the fewest cut facets is
  * taken.
  */
 template <typename Tr>
@@ -282,13 +280,13 @@ private:
  *
  * The mesh facets at s that are parts of one constrained facet form a *fan*, a planar polygon around s. The fan is
  * closed if s is in the interior of the constrained facet. If s is on an edge, the fan goes from one neighbor of s on
- * the edge to the other. The hull facets at s form fans, too. The fans cut the ball of s into sectors. The ball is
+ * the edge to the other. The hull facets at s form fans, too. The fans cut the star of s into sectors. The star is
  * removed, and each fan is triangulated without s. Each sector gets a point s_i that sees all of its boundary, and
  * becomes the star of s_i. Here, A.1 (two sectors), A.2 and A.3 (as many sectors as facets at the edge) are one
  * algorithm. If an edge has fewer than two fans, artificial fans are added, see `Insert_artificial_fan_3`.
  */
 template <typename Tr>
-class Steiner_splitting_3
+class Split_off_steiner_point_3
 {
 public:
   typedef Steiner_mesh_3<Tr>          Mesh;
@@ -296,7 +294,7 @@ public:
   typedef typename Mesh::Cell_handle           Cell_handle;
 
   // All constraints are unions of mesh simplices.
-  explicit Steiner_splitting_3(Mesh& mesh)
+  explicit Split_off_steiner_point_3(Mesh& mesh)
     : m_mesh(mesh), m_star(mesh.tr), m_fans(mesh.tr, mesh.predicates), m_insert_artificial_fan(mesh),
       m_sectors(mesh.tr), m_triangulate_fan(mesh.tr, mesh.predicates), m_sector_points(mesh),
       m_suppress(mesh, mesh.ledger)
@@ -313,7 +311,7 @@ public:
     const bool is_possible = collect_fans() && label_sectors() && triangulate_fans()
                           && m_sector_points(m_star, m_fans, m_sectors);
     if(is_possible)
-      replace_ball(origin);
+      replace_star(origin);
     for(const Vertex_handle v : m_points_of_fans) // they are in the mesh anyway
       m_mesh.ledger.insert_free(v, origin);
     if(is_possible && ! m_points_of_fans.empty())
@@ -369,7 +367,7 @@ private:
     return std::all_of(m_fans.begin(), m_fans.end(), [this](Fan& fan) { return m_triangulate_fan(m_star, fan); });
   }
 
-  void replace_ball(const Carrier& origin)
+  void replace_star(const Carrier& origin)
   {
     const Vertex_handle s = m_star.center();
     m_mesh.ledger.erase(s);
@@ -379,7 +377,7 @@ private:
   }
 
   // Removes the new points of a split with artificial fans, or moves them to the deepest point of the kernel of their
-  // ball. This is done before the ball of the next Steiner point is cut: else balls get so thin that no floating point
+  // star. This is done before the star of the next Steiner point is cut: else stars get so thin that no floating point
   // numbers are inside.
   void suppress_new_points()
   {
@@ -400,15 +398,13 @@ private:
   Half_facet_star_3<Tr> m_star; // of the Steiner point
   Fans m_fans;
   Insert_artificial_fan_3<Tr> m_insert_artificial_fan;
-  Ball_sectors_3<Tr> m_sectors;
+  Star_sectors_3<Tr> m_sectors;
   Triangulate_fan_3<Tr> m_triangulate_fan;
-  Sector_points_3<Tr> m_sector_points;
+  Place_sector_points_3<Tr> m_sector_points;
   Suppress_free_point_3<Tr, typename Mesh::Ledger> m_suppress;
   Vertices m_points_of_fans; // of artificial ones
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
-#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_STEINER_SPLITTING_3_H
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_SPLIT_OFF_STEINER_POINT_3_H

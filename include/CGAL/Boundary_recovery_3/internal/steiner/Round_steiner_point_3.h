@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Boundary_recovery_3 authors
 
-#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_STEINER_ROUNDING_3_H
-#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_STEINER_ROUNDING_3_H
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_ROUND_STEINER_POINT_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_ROUND_STEINER_POINT_3_H
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
@@ -32,15 +32,13 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * Gives Steiner points on constraints positions that the triangulation can store, beside the constraint if need be.
  */
 template <typename Tr>
-class Steiner_rounding_3
+class Round_steiner_point_3
 {
 public:
   typedef typename Tr::Vertex_handle     Vertex_handle;
@@ -50,7 +48,7 @@ public:
   typedef typename Positions::Point_3    Point_3;
 
   // `predicates` know of `positions`.
-  Steiner_rounding_3(const Tr& tr, const Predicates& predicates, Positions& positions)
+  Round_steiner_point_3(const Tr& tr, const Predicates& predicates, Positions& positions)
     : m_tr(tr), m_predicates(predicates), m_positions(positions), m_move_into_kernel(predicates, positions)
   { }
 
@@ -111,7 +109,7 @@ private:
   {
     if(std::any_of(m_star.begin(), m_star.end(), [this](const Cell_handle c) { return m_tr.is_infinite(c); }))
       return false;
-    const auto faces = internal::faces_of_ball(m_star, v);
+    const auto faces = internal::faces_of_star(m_star, v);
     const double largest = (std::max)({ std::abs(CGAL::to_double(exact.x())), std::abs(CGAL::to_double(exact.y())),
                                         std::abs(CGAL::to_double(exact.z())) });
     const double spacing = largest - std::nextafter(largest, 0.);
@@ -137,8 +135,8 @@ private:
 };
 
 /*
- * Gives a free Steiner point a position that the triangulation can store, and that sees its ball: the nearest one, the
- * deepest one, any other; and where no number fits into the kernel of the ball, one in a larger cavity.
+ * Gives a free Steiner point a position that the triangulation can store, and that sees its star: the nearest one, the
+ * deepest one, any other; and where no number fits into the kernel of the star, one in a larger cavity.
  */
 template <typename Tr>
 class Round_free_point_3
@@ -155,8 +153,8 @@ public:
   {
     if(! m_mesh.positions.contains(v))
       return true;
-    internal::collect_ball(m_mesh.tr, v, m_ball);
-    const auto faces = internal::faces_of_ball(m_ball, v);
+    internal::collect_star(m_mesh.tr, v, m_star);
+    const auto faces = internal::faces_of_star(m_star, v);
     const typename Mesh::Exact_point exact = m_mesh.positions(v);
     m_mesh.positions.erase(v);
     if(m_move_into_kernel.is_in_kernel(v, faces) || m_move_into_kernel(v, faces)
@@ -166,33 +164,33 @@ public:
     return false;
   }
 
-  // Where v has no such position: moves it to the middle of the kernel of its ball.
+  // Where v has no such position: moves it to the middle of the kernel of its star.
   void center(const Vertex_handle v)
   {
     if(! m_mesh.positions.contains(v))
       return;
-    internal::collect_ball(m_mesh.tr, v, m_ball);
-    m_move_into_kernel.center(v, internal::faces_of_ball(m_ball, v));
+    internal::collect_star(m_mesh.tr, v, m_star);
+    m_move_into_kernel.center(v, internal::faces_of_star(m_star, v));
   }
 
 private:
   typedef typename Mesh::Positions   Positions;
   typedef Cavity_3<Tr>               Cavity;
 
-  // Where no number fits into the kernel of the ball of v: moves v to the center of a cell nearby, and adds the cells
-  // behind the faces of the ball that it does not see from there, and so on. Of the centers for which this ends, that
+  // Where no number fits into the kernel of the star of v: moves v to the center of a cell nearby, and adds the cells
+  // behind the faces of the star that it does not see from there, and so on. Of the centers for which this ends, that
   // with the fewest cells is taken. Returns whether there is one; all the cells around v are new then. If not, v is
   // somewhere.
   bool star_from_nearby(const Vertex_handle v)
   {
     typename Positions::Point_3 best_center;
     std::optional<Cavity> best;
-    for(const Cell_handle c : cells_near_ball(v))
+    for(const Cell_handle c : cells_near_star(v))
     {
       if(! m_mesh.context.go_further())
         break;
       v->set_point(center(c));
-      Cavity cavity(m_mesh.tr, m_mesh.constraints, m_ball);
+      Cavity cavity(m_mesh.tr, m_mesh.constraints, m_star);
       const std::size_t max_number = best ? best->cells().size() - 1 : max_number_of_cells;
       if(! internal::grow_until_seen(cavity, v, m_mesh.predicates, max_number) || ! can_be_starred(cavity))
         continue;
@@ -214,12 +212,12 @@ private:
     return cavity.collect_boundary(m_mesh.ledger.free_points(), faces, inner_points);
   }
 
-  // The finite cells that share a vertex with the ball of v.
-  std::vector<Cell_handle> cells_near_ball(const Vertex_handle v) const
+  // The finite cells that share a vertex with the star of v.
+  std::vector<Cell_handle> cells_near_star(const Vertex_handle v) const
   {
     Cavity result(m_mesh.tr, m_mesh.constraints); // it takes finite cells only, and each once
     std::vector<Cell_handle> star;
-    for(const Vertex_handle w : internal::vertices_without(m_ball, v))
+    for(const Vertex_handle w : internal::vertices_without(m_star, v))
     {
       star.clear();
       m_mesh.tr.incident_cells(w, std::back_inserter(star));
@@ -238,16 +236,14 @@ private:
     return typename Positions::Point_3(x[0], x[1], x[2]);
   }
 
-  // Of a ball that is enlarged until its vertex sees all, see "Tuning constants" in the manual.
+  // Of a star that is enlarged until its vertex sees all, see "Tuning constants" in the manual.
   static constexpr std::size_t max_number_of_cells = 1000;
 
   Mesh& m_mesh;
   Move_into_kernel_3<Tr> m_move_into_kernel;
-  std::vector<Cell_handle> m_ball;
+  std::vector<Cell_handle> m_star;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
-#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_STEINER_ROUNDING_3_H
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_ROUND_STEINER_POINT_3_H

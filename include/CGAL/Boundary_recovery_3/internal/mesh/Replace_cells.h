@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Boundary_recovery_3 authors
 
-#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_MESH_CELL_REPLACEMENT_H
-#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_MESH_CELL_REPLACEMENT_H
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_MESH_REPLACE_CELLS_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_MESH_REPLACE_CELLS_H
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
@@ -26,9 +26,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * Glues the cells that fill a polyhedron to the cells around it and to each other, by means of a hash table of the
@@ -137,7 +135,7 @@ private:
  * If memory is lacking, the triangulation stays as it is: new cells are glued only when all of them are there.
  */
 template <typename Tr>
-class Cell_replacement
+class Replace_cells
 {
 public:
   typedef typename Tr::Vertex_handle    Vertex_handle;
@@ -270,8 +268,6 @@ private:
   Cells m_new_cells;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
-#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_MESH_CELL_REPLACEMENT_H
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_MESH_REPLACE_CELLS_H

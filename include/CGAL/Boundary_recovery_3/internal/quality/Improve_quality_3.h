@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Boundary_recovery_3 authors
 
-#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_QUALITY_IMPROVEMENT_3_H
-#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_QUALITY_IMPROVEMENT_3_H
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_IMPROVE_QUALITY_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_IMPROVE_QUALITY_3_H
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
@@ -27,9 +27,7 @@
 #include <optional>
 #include <utility>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 // See "Tuning constants" in the manual.
 constexpr double default_min_dihedral_angle = 25;
@@ -54,15 +52,15 @@ void set_last_figures(Quality_improvement_result_3<Tr>& result, const std::optio
  * first ones are the last ones.
  */
 template <typename Tr, typename Quality>
-class Quality_improvement_3
+class Improve_quality_3
 {
 public:
   typedef typename Tr::Cell_handle         Cell_handle;
   typedef Selected_domain_3<Tr>            Domain;
   typedef Quality_improvement_result_3<Tr> Result;
 
-  Quality_improvement_3(Tr& tr, Domain& domain, const Quality& quality, const std::size_t max_number_of_vertices,
-                        Mesh_visitor_3<Tr>& visitor)
+  Improve_quality_3(Tr& tr, Domain& domain, const Quality& quality, const std::size_t max_number_of_vertices,
+                    Mesh_visitor_3<Tr>& visitor)
     : m_tr(tr), m_domain(domain), m_quality(quality), m_max_number_of_vertices(max_number_of_vertices),
       m_context(visitor)
   { }
@@ -120,8 +118,8 @@ private:
 
 template <typename Tr, typename Quality>
 Quality_improvement_result_3<Tr>
-Quality_improvement_3<Tr, Quality>::operator()(const double min_dihedral_angle, const Improvement_effort effort,
-                                               const double maximum_running_time)
+Improve_quality_3<Tr, Quality>::operator()(const double min_dihedral_angle, const Improvement_effort effort,
+                                           const double maximum_running_time)
 {
   m_context.set_maximum_running_time(maximum_running_time);
   if(is_possible_target(min_dihedral_angle))
@@ -142,12 +140,10 @@ Quality_improvement_3<Tr, Quality>::operator()(const double min_dihedral_angle, 
 #ifdef CGAL_BOUNDARY_RECOVERY_3_COMPILED
 
 extern template Quality_improvement_result_3<Standard_mesh>
-Quality_improvement_3<Standard_mesh, Dihedral_angle_quality_3>::operator()(double, Improvement_effort, double);
+Improve_quality_3<Standard_mesh, Dihedral_angle_quality_3>::operator()(double, Improvement_effort, double);
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_COMPILED
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
-#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_QUALITY_IMPROVEMENT_3_H
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_IMPROVE_QUALITY_3_H

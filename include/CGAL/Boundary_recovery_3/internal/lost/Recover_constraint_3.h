@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Boundary_recovery_3 authors
 
-#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_LOST_CONSTRAINT_RECOVERY_3_H
-#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_LOST_CONSTRAINT_RECOVERY_3_H
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_LOST_RECOVER_CONSTRAINT_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_LOST_RECOVER_CONSTRAINT_3_H
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
@@ -24,9 +24,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * Recovery of one lost constraint of dimension N - 1: an edge (N = 2), or a facet whose edges are mesh edges (N = 3).
@@ -38,7 +36,7 @@ namespace internal {
  * pierce a facet have no order; all are tried.
  */
 template <typename Tr, std::size_t N>
-class Constraint_recovery_3
+class Recover_constraint_3
 {
 public:
   typedef typename Tr::Vertex_handle          Vertex_handle;
@@ -50,7 +48,7 @@ public:
   typedef std::array<Vertex_handle, N>        Constraint;
   typedef std::conditional_t<N == 2, Segment_walk_3<Tr>, Facet_walk_3<Tr> > Walk;
 
-  Constraint_recovery_3(const Tr& tr, const Predicates& predicates) : m_walk(tr, predicates) { }
+  Recover_constraint_3(const Tr& tr, const Predicates& predicates) : m_walk(tr, predicates) { }
 
   // Returns whether the constraint is in the mesh in the end. The shell transformations obey `validity`.
   template <typename Shell_transformation, typename Context>
@@ -159,8 +157,6 @@ private:
   std::size_t m_number_of_crossings = 0;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
-#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_LOST_CONSTRAINT_RECOVERY_3_H
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_LOST_RECOVER_CONSTRAINT_3_H

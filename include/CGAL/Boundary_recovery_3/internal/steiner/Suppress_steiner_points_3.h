@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Boundary_recovery_3 authors
 
-#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_STEINER_SUPPRESSION_3_H
-#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_STEINER_SUPPRESSION_3_H
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_SUPPRESS_STEINER_POINTS_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_SUPPRESS_STEINER_POINTS_3_H
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
@@ -19,8 +19,8 @@
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/Move_into_kernel_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Round_steiner_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_mesh_3.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_rounding_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Suppress_free_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 
@@ -34,9 +34,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * The cells that no constrained facets separate from the infinite ones.
@@ -81,7 +79,7 @@ private:
 };
 
 /*
- * Makes one point of two free Steiner points that are neighbors, where one point sees the boundary of both balls.
+ * Makes one point of two free Steiner points that are neighbors, where one point sees the boundary of both stars.
  */
 template <typename Tr>
 class Merge_points_3
@@ -93,18 +91,18 @@ public:
 
   explicit Merge_points_3(Mesh& mesh) : m_mesh(mesh), m_move_into_kernel(mesh.predicates, mesh.positions) { }
 
-  // Merges v, of which `ball` are the cells around it, with the first neighbor for which this is possible.
-  void operator()(const Vertex_handle v, const std::vector<Cell_handle>& ball)
+  // Merges v, of which `star` are the cells around it, with the first neighbor for which this is possible.
+  void operator()(const Vertex_handle v, const std::vector<Cell_handle>& star)
   {
     const auto before = v->point();
-    for(const Vertex_handle w : internal::vertices_without(ball, v))
+    for(const Vertex_handle w : internal::vertices_without(star, v))
     {
-      if(! m_mesh.ledger.is_free(w) || ! internal::collect_ball(m_mesh.tr, w, m_ball))
+      if(! m_mesh.ledger.is_free(w) || ! internal::collect_star(m_mesh.tr, w, m_star))
         continue;
       if(! m_mesh.context.go_further())
         return;
-      Cavity_3<Tr> cavity(m_mesh.tr, m_mesh.constraints, ball);
-      for(const Cell_handle c : m_ball)
+      Cavity_3<Tr> cavity(m_mesh.tr, m_mesh.constraints, star);
+      for(const Cell_handle c : m_star)
         cavity.add(c);
       std::vector<Vertex_triple> faces;
       std::vector<Vertex_handle> inner_points;
@@ -123,22 +121,22 @@ private:
 
   Mesh& m_mesh;
   Move_into_kernel_3<Tr> m_move_into_kernel;
-  std::vector<Cell_handle> m_ball;
+  std::vector<Cell_handle> m_star;
 };
 
 /*
  * The postprocessing of [CZZ+17, Section 4.3]: removes Steiner points that are on no constraint.
  *
  * Points are first removed one by one, and those that stay move to the deepest point of their kernel. Where that does
- * no more, two neighbors become one where one point sees the boundary of both balls, and ever larger cavities around a
- * ball are reconnected: first such that grow by the vertices that touch them most, then such that grow where they have
+ * no more, two neighbors become one where one point sees the boundary of both stars, and ever larger cavities around a
+ * star are reconnected: first such that grow by the vertices that touch them most, then such that grow where they have
  * to.
  *
  * It ends: no step adds a point, every round but the last removes some, and within a round, the flips around a point
  * only ever take edges away from it.
  */
 template <typename Tr>
-class Steiner_suppression_3
+class Suppress_steiner_points_3
 {
 public:
   typedef Steiner_mesh_3<Tr>          Mesh;
@@ -146,7 +144,7 @@ public:
   typedef typename Mesh::Cell_handle           Cell_handle;
   typedef Growing_cavity_3<Tr>                 Growing_cavity;
 
-  explicit Steiner_suppression_3(Mesh& mesh)
+  explicit Suppress_steiner_points_3(Mesh& mesh)
     : m_mesh(mesh), m_suppress(mesh, mesh.constraints), m_merge(mesh), m_round(mesh),
       m_growing_cavity(mesh.tr, mesh.predicates, mesh.constraints)
   { }
@@ -184,7 +182,7 @@ public:
     for(int i = 0; i < number_of_rounds && ! points.empty() && m_mesh.context.go_further(); ++i)
       round(points, [&](const Vertex_handle v)
       {
-        return round_in_smaller_ball(v, l_max) || round_among_moved_neighbors(v);
+        return round_in_smaller_star(v, l_max) || round_among_moved_neighbors(v);
       });
     return points.empty();
   }
@@ -287,10 +285,10 @@ private:
     std::size_t number_of_failures = 0;
     for_each_point(POINTS_OF_DOMAIN, [&](const Vertex_handle v)
     {
-      if(! is_success_likely(before, number_of_failures) || internal::contains(hopeless, v) || ! collect_ball(v))
+      if(! is_success_likely(before, number_of_failures) || internal::contains(hopeless, v) || ! collect_star(v))
         return;
       const auto& bounds = growth == Growing_cavity::AROUND ? around_bounds : dead_ends_bounds;
-      const auto outcome = m_growing_cavity(m_ball, v, m_mesh.ledger.free_points(), growth, bounds, m_mesh.context);
+      const auto outcome = m_growing_cavity(m_star, v, m_mesh.ledger.free_points(), growth, bounds, m_mesh.context);
       if(outcome == Growing_cavity::FOUND)
       {
         internal::replace_and_forget(m_mesh.editor, m_mesh.ledger, m_growing_cavity.cells(),
@@ -304,17 +302,17 @@ private:
     });
   }
 
-  // Makes one point of two neighbors, where one can star both balls.
+  // Makes one point of two neighbors, where one sees the boundary of both stars.
   void merge_points()
   {
     for_each_point(ALL_POINTS, [this](const Vertex_handle v)
     {
-      if(collect_ball(v))
-        m_merge(v, m_ball);
+      if(collect_star(v))
+        m_merge(v, m_star);
     });
   }
 
-  // Moves each of the points to the deepest point of the kernel of its ball, from where more may be possible.
+  // Moves each of the points to the deepest point of the kernel of its star, from where more may be possible.
   void relocate_points()
   {
     for_each_point(ALL_POINTS, [this](const Vertex_handle v) { m_suppress.relocate(v); });
@@ -331,9 +329,9 @@ private:
     points.resize(kept);
   }
 
-  // Where there is no number in the ball of v, and none around it will do: takes edges off v, so that fewer planes
+  // Where there is no number in the star of v, and none around it will do: takes edges off v, so that fewer planes
   // bound the kernel, and tries again. Returns true, too, if v is gone then.
-  bool round_in_smaller_ball(const Vertex_handle v, const int l_max)
+  bool round_in_smaller_star(const Vertex_handle v, const int l_max)
   {
     return m_mesh.context.go_further() && (m_suppress.remove(v, l_max) || m_round(v));
   }
@@ -342,9 +340,9 @@ private:
   // from it together, a bit in each round.
   bool round_among_moved_neighbors(const Vertex_handle v)
   {
-    if(! collect_ball(v))
+    if(! collect_star(v))
       return false;
-    const std::vector<Vertex_handle> neighbors = internal::vertices_without(m_ball, v);
+    const std::vector<Vertex_handle> neighbors = internal::vertices_without(m_star, v);
     for(const Vertex_handle w : neighbors)
       if(m_mesh.ledger.is_free(w) && m_mesh.context.go_further())
       {
@@ -358,7 +356,7 @@ private:
   }
 
   // Returns false if v is on the hull.
-  bool collect_ball(const Vertex_handle v) { return internal::collect_ball(m_mesh.tr, v, m_ball); }
+  bool collect_star(const Vertex_handle v) { return internal::collect_star(m_mesh.tr, v, m_star); }
 
   // See "Tuning constants" in the manual. The level is not raised from 0, as it is for lost edges.
   static constexpr int low_recursion_level = 4;
@@ -377,11 +375,9 @@ private:
   Round_free_point_3<Tr> m_round;
   Growing_cavity m_growing_cavity;
   std::optional<std::vector<Vertex_handle> > m_exterior_points; // where there is a domain; none until asked for
-  std::vector<Cell_handle> m_ball;
+  std::vector<Cell_handle> m_star;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
-#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_STEINER_SUPPRESSION_3_H
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_SUPPRESS_STEINER_POINTS_3_H

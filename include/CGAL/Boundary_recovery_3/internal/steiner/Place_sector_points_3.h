@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Boundary_recovery_3 authors
 
-#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_SECTOR_POINTS_3_H
-#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_SECTOR_POINTS_3_H
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_PLACE_SECTOR_POINTS_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_PLACE_SECTOR_POINTS_3_H
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
@@ -26,15 +26,13 @@
 #include <unordered_map>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
- * The sectors into which fans cut the ball of a vertex: sets of cells, numbered in the order of the cells of the star.
+ * The sectors into which fans cut the star of a vertex: sets of cells, numbered in the order of the cells of the star.
  */
 template <typename Tr>
-class Ball_sectors_3
+class Star_sectors_3
 {
 public:
   typedef typename Tr::Cell_handle       Cell_handle;
@@ -42,7 +40,7 @@ public:
   typedef Facet_fans_3<Tr>               Fans;
   typedef typename Fans::Fan             Fan;
 
-  explicit Ball_sectors_3(const Tr& tr) : m_tr(tr) { }
+  explicit Star_sectors_3(const Tr& tr) : m_tr(tr) { }
 
   void label(const Star& star, const Fans& fans)
   {
@@ -87,11 +85,11 @@ private:
 
 /*
  * The points s_i that come in the place of a Steiner point s [CZZ+17, Alg. A.1 to A.3], one for each sector of its
- * ball. Each sees all the boundary of its sector, which is starred from it. The sector outside the hull has no s_i: its
+ * star. Each sees all the boundary of its sector, which is starred from it. The sector outside the hull has no s_i: its
  * triangles go to the infinite vertex.
  */
 template <typename Tr>
-class Sector_points_3
+class Place_sector_points_3
 {
 public:
   typedef Steiner_mesh_3<Tr>                Mesh;
@@ -101,9 +99,9 @@ public:
   typedef typename Mesh::Editor::Tetrahedron         Tetrahedron;
   typedef Half_facet_star_3<Tr>                      Star;
   typedef Facet_fans_3<Tr>                           Fans;
-  typedef Ball_sectors_3<Tr>                         Sectors;
+  typedef Star_sectors_3<Tr>                         Sectors;
 
-  explicit Sector_points_3(Mesh& mesh) : m_mesh(mesh), m_move_into_kernel(mesh.predicates, mesh.positions) { }
+  explicit Place_sector_points_3(Mesh& mesh) : m_mesh(mesh), m_move_into_kernel(mesh.predicates, mesh.positions) { }
 
   // Creates the vertices, and finds positions for them, which may be exact ones. The fans are triangulated. Returns
   // false if there is no position for one of them; then no vertex was created.
@@ -129,7 +127,7 @@ public:
     return result;
   }
 
-  // The new cells of the ball.
+  // The new cells of the star.
   std::vector<Tetrahedron> tetrahedra() const
   {
     std::vector<Tetrahedron> result;
@@ -235,8 +233,6 @@ private:
   std::vector<Sector> m_sectors;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
-#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_SECTOR_POINTS_3_H
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_PLACE_SECTOR_POINTS_3_H

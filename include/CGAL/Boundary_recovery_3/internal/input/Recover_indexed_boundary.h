@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Boundary_recovery_3 authors
 
-#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_INPUT_INDEXED_BOUNDARY_RECOVERY_H
-#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_INPUT_INDEXED_BOUNDARY_RECOVERY_H
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_INPUT_RECOVER_INDEXED_BOUNDARY_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_INPUT_RECOVER_INDEXED_BOUNDARY_H
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
@@ -29,9 +29,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 struct Recovery_options
 {
@@ -57,7 +55,7 @@ void bound_defects(Boundary_recovery_result_3<Tr>& result, const std::size_t max
  * inserts the vertices, runs the recovery, and writes the account in the caller's indices.
  */
 template <typename Tr, typename GT>
-class Indexed_boundary_recovery
+class Recover_indexed_boundary
 {
 public:
   typedef typename Tr::Vertex_handle                Vertex_handle;
@@ -67,8 +65,8 @@ public:
   typedef typename Result::Input_simplex            Simplex;
   typedef typename Result::Input_defect             Defect;
 
-  Indexed_boundary_recovery(Tr& tr, const Input& input, const GT& gt, const Recovery_options& options,
-                            Mesh_visitor_3<Tr>& visitor)
+  Recover_indexed_boundary(Tr& tr, const Input& input, const GT& gt, const Recovery_options& options,
+                           Mesh_visitor_3<Tr>& visitor)
     : m_tr(tr), m_input(input), m_gt(gt), m_options(options), m_context(visitor)
   {
     m_context.set_maximum_running_time(options.maximum_running_time);
@@ -423,7 +421,7 @@ private:
 
 template <typename Tr, typename GT>
 Boundary_recovery_result_3<Tr>
-Indexed_boundary_recovery<Tr, GT>::operator()(std::vector<Vertex_handle> vertices)
+Recover_indexed_boundary<Tr, GT>::operator()(std::vector<Vertex_handle> vertices)
 {
   set_defects(simple_defects(m_input, m_gt, m_tr.number_of_vertices() == 0));
   if(! is_invalid() && m_options.list_defects)
@@ -447,17 +445,15 @@ Indexed_boundary_recovery<Tr, GT>::operator()(std::vector<Vertex_handle> vertice
 #ifdef CGAL_BOUNDARY_RECOVERY_3_COMPILED
 
 extern template Boundary_recovery_result_3<Standard_delaunay>
-Indexed_boundary_recovery<Standard_delaunay, Standard_kernel>::operator()(
+Recover_indexed_boundary<Standard_delaunay, Standard_kernel>::operator()(
   std::vector<Standard_delaunay::Vertex_handle>);
 
 extern template Boundary_recovery_result_3<Standard_mesh>
-Indexed_boundary_recovery<Standard_mesh, Standard_kernel>::operator()(
+Recover_indexed_boundary<Standard_mesh, Standard_kernel>::operator()(
   std::vector<Standard_mesh::Vertex_handle>);
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_COMPILED
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
-#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_INPUT_INDEXED_BOUNDARY_RECOVERY_H
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_INPUT_RECOVER_INDEXED_BOUNDARY_H

@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Boundary_recovery_3 authors
 
-#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_ISOLATED_EDGE_RECOVERY_3_H
-#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_ISOLATED_EDGE_RECOVERY_3_H
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_RECOVER_ISOLATED_EDGE_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_RECOVER_ISOLATED_EDGE_3_H
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
@@ -17,10 +17,10 @@
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/Remove_vertex_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Conforming_recovery_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Split_off_steiner_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_mesh_3.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_splitting_3.h>
-#include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_suppression_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Suppress_free_point_3.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Suppress_steiner_points_3.h>
 
 #include <CGAL/assertions.h>
 
@@ -29,15 +29,13 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Boundary_recovery_3 {
-namespace internal {
+namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * Removes a Steiner point from the chain of an edge of no constrained facet, and makes the two parts of the edge that
  * meet there one mesh edge: no point comes in its place, as it does if it comes off the edge.
  *
- * The ball of the point is covered without it: by collapsing it onto one of its neighbors on the edge, or by small
+ * The star of the point is covered without it: by collapsing it onto one of its neighbors on the edge, or by small
  * polyhedron reconnection. Until that works, the other edges at the point are removed by flips.
  */
 template <typename Tr>
@@ -50,7 +48,7 @@ public:
   typedef typename Mesh::Vertex_pair           Vertex_pair;
 
   explicit Remove_chain_point_3(Mesh& mesh)
-    : m_mesh(mesh), m_reduce_ball(mesh.editor, mesh.predicates, mesh.ledger), m_reconnection(mesh.predicates)
+    : m_mesh(mesh), m_reduce_star(mesh.editor, mesh.predicates, mesh.ledger), m_reconnection(mesh.predicates)
   { }
 
   // Returns whether s is gone. If it is on the hull, it is not.
@@ -58,56 +56,56 @@ public:
   {
     m_reconnection.forget(); // points may have moved since the last call
     m_neighbors = m_mesh.ledger.neighbors_on_edge(s);
-    if(! internal::collect_ball(m_mesh.tr, s, m_ball))
+    if(! internal::collect_star(m_mesh.tr, s, m_star))
       return false;
-    const auto try_to_remove = [this, s](const std::vector<Cell_handle>& ball)
+    const auto try_to_remove = [this, s](const std::vector<Cell_handle>& star)
     {
-      return collapse(ball, s) || reconnect(ball, s);
+      return collapse(star, s) || reconnect(star, s);
     };
-    return try_to_remove(m_ball) || m_reduce_ball(s, l_max, m_mesh.context, try_to_remove);
+    return try_to_remove(m_star) || m_reduce_star(s, l_max, m_mesh.context, try_to_remove);
   }
 
-  std::size_t number_of_transformations() const { return m_reduce_ball.number_of_transformations(); }
+  std::size_t number_of_transformations() const { return m_reduce_star.number_of_transformations(); }
 
 private:
   typedef typename Mesh::Ledger                Ledger;
   typedef typename Mesh::Vertex_triple         Vertex_triple;
   typedef Small_polyhedron_reconnection_3<Tr>  Reconnection;
 
-  bool collapse(const std::vector<Cell_handle>& ball, const Vertex_handle s)
+  bool collapse(const std::vector<Cell_handle>& star, const Vertex_handle s)
   {
     const auto x = std::find_if(m_neighbors.begin(), m_neighbors.end(), [&](const Vertex_handle w)
     {
-      return internal::is_ball_seen(m_mesh.predicates, ball, s, w);
+      return internal::is_star_seen(m_mesh.predicates, star, s, w);
     });
     if(x == m_neighbors.end())
       return false;
     m_mesh.ledger.erase(s);
-    internal::collapse_edge(m_mesh.editor, ball, s, *x);
+    internal::collapse_edge(m_mesh.editor, star, s, *x);
     return true;
   }
 
-  bool reconnect(const std::vector<Cell_handle>& ball, const Vertex_handle s)
+  bool reconnect(const std::vector<Cell_handle>& star, const Vertex_handle s)
   {
     std::vector<Vertex_pair> edges;
     std::vector<Vertex_triple> facets;
-    internal::collect_constraints(m_mesh.ledger, ball, edges, facets);
+    internal::collect_constraints(m_mesh.ledger, star, edges, facets);
     edges.erase(std::remove_if(edges.begin(), edges.end(), [s](const Vertex_pair& e)
     {
       return e[0] == s || e[1] == s;
     }), edges.end());
     edges.push_back(m_neighbors);
-    if(m_reconnection(ball, edges, facets, s) != Reconnection::FOUND)
+    if(m_reconnection(star, edges, facets, s) != Reconnection::FOUND)
       return false;
     m_mesh.ledger.erase(s);
-    m_mesh.editor.replace(ball, m_reconnection.tetrahedra(), std::array<Vertex_handle, 1>{{ s }});
+    m_mesh.editor.replace(star, m_reconnection.tetrahedra(), std::array<Vertex_handle, 1>{{ s }});
     return true;
   }
 
   Mesh& m_mesh;
-  Reduce_ball_3<Tr, Ledger> m_reduce_ball;
+  Reduce_star_3<Tr, Ledger> m_reduce_star;
   Reconnection m_reconnection;
-  std::vector<Cell_handle> m_ball;
+  std::vector<Cell_handle> m_star;
   Vertex_pair m_neighbors; // of the point, on its edge
 };
 
@@ -115,19 +113,19 @@ private:
  * Recovers an edge of no constrained facet to the end: it becomes a chain, which loses as many of its points as can go
  * from it; the others come off it, some of them go, and the rest get positions that the triangulation can store.
  *
- * Where there are hundreds of such edges, this is done with one after the other. If all become chains first, the balls
+ * Where there are hundreds of such edges, this is done with one after the other. If all become chains first, the stars
  * of their points are cut up again and again before any point gets a position; in the end, there is no number in some
- * balls, and this is known only when all the work is done.
+ * stars, and this is known only when all the work is done.
  */
 template <typename Tr>
-class Isolated_edge_recovery_3
+class Recover_isolated_edge_3
 {
 public:
   typedef Steiner_mesh_3<Tr>          Mesh;
   typedef typename Mesh::Vertex_handle         Vertex_handle;
-  typedef Steiner_suppression_3<Tr>   Suppression;
+  typedef Suppress_steiner_points_3<Tr>   Suppression;
 
-  explicit Isolated_edge_recovery_3(Mesh& mesh)
+  explicit Recover_isolated_edge_3(Mesh& mesh)
     : m_mesh(mesh), m_conform(mesh), m_shorten(mesh), m_split(mesh), m_remove(mesh, mesh.constraints), m_suppress(mesh)
   { }
 
@@ -221,13 +219,11 @@ private:
   Mesh& m_mesh;
   Conforming_recovery_3<Tr> m_conform;
   Remove_chain_point_3<Tr> m_shorten;
-  Steiner_splitting_3<Tr> m_split;
+  Split_off_steiner_point_3<Tr> m_split;
   Suppress_free_point_3<Tr, typename Mesh::Constraints> m_remove;
   Suppression m_suppress;
 };
 
-} // namespace internal
-} // namespace Boundary_recovery_3
-} // namespace CGAL
+} // namespace CGAL::Boundary_recovery_3::internal
 
-#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_ISOLATED_EDGE_RECOVERY_3_H
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_STEINER_RECOVER_ISOLATED_EDGE_3_H
