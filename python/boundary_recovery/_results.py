@@ -37,7 +37,8 @@ class InvalidSurface(ValueError):
                        "index_out_of_range", "coincident_vertices", "non_finite_coordinate"
     defects            (k, 2) int64, a row for each defect of that kind: the numbers of the two triangles that intersect,
                        for instance, or of the only one and -1. An edge or a point is named by the first triangle that
-                       has it; where all that is wrong are points, as for "coincident_vertices", these are their numbers.
+                       has it; where all that is wrong are points, as for "coincident_vertices", these are their numbers;
+                       of a mesh that was moved, those of its tetrahedra.
     points             (k, 3) float64: a place where that is, NaN if it has none
     simplices          for each defect a list of dictionaries, with all that is known: the dimension, the number (-1: an
                        edge that was given as that of a triangle), the numbers of points, and their coordinates
@@ -202,8 +203,8 @@ class _Triangle_finder:
         self._first: Optional[Dict[Any, int]] = None
 
     def __call__(self, simplex: Dict[str, Any]) -> int:
-        if simplex["dimension"] == 2:
-            return simplex["index"]
+        if simplex["dimension"] >= 2:
+            return simplex["index"]  # of a tetrahedron, too, of a mesh that was moved
         if self._first is None:
             self._first = {}
             for number, (a, b, c) in enumerate(self._triangles.tolist()):

@@ -84,10 +84,17 @@ public:
     if(m_is_stopped || m_exception.is_there() || m_progress.is_none() || ! (is_due(m_last_call) || is_urgent))
       return;
     const py::gil_scoped_acquire acquire;
-    guarded([&] { m_is_stopped = m_progress(phase, share).ptr() == Py_False; });
+    guarded([&] { m_is_stopped = is_false(m_progress(phase, share)); });
   }
 
 private:
+  // Functions that return nothing, or a number, do not mean to stop the work.
+  static bool is_false(const py::object& value)
+  {
+    const bool is_bool = PyBool_Check(value.ptr()) || std::strncmp(Py_TYPE(value.ptr())->tp_name, "numpy.bool", 10) == 0;
+    return is_bool && PyObject_IsTrue(value.ptr()) == 0;
+  }
+
   static bool is_due(Clock::time_point& last)
   {
     const Clock::time_point now = Clock::now();
@@ -214,7 +221,7 @@ void set_view(const py::array& array, const py::ssize_t width, View& view)
 Point_rows point_rows(const py::array& array)
 {
   Point_rows view;
-  if(! array.dtype().is(py::dtype::of<double>()))
+  if(! py::isinstance<py::array_t<double> >(array))
     throw py::type_error("points: an array of float64 is needed");
   set_view(array, 3, view);
   return view;

@@ -99,8 +99,9 @@ class ImprovementTest(MeshTest):
         self.assertGreater(len(r.tetrahedra), len(m.tetrahedra))
         same = br.remesh_holes(m.points, m.tetrahedra, min_angle=0)
         self.assertEqual((bool(same), same.tetrahedra.tobytes()), (True, m.tetrahedra.tobytes()))
-        with self.assertRaises(br.InvalidSurface):
+        with self.assertRaises(br.InvalidSurface) as raised:
             br.remesh_holes(m.points, np.concatenate([m.tetrahedra, m.tetrahedra[:1]]))
+        self.assertTrue((raised.exception.defects[:, 0] == 0).all())  # the tetrahedron that is there twice
 
 
 main()

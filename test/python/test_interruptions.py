@@ -27,8 +27,11 @@ class InterruptionsTest(MeshTest):
             phase == "field_point_insertion" and share > 0))
         self.assertEqual((m.status, bool(m)), ("stopped", False))
         self.assertAlmostEqual(volumes(m.points, m.tetrahedra).sum(), 1.0)
-        m = br.tetrahedralize(POINTS, TRIANGLES, size=FINE, progress=lambda phase, share: False)
-        self.assertEqual(m.status, "stopped")
+        for false in (False, np.bool_(False)):
+            m = br.tetrahedralize(POINTS, TRIANGLES, size=FINE, progress=lambda phase, share: false)
+            self.assertEqual(m.status, "stopped")
+        m = br.tetrahedralize(POINTS, TRIANGLES, size=0.1, progress=lambda phase, share: 0)
+        self.assertEqual(m.status, "meshed")
 
     def test_control_c(self):
         for call in (lambda: br.tetrahedralize(POINTS, TRIANGLES, size=FINE),
