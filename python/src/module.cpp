@@ -91,8 +91,8 @@ private:
   // Functions that return nothing, or a number, do not mean to stop the work.
   static bool is_false(const py::object& value)
   {
-    const bool is_bool = PyBool_Check(value.ptr()) || std::strncmp(Py_TYPE(value.ptr())->tp_name, "numpy.bool", 10) == 0;
-    return is_bool && PyObject_IsTrue(value.ptr()) == 0;
+    PyObject* const p = value.ptr();
+    return (PyBool_Check(p) || std::strncmp(Py_TYPE(p)->tp_name, "numpy.bool", 10) == 0) && PyObject_IsTrue(p) == 0;
   }
 
   static bool is_due(Clock::time_point& last)
