@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
-#include <CGAL/Boundary_recovery_3/Meshing_visitor_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Mesh_visitor_3.h>
 
 #include <CGAL/tags.h>
 
