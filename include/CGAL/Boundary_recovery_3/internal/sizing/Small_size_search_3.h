@@ -15,6 +15,7 @@
 #include <CGAL/Boundary_recovery_3/internal/shape/Cell_shape_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/Unit_frame_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/circumsphere.h>
+#include <CGAL/Boundary_recovery_3/internal/sizing/Region_sizes_3.h>
 
 #include <algorithm>
 #include <array>
