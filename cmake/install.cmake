@@ -11,7 +11,7 @@ install(EXPORT Boundary_recovery_3Targets NAMESPACE Boundary_recovery_3:: DESTIN
 # The compiled library depends on the architecture, on whether the TBB and METIS were there, and may be left out: its
 # targets are in a file of their own.
 set(architecture ARCH_INDEPENDENT)
-if(TARGET Boundary_recovery_3_compiled)
+if(TARGET Boundary_recovery_3_compiled AND BR3_LIBRARY_IS_WHOLE)
   unset(architecture)
   install(TARGETS Boundary_recovery_3_compiled EXPORT Boundary_recovery_3CompiledTargets
           ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library

@@ -54,7 +54,7 @@ if(TARGET mesh_surface_mpi)
   set(CPACK_DEBIAN_PROGRAMS_MPI_PACKAGE_DEPENDS openmpi-bin) # without mpirun, the program does not start
 endif()
 
-if(BR3_BUILD_PYTHON)
+if(TARGET boundary_recovery_python)
   list(APPEND CPACK_COMPONENTS_ALL python)
   br3_add_package(python3-boundary-recovery python python "the module for Python")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)

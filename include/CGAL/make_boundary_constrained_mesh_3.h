@@ -69,6 +69,10 @@ make_mesh(Tr& tr, Surface_to_mesh_3<Tr>& surface, const SizingField& size, const
   {
     surface.constrained_edges.push_back({{ u, v }});
   });
+  static_assert(parameters::is_default_parameter<NamedParameters, internal::number_of_subdomains_t>::value
+                || Can_be_divided<Tr>::value,
+                "Sub-domains need vertices with meshing_info(), as those of "
+                "CGAL::Boundary_constrained_mesh_triangulation_3<Kernel>::type, and traits without a state.");
   const auto quality = parameters::choose_parameter<Dihedral_angle_quality_3>(
     parameters::get_parameter(np, internal::cell_quality));
   const Meshing_options options = internal::meshing_options(np);

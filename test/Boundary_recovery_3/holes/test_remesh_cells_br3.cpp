@@ -8,6 +8,7 @@
 #include "random_numbers_br3.h"
 
 #include <CGAL/Boundary_recovery_3/Hole_remeshing_result_3.h>
+#include <CGAL/Boundary_recovery_3/Meshing_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/holes/Remesh_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/remesh_cells.h>
@@ -107,6 +108,24 @@ struct Scene
   Tr tr;
 };
 
+// It does not know the triangulations of holes, and need not: their cells are not told.
+struct Visitor_of_other_cells
+  : public CGAL::Default_meshing_visitor_3
+{
+  template <typename CellRange>
+  void before_cells_removal(const CellRange& cells)
+  {
+    for(const int c : cells)
+      m_sum += c;
+  }
+
+  template <typename CellRange>
+  void after_cells_creation(const CellRange& cells) { before_cells_removal(cells); }
+
+private:
+  int m_sum = 0;
+};
+
 int main()
 {
   std::mt19937 rng(2);
@@ -134,7 +153,8 @@ int main()
                                               scene.tr.finite_vertex_handles().end());
     const std::vector<Cell_handle> cells(scene.tr.finite_cell_handles().begin(), scene.tr.finite_cell_handles().end());
 
-    const Result stopped = CGAL::remesh_cells(scene.tr, parameters::maximum_running_time(0));
+    const Result stopped = CGAL::remesh_cells(
+      scene.tr, parameters::maximum_running_time(0).visitor(Visitor_of_other_cells()));
     assert(stopped.status == BR3::Meshing_status::stopped && stopped.vertices == vertices && stopped.cells == cells);
     assert(scene.tr.number_of_vertices() == points.size());
 

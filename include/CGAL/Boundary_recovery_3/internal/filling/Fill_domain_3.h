@@ -43,8 +43,8 @@ namespace CGAL::Boundary_recovery_3::internal {
  *
  * A cell is too large if its circumradius is longer than `largest_radius` times the size at its centroid. Each cell is
  * examined once: the cells of the domain, and after each insertion the cells around the new vertices. A point is
- * inserted only if no vertex of its cavity is nearer than `smallest_distance` times the size at the point, so the work
- * ends.
+ * inserted only if no vertex of its cavity is nearer than `Length_rules::smallest_distance` times the size at the
+ * point, so the work ends.
  *
  * Where sizes grow fast, a cell may be small enough for the size at its centroid, but not for sizes elsewhere in the
  * cell. Such a cell gets a point where the size is far smaller, if there is such a place.

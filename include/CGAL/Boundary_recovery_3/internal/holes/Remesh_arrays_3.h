@@ -69,7 +69,8 @@ public:
   Result operator()(Mesh&& mesh, Options options) const
   {
     typedef Remesh_holes_3<Kernel> Hole_remeshing;
-    auto visitor = internal::mesh_visitor<typename Hole_triangulation_3<Kernel>::Tr>(m_np);
+    // it is not told of the cells in holes, which are of another triangulation than the caller's
+    auto visitor = internal::mesh_visitor<typename Hole_triangulation_3<Kernel>::Tr, false>(m_np);
     typename Hole_remeshing::Context context(visitor);
     context.set_maximum_running_time(get(internal_np::maximum_running_time, std::numeric_limits<double>::infinity()));
     options.can_go_further = [&] { return context.go_further(); };

@@ -156,8 +156,10 @@ private:
  */
 template <typename Tr_>
 class Mesh_editor_3 final
-  : public Mesh_visitor_3<Tr_>
+  : public Forwarding_visitor_3<Tr_>
 {
+  using Forwarding_visitor_3<Tr_>::m_visitor;
+
 public:
   typedef Tr_                                     Tr;
   typedef Mesh_visitor_3<Tr>                      Visitor;
@@ -168,10 +170,7 @@ public:
   typedef typename Replace_cells<Tr>::Tetrahedron  Tetrahedron;
   typedef typename Mesh_journal_3<Tr>::Vertex_pair    Vertex_pair;
 
-  Mesh_editor_3(Tr& tr, Visitor& visitor) : m_tr(tr), m_visitor(visitor) { }
-
-  Mesh_editor_3(const Mesh_editor_3&) = delete;
-  Mesh_editor_3& operator=(const Mesh_editor_3&) = delete;
+  Mesh_editor_3(Tr& tr, Visitor& visitor) : Forwarding_visitor_3<Tr>(visitor), m_tr(tr) { }
 
   Tr& triangulation() { return m_tr; }
   Visitor& visitor() { return m_visitor; }
@@ -259,17 +258,6 @@ public:
 
   // --- as a visitor -------------------------------------------------------------------------------------------------
 
-  void on_phase_begin(const Phase phase) override { m_visitor.on_phase_begin(phase); }
-
-  void on_phase_end(const Phase_report& report) override { m_visitor.on_phase_end(report); }
-
-  void on_progress(const Phase phase, const std::size_t done, const std::size_t total) override
-  {
-    m_visitor.on_progress(phase, done, total);
-  }
-
-  bool go_further() override { return m_visitor.go_further(); }
-
   void before_cells_removal(const Cell_span<Cell_handle>& cells) override
   {
     if(m_journal.is_active())
@@ -286,7 +274,6 @@ public:
 
 private:
   Tr& m_tr;
-  Visitor& m_visitor;
   Replace_cells<Tr> m_replacement;
   Mesh_journal_3<Tr> m_journal;
 };

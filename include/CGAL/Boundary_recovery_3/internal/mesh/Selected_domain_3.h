@@ -20,6 +20,7 @@
 
 #include <functional>
 #include <memory>
+#include <type_traits>
 #include <utility>
 
 namespace CGAL::Boundary_recovery_3::internal {
@@ -49,20 +50,22 @@ public:
   // From now on, the domain consists of the cells that a property map from cells to Booleans selects. It is kept up to
   // date.
   template <typename Cell_is_selected_map>
-  void select(const Cell_is_selected_map& map)
+  void select([[maybe_unused]] const Cell_is_selected_map& map)
   {
-    m_selection = std::make_shared<Map_selection<Cell_is_selected_map> >(map);
+    if constexpr(! std::is_same<Cell_is_selected_map, Static_boolean_property_map<Cell_handle, true> >::value)
+      m_selection = std::make_shared<Map_selection<Cell_is_selected_map> >(map);
   }
 
   // The edges that a property map from pairs of vertices to Booleans tells are constrained.
   template <typename Edge_is_constrained_map>
-  void constrain_edges(const Edge_is_constrained_map& map)
+  void constrain_edges([[maybe_unused]] const Edge_is_constrained_map& map)
   {
-    m_is_constrained = [map](const Edge& e)
-    {
-      using boost::get;
-      return bool(get(map, e));
-    };
+    if constexpr(! std::is_same<Edge_is_constrained_map, Static_boolean_property_map<Edge, false> >::value)
+      m_is_constrained = [map](const Edge& e)
+      {
+        using boost::get;
+        return bool(get(map, e));
+      };
   }
 
   // The facets of cells without a region that are on no surface are seams.
@@ -170,8 +173,10 @@ Selected_domain_3<Tr> selected_domain(const Tr& tr, const NamedParameters& np)
  */
 template <typename Tr>
 class Domain_keeper_3
-  : public Mesh_visitor_3<Tr>
+  : public Forwarding_visitor_3<Tr>
 {
+  using Forwarding_visitor_3<Tr>::m_visitor;
+
 public:
   typedef typename Tr::Cell_handle           Cell_handle;
   typedef typename Tr::Cell::Subdomain_index Subdomain_index;
@@ -179,7 +184,7 @@ public:
   typedef Mesh_visitor_3<Tr>                 Visitor;
   typedef Cell_span<Cell_handle>             Cells;
 
-  Domain_keeper_3(Domain& domain, Visitor& visitor) : m_domain(domain), m_visitor(visitor) { }
+  Domain_keeper_3(Domain& domain, Visitor& visitor) : Forwarding_visitor_3<Tr>(visitor), m_domain(domain) { }
 
   void before_cells_removal(const Cells& cells) override
   {
@@ -231,7 +236,6 @@ private:
   }
 
   Domain& m_domain;
-  Visitor& m_visitor;
   Subdomain_index m_region = Subdomain_index(); // of the cells that are exchanged
   bool m_is_exchanging = false;
 };

@@ -34,6 +34,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -133,6 +134,11 @@ Meshing_options meshing_options(const NamedParameters& np)
   return options;
 }
 
+// Whether sub-domains can be triangulations of this type, too: vertices keep the sizes, and the traits have no state.
+template <typename Tr>
+using Can_be_divided = std::conjunction<Has_meshing_info<typename Tr::Vertex>,
+                                        std::is_default_constructible<typename Tr::Geom_traits> >;
+
 // The surface, however it was passed.
 template <typename Tr>
 struct Surface_to_mesh_3
@@ -211,7 +217,10 @@ public:
     m_context.set_maximum_running_time(options.maximum_running_time);
   }
 
-  // Without a size field, the sizes come from the surface.
+  Boundary_constrained_meshing_3(const Boundary_constrained_meshing_3&) = delete;
+  Boundary_constrained_meshing_3& operator=(const Boundary_constrained_meshing_3&) = delete;
+
+  // Without a size field, the sizes come from the surface. To be called once.
   Result operator()(const Surface& surface, const Size_field* size);
 
 private:
@@ -258,10 +267,10 @@ private:
 
   void mesh(const Size_field& size)
   {
-    if(m_options.number_of_subdomains < 2)
-      mesh_undivided(size);
-    else
-      mesh_in_subdomains(size);
+    if constexpr(Can_be_divided<Tr>::value)
+      if(m_options.number_of_subdomains > 1)
+        return mesh_in_subdomains(size);
+    mesh_undivided(size);
   }
 
   void mesh_undivided(const Size_field& size)

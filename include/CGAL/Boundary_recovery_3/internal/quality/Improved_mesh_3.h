@@ -369,18 +369,15 @@ private:
     Range constraints;
   };
 
-  struct Undoing_visitor
-    : public Mesh_visitor_3<Tr>
+  struct Undoing_visitor final
+    : public Forwarding_visitor_3<Tr>
   {
-    explicit Undoing_visitor(Domain_keeper& domain_keeper) : domain_keeper(domain_keeper) { }
+    explicit Undoing_visitor(Domain_keeper& domain_keeper)
+      : Forwarding_visitor_3<Tr>(static_cast<Mesh_visitor_3<Tr>&>(domain_keeper)), domain_keeper(domain_keeper)
+    { }
 
     Domain_keeper& domain_keeper;
     std::vector<Cell_handle> cells; // that came back
-
-    void before_cells_removal(const Cell_span<Cell_handle>& going) override
-    {
-      domain_keeper.before_cells_removal(going);
-    }
 
     void after_cells_creation(const Cell_span<Cell_handle>& coming) override
     {

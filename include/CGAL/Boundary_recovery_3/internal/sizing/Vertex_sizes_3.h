@@ -56,7 +56,8 @@ struct Length_rules
  * for it, else in a table.
  *
  * A vertex can be marked as pending, that is, the cells around it have not been looked at. That is kept in the sign,
- * since it costs nothing there, and nobody else sees it: outside of the filling no vertex is pending.
+ * since it costs nothing there. Nobody else sees it but a visitor while the filling goes on: after that no vertex is
+ * pending.
  */
 template <typename Tr, bool is_in_vertices = Has_meshing_info<typename Tr::Vertex>::value>
 class Vertex_sizes_3

@@ -16,7 +16,6 @@
 #include <CGAL/Boundary_recovery_3/parameters.h>
 
 #include <cstddef>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -66,8 +65,9 @@ public:
   virtual void after_cells_creation(const Cells&) { }
 };
 
-// Hands on everything to a visitor of another type, `Visitor`, or to the one that `Visitor` is a reference to.
-template <typename Tr, typename Visitor>
+// Hands on everything to a visitor of another type, `Visitor`, or to the one that `Visitor` is a reference to. Cells
+// are told only if they are those of the caller's triangulation: else a visitor need not know what they are.
+template <typename Tr, typename Visitor, bool tells_cells = true>
 class Any_visitor_3 final
   : public Mesh_visitor_3<Tr>
 {
@@ -85,11 +85,51 @@ public:
   }
 
   bool go_further() override { return m_visitor.go_further(); }
-  void before_cells_removal(const Cells& cells) override { m_visitor.before_cells_removal(cells); }
-  void after_cells_creation(const Cells& cells) override { m_visitor.after_cells_creation(cells); }
+
+  void before_cells_removal([[maybe_unused]] const Cells& cells) override
+  {
+    if constexpr(tells_cells)
+      m_visitor.before_cells_removal(cells);
+  }
+
+  void after_cells_creation([[maybe_unused]] const Cells& cells) override
+  {
+    if constexpr(tells_cells)
+      m_visitor.after_cells_creation(cells);
+  }
 
 private:
   Visitor m_visitor;
+};
+
+// Hands on everything to another visitor; what is to be otherwise, derived classes override.
+template <typename Tr>
+class Forwarding_visitor_3
+  : public Mesh_visitor_3<Tr>
+{
+public:
+  typedef Mesh_visitor_3<Tr>      Visitor;
+  typedef typename Visitor::Cells Cells;
+
+  explicit Forwarding_visitor_3(Visitor& visitor) : m_visitor(visitor) { }
+
+  Forwarding_visitor_3(const Forwarding_visitor_3&) = delete;
+  Forwarding_visitor_3& operator=(const Forwarding_visitor_3&) = delete;
+
+  void on_phase_begin(const Phase phase) override { m_visitor.on_phase_begin(phase); }
+  void on_phase_end(const Phase_report& report) override { m_visitor.on_phase_end(report); }
+
+  void on_progress(const Phase phase, const std::size_t done, const std::size_t total) override
+  {
+    m_visitor.on_progress(phase, done, total);
+  }
+
+  bool go_further() override { return m_visitor.go_further(); }
+  void before_cells_removal(const Cells& cells) override { m_visitor.before_cells_removal(cells); }
+  void after_cells_creation(const Cells& cells) override { m_visitor.after_cells_creation(cells); }
+
+protected:
+  Visitor& m_visitor;
 };
 
 /*
@@ -98,49 +138,38 @@ private:
  */
 template <typename Tr>
 class Recording_visitor_3 final
-  : public Mesh_visitor_3<Tr>
+  : public Forwarding_visitor_3<Tr>
 {
+  typedef Forwarding_visitor_3<Tr> Base;
+
 public:
-  typedef typename Mesh_visitor_3<Tr>::Cells Cells;
-
   Recording_visitor_3(Mesh_visitor_3<Tr>& visitor, std::vector<Phase_report>& reports)
-    : m_visitor(visitor), m_reports(reports)
+    : Base(visitor), m_reports(reports)
   { }
-
-  void on_phase_begin(const Phase phase) override { m_visitor.on_phase_begin(phase); }
 
   void on_phase_end(const Phase_report& report) override
   {
     if(! internal::is_of_recovery(report.phase))
       m_reports.push_back(report);
-    m_visitor.on_phase_end(report);
-  }
-
-  void on_progress(const Phase phase, const std::size_t done, const std::size_t total) override
-  {
-    m_visitor.on_progress(phase, done, total);
+    Base::on_phase_end(report);
   }
 
   bool go_further() override
   {
-    m_is_stopped = m_is_stopped || ! m_visitor.go_further();
+    m_is_stopped = m_is_stopped || ! Base::go_further();
     return ! m_is_stopped;
   }
 
-  void before_cells_removal(const Cells& cells) override { m_visitor.before_cells_removal(cells); }
-  void after_cells_creation(const Cells& cells) override { m_visitor.after_cells_creation(cells); }
-
 private:
-  Mesh_visitor_3<Tr>& m_visitor;
   std::vector<Phase_report>& m_reports;
   bool m_is_stopped = false;
 };
 
 // The visitor that was passed as a named parameter: itself if it was passed by reference, else a copy.
-template <typename Tr, typename NamedParameters>
+template <typename Tr, bool tells_cells = true, typename NamedParameters>
 auto mesh_visitor(const NamedParameters& np)
 {
-  return Any_visitor_3<Tr, decltype(internal::visitor_of(np))>(internal::visitor_of(np));
+  return Any_visitor_3<Tr, decltype(internal::visitor_of(np)), tells_cells>(internal::visitor_of(np));
 }
 
 } // namespace CGAL::Boundary_recovery_3::internal

@@ -16,6 +16,12 @@
 // library has for these types.
 #ifdef CGAL_BOUNDARY_RECOVERY_3_COMPILED
 
+// Both change what templates do.
+#if defined(CGAL_LINKED_WITH_TBB) != defined(CGAL_BOUNDARY_RECOVERY_3_COMPILED_WITH_TBB) \
+    || defined(CGAL_METIS_ENABLED) != defined(CGAL_BOUNDARY_RECOVERY_3_COMPILED_WITH_METIS)
+#error "With Boundary_recovery_3::compiled, the TBB and METIS are to be used if, and only if, the library has them."
+#endif
+
 #include <CGAL/Boundary_constrained_mesh_triangulation_3.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
