@@ -70,7 +70,7 @@ std::vector<Point_3> mesh(const std::size_t number_of_subdomains)
   Tr tr;
   const auto result = CGAL::make_boundary_constrained_mesh_3(tr, points, triangles, 0.25,
                                                              params::number_of_subdomains(number_of_subdomains));
-  assert(result && tr.is_valid() && result.number_of_regions == 1);
+  assert(result && tr.tds().is_valid() && result.number_of_regions == 1);
   assert(result.filling.number_of_field_points > 20);
   return points_of(tr);
 }
