@@ -242,7 +242,7 @@ private:
     constexpr double forever = std::numeric_limits<double>::infinity();
     const Any_size size = this->size();
     internal::Mesh_visitor_3<Triangulation> visitor;
-    auto domain = internal::domain_of_part(tr, result.constrained_edges);
+    auto domain = internal::domain_with_edges(tr, result.constrained_edges);
     internal::Field_point_insertion_3<Triangulation> insertion(tr, domain, size, visitor);
     const auto forecast = insertion.forecast_only(m_options.maximum_number_of_vertices, forever);
     if(! forecast.invalid_sizes.empty())

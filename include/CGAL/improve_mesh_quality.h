@@ -22,7 +22,6 @@
 #include <CGAL/Named_function_parameters.h>
 
 #include <cstddef>
-#include <limits>
 #include <type_traits>
 
 namespace CGAL {
@@ -121,25 +120,16 @@ template <typename Triangulation, typename CGAL_NP_TEMPLATE_PARAMETERS>
 Quality_improvement_result_3<Triangulation>
 improve_mesh_quality(Triangulation& tr, const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
   namespace BR3 = Boundary_recovery_3::internal;
 
   auto domain = BR3::selected_domain(tr, np);
   auto visitor = BR3::mesh_visitor<Triangulation>(np);
-  const auto quality = choose_parameter<Boundary_recovery_3::Dihedral_angle_quality_3>(
-    get_parameter(np, BR3::cell_quality));
-  const double min_dihedral_angle = choose_parameter(get_parameter(np, BR3::min_dihedral_angle),
-                                                     BR3::default_min_dihedral_angle);
-  const auto effort = choose_parameter(get_parameter(np, BR3::improvement_effort),
-                                       Boundary_recovery_3::Improvement_effort::normal);
-  const std::size_t max_number_of_vertices = static_cast<std::size_t>(
-    choose_parameter(get_parameter(np, BR3::maximum_number_of_vertices), (std::numeric_limits<std::size_t>::max)()));
-  const double maximum_running_time = choose_parameter(get_parameter(np, internal_np::maximum_running_time),
-                                                       std::numeric_limits<double>::infinity());
+  const auto quality = parameters::choose_parameter<Boundary_recovery_3::Dihedral_angle_quality_3>(
+    parameters::get_parameter(np, BR3::cell_quality));
+  const BR3::Improvement_options options = BR3::improvement_options(np);
   BR3::Improve_quality_3<Triangulation, std::decay_t<decltype(quality)> >
-    improve(tr, domain, quality, max_number_of_vertices, visitor);
-  return improve(min_dihedral_angle, effort, maximum_running_time);
+    improve(tr, domain, quality, options.max_number_of_vertices, visitor);
+  return improve(options.min_dihedral_angle, options.effort, options.maximum_running_time);
 }
 
 #ifndef DOXYGEN_RUNNING

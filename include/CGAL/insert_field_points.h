@@ -116,15 +116,13 @@ template <typename Triangulation, typename SizingField, typename CGAL_NP_TEMPLAT
 Field_points_result_3<Triangulation>
 insert_field_points(Triangulation& tr, const SizingField& size, const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
   namespace BR3 = Boundary_recovery_3::internal;
   auto domain = BR3::selected_domain(tr, np);
   auto visitor = BR3::mesh_visitor<Triangulation>(np);
-  const std::size_t max_number_of_vertices = static_cast<std::size_t>(
-    choose_parameter(get_parameter(np, BR3::maximum_number_of_vertices), (std::numeric_limits<std::size_t>::max)()));
-  const double maximum_running_time = choose_parameter(get_parameter(np, internal_np::maximum_running_time),
-                                                       std::numeric_limits<double>::infinity());
+  const auto max_number_of_vertices = BR3::parameter_or(np, BR3::maximum_number_of_vertices,
+                                                        (std::numeric_limits<std::size_t>::max)());
+  const auto maximum_running_time = BR3::parameter_or(np, internal_np::maximum_running_time,
+                                                      std::numeric_limits<double>::infinity());
   const BR3::Any_size_field_3<typename Triangulation::Geom_traits, SizingField> any_size(size);
   BR3::Field_point_insertion_3<Triangulation> insert(tr, domain, any_size, visitor);
   return insert(max_number_of_vertices, maximum_running_time);

@@ -3,6 +3,8 @@
 
 #include "module_types.h"
 
+#include <CGAL/Boundary_recovery_3/internal/parallel/Part_triangulation_3.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -53,7 +55,8 @@ public:
     add_vertices(points, tetrahedra);
     for(std::size_t t = 0; t < m_cells.size(); ++t)
       add_cell(t, regions == nullptr ? 1 : regions[t]);
-    add_infinite_cells();
+    BR3::internal::create_infinite_cells(m_tr, m_handles);
+    m_open.clear();
   }
 
   // The facet of the mesh with these points is constrained.
@@ -146,55 +149,6 @@ private:
     for(int j = 0; j < 3; ++j)
       v[std::size_t(j)] = c->vertex(m_tr.vertex_triple_index(i, j));
     return (v[0] < v[1]) ^ (v[1] < v[2]) ^ (v[0] < v[2]);
-  }
-
-  void add_infinite_cells()
-  {
-    std::vector<Facet> boundary;
-    for(const Cell_handle c : m_handles)
-      for(int i = 0; i < 4; ++i)
-        if(c->neighbor(i) == Cell_handle())
-          boundary.push_back(Facet(c, i));
-    std::vector<Cell_handle> infinite;
-    for(const Facet& f : boundary)
-      infinite.push_back(add_infinite_cell(f.first, f.second));
-    for(std::size_t k = 0; k < boundary.size(); ++k)
-      for(int i = 0; i < 4; ++i)
-        if(i != boundary[k].second && infinite[k]->neighbor(i) == Cell_handle())
-          connect(infinite[k], i, boundary[k]);
-    m_open.clear();
-  }
-
-  // It has the vertices of the cell in the same places, but for two that change them, and the infinite one.
-  Cell_handle add_infinite_cell(const Cell_handle c, const int i)
-  {
-    std::array<Vertex_handle, 4> v = {{ c->vertex(0), c->vertex(1), c->vertex(2), c->vertex(3) }};
-    v[std::size_t(i)] = m_tr.infinite_vertex();
-    std::swap(v[std::size_t((i + 1) & 3)], v[std::size_t((i + 2) & 3)]);
-    const Cell_handle infinite = m_tr.tds().create_cell(v[0], v[1], v[2], v[3]);
-    infinite->set_subdomain_index(0);
-    m_tr.infinite_vertex()->set_cell(infinite);
-    m_tr.tds().set_adjacency(c, i, infinite, i);
-    return infinite;
-  }
-
-  // Turns through the cells of the mesh around the edge that the facet opposite to `i` has beside the infinite vertex,
-  // until the boundary is reached again.
-  void connect(const Cell_handle infinite, const int i, const Facet& facet)
-  {
-    const Vertex_handle apex = infinite->vertex(i);
-    Cell_handle c = facet.first;
-    int entry = facet.second, exit = c->index(apex);
-    while(! m_tr.is_infinite(c->neighbor(exit)))
-    {
-      const Cell_handle n = c->neighbor(exit);
-      const int new_entry = n->index(c);
-      exit = n->index(c->vertex(entry)); // the vertex that the last facet to be left had beside the edge
-      entry = new_entry;
-      c = n;
-    }
-    const Cell_handle other = c->neighbor(exit);
-    m_tr.tds().set_adjacency(infinite, i, other, other->index(c->vertex(entry)));
   }
 };
 

@@ -69,6 +69,13 @@ auto merge_all(const NP1& np1, const NP2& np2, const NPs& ... nps)
   return merge_all(merge(np1, np2), nps...);
 }
 
+// The value of a named parameter, made one of the type of its default value.
+template <typename NamedParameters, typename Tag, typename T>
+T parameter_or(const NamedParameters& np, const Tag tag, const T& default_value)
+{
+  return static_cast<T>(parameters::choose_parameter(parameters::get_parameter(np, tag), default_value));
+}
+
 template <typename Visitor>
 Visitor visitor_to_call(const Visitor& visitor) { return visitor; }
 

@@ -72,7 +72,8 @@ public:
     // it is not told of the cells in holes, which are of another triangulation than the caller's
     auto visitor = internal::mesh_visitor<typename Hole_triangulation_3<Kernel>::Tr, false>(m_np);
     typename Hole_remeshing::Context context(visitor);
-    context.set_maximum_running_time(get(internal_np::maximum_running_time, std::numeric_limits<double>::infinity()));
+    context.set_maximum_running_time(parameter_or(m_np, internal_np::maximum_running_time,
+                                                  std::numeric_limits<double>::infinity()));
     options.can_go_further = [&] { return context.go_further(); };
     Result result;
     if(set_options(options))
@@ -101,19 +102,14 @@ private:
   static constexpr bool has_selection = ! parameters::is_default_parameter<NamedParameters,
                                                                            internal_np::cell_selector_t>::value;
 
-  template <typename Tag, typename Default>
-  auto get(const Tag tag, const Default& default_value) const
-  {
-    return parameters::choose_parameter(parameters::get_parameter(m_np, tag), default_value);
-  }
-
   // Returns false if they are not possible.
   bool set_options(Options& options) const
   {
-    options.min_dihedral_angle = get(internal::min_dihedral_angle, has_selection ? 0. : default_angle_of_bad_cells);
+    options.min_dihedral_angle = parameter_or(m_np, internal::min_dihedral_angle,
+                                              has_selection ? 0. : default_angle_of_bad_cells);
     options.target_angle = (std::max)(options.min_dihedral_angle, default_min_dihedral_angle);
-    options.number_of_layers = static_cast<std::size_t>(get(internal::number_of_layers, default_number_of_layers));
-    options.improve_quality = get(internal::improve_quality, true);
+    options.number_of_layers = parameter_or(m_np, internal::number_of_layers, default_number_of_layers);
+    options.improve_quality = parameter_or(m_np, internal::improve_quality, true);
     return is_possible_target(options.min_dihedral_angle);
   }
 

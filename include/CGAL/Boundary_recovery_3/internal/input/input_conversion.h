@@ -23,7 +23,6 @@
 
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <type_traits>
 #include <unordered_map>
 #include <utility>
@@ -34,17 +33,14 @@ namespace CGAL::Boundary_recovery_3::internal {
 template <typename NamedParameters>
 Recovery_options recovery_options(const NamedParameters& np)
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
   Recovery_options options;
-  options.mode = choose_parameter(get_parameter(np, internal::recovery_mode), Recovery_mode::constrained);
-  options.effort = choose_parameter(get_parameter(np, internal::effort), options.effort);
-  options.max_recursion_level = choose_parameter(get_parameter(np, internal::max_recursion_level), -1);
-  options.maximum_running_time = choose_parameter(get_parameter(np, internal_np::maximum_running_time),
-                                                  std::numeric_limits<double>::infinity());
-  options.list_defects = choose_parameter(get_parameter(np, internal::list_defects), false);
-  options.maximum_number_of_defects = choose_parameter(get_parameter(np, internal::maximum_number_of_defects),
-                                                       options.maximum_number_of_defects);
+  options.mode = parameter_or(np, internal::recovery_mode, options.mode);
+  options.effort = parameter_or(np, internal::effort, options.effort);
+  options.max_recursion_level = parameter_or(np, internal::max_recursion_level, options.max_recursion_level);
+  options.maximum_running_time = parameter_or(np, internal_np::maximum_running_time, options.maximum_running_time);
+  options.list_defects = parameter_or(np, internal::list_defects, options.list_defects);
+  options.maximum_number_of_defects = parameter_or(np, internal::maximum_number_of_defects,
+                                                   options.maximum_number_of_defects);
   return options;
 }
 

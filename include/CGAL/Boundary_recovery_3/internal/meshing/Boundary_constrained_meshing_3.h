@@ -14,12 +14,12 @@
 
 #include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_result_3.h>
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
-#include <CGAL/Boundary_recovery_3/Constrained_edge_map_3.h>
 #include <CGAL/Boundary_recovery_3/Surface_sizing_field_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Field_point_insertion_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mark_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Mesh_in_subdomains_3.h>
+#include <CGAL/Boundary_recovery_3/internal/parallel/Part_triangulation_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Improve_quality_3.h>
 #include <CGAL/Boundary_recovery_3/internal/sizing/Size_query_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Mesh_visitor_3.h>
@@ -103,34 +103,23 @@ private:
 };
 
 // What is asked of the mesher, beside the surface and the sizes, as make_boundary_constrained_mesh_3() documents it.
+// The limits are those of all steps together.
 struct Meshing_options
+  : public Improvement_options
 {
-  double             grading = default_surface_grading;
-  bool               improve_quality = true;
-  double             min_dihedral_angle = default_min_dihedral_angle;
-  Improvement_effort effort = Improvement_effort::normal;
-  std::size_t        max_number_of_vertices = (std::numeric_limits<std::size_t>::max)();
-  std::size_t        number_of_subdomains = 1;
-  double             maximum_running_time = std::numeric_limits<double>::infinity(); // seconds
+  double      grading = default_surface_grading;
+  bool        improve_quality = true;
+  std::size_t number_of_subdomains = 1;
 };
 
 template <typename NamedParameters>
 Meshing_options meshing_options(const NamedParameters& np)
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
   Meshing_options options;
-  options.grading = choose_parameter(get_parameter(np, internal::grading), options.grading);
-  options.improve_quality = choose_parameter(get_parameter(np, internal::improve_quality), options.improve_quality);
-  options.min_dihedral_angle = choose_parameter(get_parameter(np, internal::min_dihedral_angle),
-                                                options.min_dihedral_angle);
-  options.effort = choose_parameter(get_parameter(np, internal::improvement_effort), options.effort);
-  options.max_number_of_vertices = static_cast<std::size_t>(
-    choose_parameter(get_parameter(np, internal::maximum_number_of_vertices), options.max_number_of_vertices));
-  options.number_of_subdomains = static_cast<std::size_t>(
-    choose_parameter(get_parameter(np, internal::number_of_subdomains), options.number_of_subdomains));
-  options.maximum_running_time = choose_parameter(get_parameter(np, internal_np::maximum_running_time),
-                                                  options.maximum_running_time);
+  static_cast<Improvement_options&>(options) = internal::improvement_options(np);
+  options.grading = parameter_or(np, internal::grading, options.grading);
+  options.improve_quality = parameter_or(np, internal::improve_quality, options.improve_quality);
+  options.number_of_subdomains = parameter_or(np, internal::number_of_subdomains, options.number_of_subdomains);
   return options;
 }
 
@@ -275,9 +264,7 @@ private:
 
   void mesh_undivided(const Size_field& size)
   {
-    Selected_domain_3<Tr> domain(m_tr);
-    if(! m_result.constrained_edges.empty())
-      domain.constrain_edges(Constrained_edge_map_3<Tr>(m_result.constrained_edges));
+    Selected_domain_3<Tr> domain = internal::domain_with_edges(m_tr, m_result.constrained_edges);
     m_result.filling = Field_point_insertion_3<Tr>(m_tr, domain, size, m_visitor)(m_options.max_number_of_vertices,
                                                                                   m_context.seconds_left());
     m_result.status = m_result.improvement.status = m_result.filling.status;

@@ -94,7 +94,7 @@ private:
   typedef std::conditional_t<std::is_floating_point<typename Tr::Geom_traits::FT>::value,
                              Parallel_if_available_tag, Sequential_tag> Concurrency_tag;
 
-  Domain whole_domain() const { return internal::domain_of_part(m_tr, m_result.constrained_edges); }
+  Domain whole_domain() const { return internal::domain_with_edges(m_tr, m_result.constrained_edges); }
 
   template <typename Work>
   void run(const Phase phase, const Work& work)

@@ -32,13 +32,50 @@
 namespace CGAL::Boundary_recovery_3::internal {
 
 /*
+ * Puts an infinite cell beyond each facet of these cells that has no neighbor yet; the cells are all that there are of
+ * a triangulation. Two infinite cells are neighbors if the cells between their facets turn around the same edge.
+ */
+template <typename Tr>
+void create_infinite_cells(Tr& tr, const std::vector<typename Tr::Cell_handle>& cells)
+{
+  typedef typename Tr::Cell_handle Cell_handle;
+  const auto infinite = tr.infinite_vertex();
+  std::vector<std::pair<Cell_handle, int> > walls;
+  for(const Cell_handle c : cells)
+    for(int i = 0; i < 4; ++i)
+      if(c->neighbor(i) == Cell_handle())
+      {
+        const auto f = internal::facet_vertices(c, i);
+        const Cell_handle beyond = tr.tds().create_cell(f[1], f[0], f[2], infinite);
+        tr.tds().set_adjacency(c, i, beyond, 3);
+        beyond->set_surface_patch_index(3, c->surface_patch_index(i)); // new cells take it from the other side
+        infinite->set_cell(beyond);
+        walls.emplace_back(c, i);
+      }
+  // the one that is met first on a turn around the edge of c opposite to its edge from i to j, away from the facet i
+  const auto beyond_next_wall = [&tr](const Cell_handle c, const int i, const int j)
+  {
+    Edge_walk_3<Tr> walk(c, j, i);
+    while(! tr.is_infinite(walk.cell()->neighbor(walk.next_facet())))
+      ++walk;
+    return walk.cell()->neighbor(walk.next_facet());
+  };
+  for(const auto& [c, i] : walls)
+    for(int j = 0; j < 4; ++j)
+      if(j != i)
+      {
+        const Cell_handle beyond = c->neighbor(i);
+        beyond->set_neighbor(beyond->index(c->vertex(j)), beyond_next_wall(c, i, j));
+      }
+}
+
+/*
  * A triangulation of a part of a mesh, for one thread. What bounds the cells is a wall there, and its vertices stay;
  * those that no wall has, and that are on no constraint, are free.
  *
- * The cells may be any ones. Beyond each wall is an infinite cell; two of these are neighbors if the cells between
- * their walls turn around the same edge. So that the cells around a vertex are always connected by facets, there is a
- * copy of the vertex for each set of cells that are. It is no triangulation of a convex hull, but whoever stays inside
- * does not notice.
+ * The cells may be any ones. Beyond each wall is an infinite cell. So that the cells around a vertex are always
+ * connected by facets, there is a copy of the vertex for each set of cells that are. It is no triangulation of a convex
+ * hull, but whoever stays inside does not notice.
  */
 template <typename Tr>
 class Part_triangulation_3
@@ -57,7 +94,8 @@ public:
     m_tr.set_infinite_vertex(m_tr.tds().create_vertex());
     create_finite_cells(part);
     find_constrained_edges(part);
-    create_infinite_cells();
+    internal::create_infinite_cells(m_tr, m_cells);
+    m_cells.clear();
     find_free_vertices();
   }
 
@@ -182,41 +220,6 @@ private:
         }
   }
 
-  void create_infinite_cells()
-  {
-    const Vertex_handle infinite = m_tr.infinite_vertex();
-    std::vector<std::pair<Cell_handle, int> > walls;
-    for(const Cell_handle c : m_cells)
-      for(int i = 0; i < 4; ++i)
-        if(c->neighbor(i) == Cell_handle())
-        {
-          const auto f = internal::facet_vertices(c, i);
-          const Cell_handle beyond = m_tr.tds().create_cell(f[1], f[0], f[2], infinite);
-          m_tr.tds().set_adjacency(c, i, beyond, 3);
-          beyond->set_surface_patch_index(3, c->surface_patch_index(i)); // new cells take it from the other side
-          infinite->set_cell(beyond);
-          walls.emplace_back(c, i);
-        }
-    m_cells.clear();
-    for(const auto& [c, i] : walls)
-      for(int j = 0; j < 4; ++j)
-        if(j != i)
-        {
-          const Cell_handle beyond = c->neighbor(i);
-          beyond->set_neighbor(beyond->index(c->vertex(j)), beyond_next_wall(c, i, j));
-        }
-  }
-
-  // The infinite cell that is met first on a turn around the edge of c that is opposite to its edge from vertex i to
-  // vertex j, away from the facet i.
-  Cell_handle beyond_next_wall(const Cell_handle c, const int i, const int j) const
-  {
-    Edge_walk_3<Tr> walk(c, j, i);
-    while(! m_tr.is_infinite(walk.cell()->neighbor(walk.next_facet())))
-      ++walk;
-    return walk.cell()->neighbor(walk.next_facet());
-  }
-
   void find_free_vertices()
   {
     Unique_hash_map<Vertex_handle, bool> is_at_wall(false); // for looking up only
@@ -260,13 +263,21 @@ private:
   std::vector<Edge> m_constrained_edges;
 };
 
-// All cells of a triangulation of a part of a mesh that are in a region. Constrained edges are arrays of two vertex
-// handles.
+// All cells of a triangulation that are in a region. Constrained edges are arrays of two vertex handles.
+template <typename Tr, typename EdgeRange>
+Selected_domain_3<Tr> domain_with_edges(const Tr& tr, const EdgeRange& constrained_edges)
+{
+  Selected_domain_3<Tr> domain(tr);
+  if(! constrained_edges.empty())
+    domain.constrain_edges(Constrained_edge_map_3<Tr>(constrained_edges));
+  return domain;
+}
+
+// The same where the triangulation is one of a part of a mesh.
 template <typename Tr, typename EdgeRange>
 Selected_domain_3<Tr> domain_of_part(const Tr& tr, const EdgeRange& constrained_edges)
 {
-  Selected_domain_3<Tr> domain(tr);
-  domain.constrain_edges(Constrained_edge_map_3<Tr>(constrained_edges));
+  Selected_domain_3<Tr> domain = internal::domain_with_edges(tr, constrained_edges);
   domain.set_has_seams();
   return domain;
 }

@@ -22,8 +22,10 @@
 #include <CGAL/Boundary_recovery_3/internal/quality/Measure_quality_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 #include <CGAL/Boundary_recovery_3/internal/util/standard_types.h>
+#include <CGAL/Boundary_recovery_3/parameters.h>
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -36,6 +38,27 @@ constexpr double default_min_dihedral_angle = 25;
 constexpr double largest_possible_target = 70.53;
 
 inline bool is_possible_target(const double degrees) { return degrees >= 0 && degrees <= largest_possible_target; }
+
+// What is asked of the improvement, as improve_mesh_quality() documents it.
+struct Improvement_options
+{
+  double             min_dihedral_angle = default_min_dihedral_angle;
+  Improvement_effort effort = Improvement_effort::normal;
+  std::size_t        max_number_of_vertices = (std::numeric_limits<std::size_t>::max)();
+  double             maximum_running_time = std::numeric_limits<double>::infinity(); // seconds
+};
+
+template <typename NamedParameters>
+Improvement_options improvement_options(const NamedParameters& np)
+{
+  Improvement_options options;
+  options.min_dihedral_angle = parameter_or(np, internal::min_dihedral_angle, options.min_dihedral_angle);
+  options.effort = parameter_or(np, internal::improvement_effort, options.effort);
+  options.max_number_of_vertices = parameter_or(np, internal::maximum_number_of_vertices,
+                                                options.max_number_of_vertices);
+  options.maximum_running_time = parameter_or(np, internal_np::maximum_running_time, options.maximum_running_time);
+  return options;
+}
 
 // If there was no time for them, the result says so.
 template <typename Tr>
