@@ -47,7 +47,7 @@ class Bad_tetrahedra_list
   std::map<std::array<Point_number, 3>, std::size_t>     m_triangles;
 
 public:
-  // The patches of the domain are already those of the file.
+  // The triangles of the domain have the numbers of the file already.
   Bad_tetrahedra_list(const Tr& tr, const Mesh& domain)
     : m_domain(domain), m_number(0, domain.tetrahedra.size())
   {
@@ -56,7 +56,7 @@ public:
       if(c->subdomain_index() != 0 && n < domain.tetrahedra.size())
         m_number[c] = n++;
     for(std::size_t i = 0; i < domain.triangles.size(); ++i)
-      m_triangles.emplace(sorted(domain.triangles[i]), domain.patches[i] - 1);
+      m_triangles.emplace(sorted(domain.triangles[i]), domain.triangle_numbers[i]);
   }
 
   std::vector<Bad_tetrahedron> operator()(const std::vector<Bad_cell>& cells) const

@@ -20,6 +20,7 @@ struct Common_options
   double time_limit = (std::numeric_limits<double>::infinity)();
   bool repair = false;
   double tolerance = -1;            // for the repair; -1: that of single precision
+  double patch_angle = 40;          // in degrees
   bool list_defects = false;
   bool quiet = false;
   bool timing = false;

@@ -1,7 +1,7 @@
 #ifndef BOUNDARY_RECOVERY_3_PROGRAM_DEFAULT_FLOW_H
 #define BOUNDARY_RECOVERY_3_PROGRAM_DEFAULT_FLOW_H
 
-#include "read_surface.h"
+#include "surface.h"
 
 #include <array>
 #include <cmath>

@@ -10,7 +10,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -25,7 +27,9 @@ struct Domain
   std::vector<std::array<Point_number, 4> > tetrahedra;
   std::vector<int> regions;                             // of each tetrahedron
   std::vector<std::array<Point_number, 3> > triangles;  // the input faces that are in the triangulation, or their parts
-  std::vector<std::size_t> patches;                     // of each triangle: the number of its face in the file, from 1
+  std::vector<std::size_t> triangle_numbers;            // of each triangle: the number of its face; in the end, in the file
+  std::vector<int> patches;                             // of each triangle, 0 if it is in none
+  std::map<int, std::string> patch_names, region_names; // of those that have one
   int number_of_regions = 0;
   std::size_t number_of_steiner_points = 0; // those at tetrahedra of the domain
   std::size_t number_of_field_points = 0;   // and what the improvement made of them
@@ -140,7 +144,7 @@ private:
     for(const auto& facet : facets)
     {
       m_domain.triangles.push_back({{ m_number[facet[0]], m_number[facet[1]], m_number[facet[2]] }});
-      m_domain.patches.push_back(facet.index + 1);
+      m_domain.triangle_numbers.push_back(facet.index);
     }
   }
 };

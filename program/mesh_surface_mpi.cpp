@@ -282,7 +282,7 @@ private:
     const std::vector<Sides> sides = find_sides(domain);
     std::vector<Sides> sides_of_faces(m_program.surface().faces.size(), Sides{{ 0, 0 }});
     for(std::size_t t = 0; t < sides.size(); ++t)
-      sides_of_faces.at(domain.patches[t] - 1) = sides[t];
+      sides_of_faces.at(domain.triangle_numbers[t]) = sides[t];
     Bytes bytes;
     Byte_writer(bytes).put(sides_of_faces);
     m_store.save("sides", { bytes });

@@ -41,6 +41,8 @@ public:
   Output_buffer& operator<<(const char* text) { return *this << std::string(text); }
 
   Output_buffer& operator<<(const int n) { return put_number(n); }
+  Output_buffer& operator<<(const long n) { return put_number(n); }
+  Output_buffer& operator<<(const long long n) { return put_number(n); }
   Output_buffer& operator<<(const unsigned int n) { return put_number(n); }
   Output_buffer& operator<<(const unsigned long n) { return put_number(n); }
   Output_buffer& operator<<(const unsigned long long n) { return put_number(n); }

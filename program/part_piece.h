@@ -3,7 +3,7 @@
 
 #include "domain.h"
 #include "domain_sides.h"
-#include "read_surface.h"
+#include "surface.h"
 
 #include <algorithm>
 #include <array>
@@ -31,6 +31,7 @@ public:
   Domain<Point> piece(const Part& part, const bool is_first, std::vector<std::uint64_t>& numbers) const
   {
     Domain<Point> piece;
+    piece.patch_names = m_surface.patch_names;
     numbers.clear();
     for(const auto& v : part.vertices)
     {
@@ -57,10 +58,11 @@ public:
   {
     Domain<Point> whole;
     whole.points = m_surface.points;
+    whole.patch_names = m_surface.patch_names;
     for(std::size_t f = 0; f < m_surface.faces.size(); ++f)
     {
       whole.triangles.push_back(triangle(f));
-      whole.patches.push_back(patch(f));
+      add_numbers(f, whole);
       whole.number_of_regions = (std::max)(whole.number_of_regions, m_sides[f][1]);
     }
     return whole;
@@ -107,7 +109,11 @@ private:
     return {{ static_cast<Point_number>(f[0]), static_cast<Point_number>(f[1]), static_cast<Point_number>(f[2]) }};
   }
 
-  std::size_t patch(const std::size_t face) const { return m_surface.file_face(face) + 1; }
+  void add_numbers(const std::size_t face, Domain<Point>& domain) const
+  {
+    domain.triangle_numbers.push_back(m_surface.face_number(face));
+    domain.patches.push_back(m_surface.patches[face]);
+  }
 
   // It is that of the cell that has the region with the smaller number; if both have the same, of that in front.
   void add_triangle(const Part& part, const std::size_t cell, const std::size_t index, Domain<Point>& piece) const
@@ -125,7 +131,7 @@ private:
     if(sides[0] == sides[1] ? ! is_in_front(t, index, corners) : part.cell_indices[cell].subdomain != region)
       return;
     piece.triangles.push_back(corners);
-    piece.patches.push_back(patch(face));
+    add_numbers(face, piece);
   }
 
   static bool is_in_front(const std::array<std::uint32_t, 4>& t, const std::size_t index,
@@ -161,7 +167,7 @@ private:
         v = found->second;
       }
       piece.triangles.push_back(corners);
-      piece.patches.push_back(patch(f));
+      add_numbers(f, piece);
     }
   }
 };

@@ -3,6 +3,7 @@
 
 #include "command_line.h"
 #include "domain.h"
+#include "patches_by_angle.h"
 #include "read_surface.h"
 #include "repair_surface.h"
 #include "report_repair.h"
@@ -97,21 +98,21 @@ public:
     return true;
   }
 
-  // tells what the user has to know of the surface, and repairs it if that is asked for
+  // tells what the user has to know of the surface, repairs it if that is asked for, and divides it into patches unless it
+  // has some
   void prepare_surface()
   {
     if(! m_options.quiet)
       for(const std::string& note : m_surface.notes)
         std::cout << "note: " << note << std::endl;
-    if(! m_options.repair)
-      return;
-    m_changes = Surface_repairer<Point>(m_surface)(m_options.tolerance);
-    if(! m_options.quiet)
-      print_repair(std::cout, m_changes);
+    if(m_options.repair)
+      repair_surface();
+    if(! m_options.outputs.empty() && ! m_surface.has_patches() && is_triangle_soup(m_surface))
+      set_patches_by_angle(m_surface, m_options.patch_angle);
   }
 
   // The surface has each point once and may lack vertices of the file, and its faces may be parts: translates to the
-  // numbers of the file.
+  // numbers of the file, and tells the patches.
   template <typename Result>
   void use_numbers_of_file(Result& result, Domain<Point>& domain) const
   {
@@ -120,19 +121,23 @@ public:
     const auto translate = [&](Simplex& simplex)
     {
       if(simplex.dimension == 0 && simplex.index != Simplex::no_index)
-        simplex.index = m_surface.file_vertex(simplex.index);
+        simplex.index = m_surface.vertex_number(simplex.index);
       if(simplex.dimension == 2 && simplex.index != Simplex::no_index)
-        simplex.index = m_surface.file_face(simplex.index);
+        simplex.index = m_surface.face_number(simplex.index);
       for(std::size_t& v : simplex.vertices)
-        v = m_surface.file_vertex(v);
+        v = m_surface.vertex_number(v);
     };
     std::for_each(result.missing_edges.begin(), result.missing_edges.end(), translate);
     std::for_each(result.missing_facets.begin(), result.missing_facets.end(), translate);
     std::for_each(result.unrepresentable_constraints.begin(), result.unrepresentable_constraints.end(), translate);
     for(auto& defect : result.defects)
       std::for_each(defect.simplices.begin(), defect.simplices.end(), translate);
-    for(std::size_t& patch : domain.patches) // these begin with 1
-      patch = m_surface.file_face(patch - 1) + 1;
+    for(std::size_t& face : domain.triangle_numbers)
+    {
+      domain.patches.push_back(m_surface.patches[face]);
+      face = m_surface.face_number(face);
+    }
+    domain.patch_names = m_surface.patch_names;
   }
 
   // the entries that the reports of all the programs begin with
@@ -181,6 +186,13 @@ public:
   }
 
 private:
+  void repair_surface()
+  {
+    m_changes = Surface_repairer<Point>(m_surface)(m_options.tolerance);
+    if(! m_options.quiet)
+      print_repair(std::cout, m_changes);
+  }
+
   bool refuse(const std::string& message)
   {
     m_message = message;

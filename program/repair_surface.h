@@ -6,8 +6,8 @@
 #include "dissolve_degenerate_triangles.h"
 #include "merge_close_points.h"
 #include "orient_triangles.h"
-#include "read_surface.h"
 #include "resolve_intersections.h"
+#include "surface.h"
 #include "triangle_soup.h"
 
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
@@ -40,17 +40,6 @@ struct Repair_changes
   std::array<std::size_t, 2> open_edges = {{ 0, 0 }};       // before and after
   std::array<std::size_t, 2> intersections = {{ 0, 0 }};    // before and after
 };
-
-// four units in the last place that single precision has for the largest coordinate
-template <typename Point>
-double default_tolerance(const std::vector<Point>& points)
-{
-  double largest = 0;
-  for(const Point& p : points)
-    for(int i = 0; i < 3; ++i)
-      largest = (std::max)(largest, std::abs(p[i]));
-  return 4 * double(std::numeric_limits<float>::epsilon()) * largest;
-}
 
 // Repairs a triangle soup, step by step; what is good already stays as it is. Triangles without area or that are there
 // twice go, and neighbors are turned alike. If the surface is open or intersects itself then, the same is tried with
@@ -220,7 +209,7 @@ private:
     {
       State refined = m_state;
       resolve_intersections(refined.soup);
-      rename_vertices(refined.soup, read_surface_internal::first_at_same_point(refined.soup.points));
+      rename_vertices(refined.soup, first_at_same_point(refined.soup.points));
       Degenerate_triangle_dissolver<Point> dissolve(refined.soup);
       dissolve();
       drop_duplicate_triangles(refined.soup);
@@ -244,11 +233,17 @@ private:
       changes.number_of_new_points += v >= number_of_old_points;
       v = m_surface.file_vertex(v);
     }
-    for(std::size_t& f : repaired.file_faces)
-      f = m_state.soup.triangles[f].source;
-    repaired.number_of_vertices_in_file = m_surface.number_of_vertices_in_file;
-    repaired.notes = m_surface.notes;
-    m_surface = std::move(repaired);
+    for(std::size_t f = 0; f < repaired.faces.size(); ++f)
+    {
+      const std::size_t source = m_state.soup.triangles[f].source;
+      repaired.file_faces[f] = m_surface.file_face(source);
+      repaired.patches[f] = m_surface.patches[source];
+    }
+    m_surface.points.swap(repaired.points);
+    m_surface.faces.swap(repaired.faces);
+    m_surface.file_faces.swap(repaired.file_faces);
+    m_surface.file_vertices.swap(repaired.file_vertices);
+    m_surface.patches.swap(repaired.patches);
   }
 
   // A face of which a part is left is not gone.
@@ -271,6 +266,10 @@ private:
                                       [&](const std::size_t f) { return number_of_parts.count(f) > 0; });
       list->erase(end, list->end());
     }
+    for(auto* list : { &changes.degenerate_faces, &changes.duplicate_faces, &changes.reversed_faces,
+                       &changes.divided_faces })
+      for(std::size_t& f : *list)
+        f = m_surface.file_face(f);
   }
 };
 

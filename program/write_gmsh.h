@@ -9,31 +9,28 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
-// Writes Gmsh's format 4.1, as text. Each region is a volume, and all the triangles with the same regions on both sides
-// are a surface; each of them is a physical group with a name, so that a solver can put its conditions there. Were each
-// triangle a surface of its own, there would be thousands of them: its number in the input is data, named `patch`.
+// Writes Gmsh's format 4.1, as text. Each region is a volume, and all the triangles of a patch with the same regions on
+// both sides are a surface. Regions and patches are physical groups with names, so that a solver can put its conditions
+// there; so are all triangles with the same regions on both sides. The number of a triangle in the input is data.
 //
 // If the parts of a mesh are given, the entities are divided by them, as Gmsh does it: what has the tetrahedra or the
 // triangles is an entity for each part, or for each two parts that meet; it has the whole one as its parent.
 template <typename Point>
 class Gmsh_writer
 {
-  // of an entity, and of its physical group
-  struct Name
-  {
-    int tag; // that of a volume is the number of the region
-    std::string name;
-  };
+  typedef std::pair<int, Sides> Patch_sides; // the patch of triangles, and the regions on both sides
 
   // what Gmsh calls an entity
   struct Entity
-    : public Name
   {
+    int tag;                 // that of a volume is the number of its region
+    std::vector<int> groups; // the tags of its physical groups
     int dimension;
     Sides parts;     // on its sides, the smaller one first; of a volume, its part twice
     std::vector<std::size_t> simplices; // triangles or tetrahedra, in ascending order; of a parent, the first one
@@ -45,6 +42,7 @@ class Gmsh_writer
   const Domain<Point>& m_domain;
   const std::vector<int> m_parts;         // of each tetrahedron, from 1; empty: the mesh is not divided
   const std::vector<Sides> m_sides, m_part_sides;
+  std::map<int, std::string> m_groups[2]; // the names of physical groups by their tags, of surfaces and of volumes
   std::vector<Entity> m_parents;          // surfaces, then volumes
   std::vector<Entity> m_entities;         // the same; or if the mesh is divided, what they are divided into
   std::vector<std::size_t> m_owners;      // of each point, the first entity that has it
@@ -59,15 +57,8 @@ public:
 
   void operator()()
   {
-    int number_of_surfaces = 0;
-    add_entities(2, m_sides, [&](const std::size_t i) { return m_part_sides[i]; },
-                 m_domain.triangles, [&](const Sides& sides)
-                 { return Name{ ++number_of_surfaces, name_of_surface(sides) }; });
-    add_entities(3, m_domain.regions, [&](const std::size_t i) { return is_divided() ? Sides{{ m_parts[i], m_parts[i] }}
-                                                                                     : Sides{{ 0, 0 }}; },
-                 m_domain.tetrahedra, [&](const int region)
-                 { return region == 0 ? Name{ m_domain.number_of_regions + 1, "outside" }
-                                      : Name{ region, "region_" + std::to_string(region) }; });
+    add_surfaces();
+    add_volumes();
     m_os << "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n";
     write_names();
     write_entities();
@@ -75,10 +66,56 @@ public:
       write_partitioned_entities();
     write_nodes();
     write_elements();
-    write_patches();
+    write_numbers();
   }
 
 private:
+  // Groups of patches have the numbers of these. Gmsh knows no 0, and quotes end names.
+  void add_surfaces()
+  {
+    std::vector<Patch_sides> values;
+    int free_group = 0;
+    for(std::size_t i = 0; i < m_sides.size(); ++i)
+    {
+      values.emplace_back(m_domain.patches[i], m_sides[i]);
+      free_group = (std::max)(free_group, m_domain.patches[i]);
+    }
+    std::map<Sides, int> groups;
+    for(const Sides& sides : m_sides)
+      if(groups.emplace(sides, 0).second)
+        m_groups[0].emplace(groups[sides] = ++free_group, name_of_surface(sides));
+    int number_of_surfaces = 0;
+    add_entities(2, values, [&](const std::size_t i) { return m_part_sides[i]; }, m_domain.triangles,
+                 [&](const Patch_sides& value)
+    {
+      const auto& [patch, sides] = value;
+      if(patch == 0)
+        return std::make_pair(++number_of_surfaces, std::vector<int>{ groups[sides] });
+      m_groups[0].emplace(patch, name_of(m_domain.patch_names, patch, "patch_"));
+      return std::make_pair(++number_of_surfaces, std::vector<int>{ patch, groups[sides] });
+    });
+  }
+
+  void add_volumes()
+  {
+    add_entities(3, m_domain.regions, [&](const std::size_t i) { return is_divided() ? Sides{{ m_parts[i], m_parts[i] }}
+                                                                                     : Sides{{ 0, 0 }}; },
+                 m_domain.tetrahedra, [&](const int region)
+    {
+      const int tag = region == 0 ? m_domain.number_of_regions + 1 : region;
+      m_groups[1].emplace(tag, region == 0 ? "outside" : name_of(m_domain.region_names, region, "region_"));
+      return std::make_pair(tag, std::vector<int>{ tag });
+    });
+  }
+
+  static std::string name_of(const std::map<int, std::string>& names, const int number, const std::string& noun)
+  {
+    const auto known = names.find(number);
+    std::string name = known == names.end() ? noun + std::to_string(number) : known->second;
+    std::replace(name.begin(), name.end(), '"', '\'');
+    return name;
+  }
+
   static std::string name_of_surface(const Sides& sides)
   {
     const std::string first = std::to_string(sides[0]), second = std::to_string(sides[1]);
@@ -90,9 +127,9 @@ private:
   bool is_divided() const { return ! m_parts.empty(); }
 
   // a parent for each value that simplices have, and an entity for each of its parts, in ascending order
-  template <typename Value, typename Parts, typename Simplices, typename Naming>
+  template <typename Value, typename Parts, typename Simplices, typename Tags>
   void add_entities(const int dimension, const std::vector<Value>& values, const Parts& parts,
-                    const Simplices& simplices, const Naming& name)
+                    const Simplices& simplices, const Tags& tags)
   {
     std::map<std::pair<Value, Sides>, std::vector<std::size_t> > simplices_of;
     for(std::size_t i = 0; i < values.size(); ++i)
@@ -105,7 +142,8 @@ private:
       const Value& value = entry.first.first;
       if(previous == nullptr || *previous != value)
       {
-        m_parents.push_back({ name(value), dimension, Sides{{ 0, 0 }}, { entry.second.front() }, CGAL::Bbox_3(),
+        const auto [tag, groups] = tags(value);
+        m_parents.push_back({ tag, groups, dimension, Sides{{ 0, 0 }}, { entry.second.front() }, CGAL::Bbox_3(),
                               m_parents.size() });
         largest_tag = (std::max)(largest_tag, m_parents.back().tag);
       }
@@ -118,7 +156,7 @@ private:
           m_owners[v] = (std::min)(m_owners[v], m_entities.size());
         }
       m_parents.back().box += box;
-      m_entities.push_back({ m_parents.back(), dimension, entry.first.second, std::move(entry.second), box,
+      m_entities.push_back({ m_parents.back().tag, m_parents.back().groups, dimension, entry.first.second, std::move(entry.second), box,
                              m_parents.size() - 1 });
     }
     for(std::size_t e = first; is_divided() && e < m_entities.size(); ++e)
@@ -133,9 +171,10 @@ private:
 
   void write_names()
   {
-    m_os << "$PhysicalNames\n" << m_parents.size() << '\n';
-    for(const Entity& entity : m_parents)
-      m_os << entity.dimension << ' ' << entity.tag << " \"" << entity.name << "\"\n";
+    m_os << "$PhysicalNames\n" << m_groups[0].size() + m_groups[1].size() << '\n';
+    for(const int dimension : { 2, 3 })
+      for(const auto& [tag, name] : m_groups[dimension - 2])
+        m_os << dimension << ' ' << tag << " \"" << name << "\"\n";
     m_os << "$EndPhysicalNames\n";
   }
 
@@ -178,7 +217,9 @@ private:
       m_os << ' ' << entity.box.min(i);
     for(int i = 0; i < 3; ++i)
       m_os << ' ' << entity.box.max(i);
-    m_os << " 1 " << m_parents[entity.parent].tag;
+    m_os << ' ' << entity.groups.size();
+    for(const int group : entity.groups)
+      m_os << ' ' << group;
     write_boundary(entity, entities);
   }
 
@@ -249,12 +290,12 @@ private:
     }
   }
 
-  void write_patches()
+  void write_numbers()
   {
     const std::size_t n = m_domain.triangles.size();
-    m_os << "$ElementData\n1\n\"patch\"\n1\n0\n3\n0\n1\n" << n << '\n';
+    m_os << "$ElementData\n1\n\"triangle\"\n1\n0\n3\n0\n1\n" << n << '\n';
     for(std::size_t i = 0; i < n; ++i)
-      m_os << i + 1 << ' ' << m_domain.patches[i] << '\n';
+      m_os << i + 1 << ' ' << static_cast<std::int64_t>(m_domain.triangle_numbers[i]) << '\n'; // -1: from no file
     m_os << "$EndElementData\n";
   }
 };

@@ -9,11 +9,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
 // VTK's files have the tetrahedra, and after them the triangles of the surface as cells of their own. A triangle has
-// the region of the tetrahedron beside it, the smaller one of two, and tetrahedra have patch 0.
+// the region of the tetrahedron beside it, the smaller one of two. Tetrahedra have patch 0, and as number of a triangle
+// -1, as triangles have that are not from the file.
 template <typename Point>
 class Vtk_cells
 {
@@ -26,28 +28,69 @@ public:
   std::size_t size() const { return m_domain.tetrahedra.size() + m_domain.triangles.size(); }
   std::size_t number_of_vertices() const { return 4 * m_domain.tetrahedra.size() + 3 * m_domain.triangles.size(); }
 
-  // calls the function for each cell: with its vertices, VTK's number of its type, its region and patch
+  // calls the function for each cell: with its vertices, VTK's number of its type, its region, patch and number
   template <typename F>
   void for_each(const F& f) const
   {
     for(std::size_t i = 0; i < m_domain.tetrahedra.size(); ++i)
-      f(m_domain.tetrahedra[i], 10, m_domain.regions[i], std::size_t(0));
+      f(m_domain.tetrahedra[i], 10, m_domain.regions[i], 0, std::int64_t(-1));
     for(std::size_t i = 0; i < m_domain.triangles.size(); ++i)
-      f(m_domain.triangles[i], 5, m_sides[i][0] != 0 ? m_sides[i][0] : m_sides[i][1], m_domain.patches[i]);
+      f(m_domain.triangles[i], 5, m_sides[i][0] != 0 ? m_sides[i][0] : m_sides[i][1], m_domain.patches[i],
+        static_cast<std::int64_t>(m_domain.triangle_numbers[i])); // what is no number becomes -1
   }
 };
+
+// what VTK's text format has in the place of a name: no blank ends it
+inline std::string encoded_vtk_name(const std::string& name)
+{
+  static const char* const digits = "0123456789ABCDEF";
+  std::string result;
+  for(const char c : name)
+  {
+    const unsigned char byte = static_cast<unsigned char>(c);
+    if(byte > ' ' && byte < 127 && c != '%' && c != '"')
+      result += c;
+    else
+      (result += '%') += { digits[byte / 16], digits[byte % 16] };
+  }
+  return result;
+}
+
+// writes the names of patches and regions, each list as two arrays: the numbers, and their names
+template <typename Point>
+void write_vtk_names(Output_buffer& os, const Domain<Point>& domain)
+{
+  const int number_of_lists = ! domain.patch_names.empty() + ! domain.region_names.empty();
+  if(number_of_lists == 0)
+    return;
+  os << "FIELD FieldData " << 2 * number_of_lists << '\n';
+  const auto write = [&](const std::string& what, const std::map<int, std::string>& names)
+  {
+    if(names.empty())
+      return;
+    os << what << "_number 1 " << names.size() << " int\n";
+    for(const auto& [number, name] : names)
+      os << number << '\n';
+    os << what << "_name 1 " << names.size() << " string\n";
+    for(const auto& [number, name] : names)
+      os << encoded_vtk_name(name) << '\n';
+  };
+  write("patch", domain.patch_names);
+  write("region", domain.region_names);
+}
 
 // writes VTK's legacy text format
 template <typename Point>
 void write_vtk(Output_buffer& os, const Domain<Point>& domain)
 {
   const Vtk_cells<Point> cells(domain);
-  os << "# vtk DataFile Version 3.0\nBoundary_recovery_3\nASCII\nDATASET UNSTRUCTURED_GRID\n"
-     << "POINTS " << domain.points.size() << " double\n";
+  os << "# vtk DataFile Version 3.0\nBoundary_recovery_3\nASCII\nDATASET UNSTRUCTURED_GRID\n";
+  write_vtk_names(os, domain);
+  os << "POINTS " << domain.points.size() << " double\n";
   for(const Point& p : domain.points)
     os << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
   os << "CELLS " << cells.size() << ' ' << cells.size() + cells.number_of_vertices() << '\n';
-  cells.for_each([&](const auto& vertices, int, int, std::size_t)
+  cells.for_each([&](const auto& vertices, int, int, int, std::int64_t)
   {
     os << vertices.size();
     for(const Point_number v : vertices)
@@ -55,11 +98,13 @@ void write_vtk(Output_buffer& os, const Domain<Point>& domain)
     os << '\n';
   });
   os << "CELL_TYPES " << cells.size() << '\n';
-  cells.for_each([&](const auto&, const int type, int, std::size_t) { os << type << '\n'; });
+  cells.for_each([&](const auto&, const int type, int, int, std::int64_t) { os << type << '\n'; });
   os << "CELL_DATA " << cells.size() << "\nSCALARS region int 1\nLOOKUP_TABLE default\n";
-  cells.for_each([&](const auto&, int, const int region, std::size_t) { os << region << '\n'; });
-  os << "FIELD FieldData 1\npatch 1 " << cells.size() << " int\n"; // of several scalars, VTK reads the first one only
-  cells.for_each([&](const auto&, int, int, const std::size_t patch) { os << patch << '\n'; });
+  cells.for_each([&](const auto&, int, const int region, int, std::int64_t) { os << region << '\n'; });
+  os << "FIELD FieldData 2\npatch 1 " << cells.size() << " int\n"; // of several scalars, VTK reads the first one only
+  cells.for_each([&](const auto&, int, int, const int patch, std::int64_t) { os << patch << '\n'; });
+  os << "triangle 1 " << cells.size() << " vtktypeint64\n";
+  cells.for_each([&](const auto&, int, int, int, const std::int64_t number) { os << number << '\n'; });
 }
 
 // What a piece of a mesh tells besides: its number, from 1, and for each point the number in the whole mesh.
@@ -95,12 +140,14 @@ public:
   void operator()()
   {
     m_os << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\""
-         << vtk_byte_order() << "\" header_type=\"UInt64\">\n<UnstructuredGrid>\n"
-         << "<Piece NumberOfPoints=\"" << m_domain.points.size() << "\" NumberOfCells=\"" << m_cells.size() << "\">\n";
+         << vtk_byte_order() << "\" header_type=\"UInt64\">\n<UnstructuredGrid>\n";
+    write_names();
+    m_os << "<Piece NumberOfPoints=\"" << m_domain.points.size() << "\" NumberOfCells=\"" << m_cells.size() << "\">\n";
     announce_numbers();
     m_os << "<CellData Scalars=\"region\">\n";
     announce("Int32", "region", 4 * m_cells.size());
-    announce("Int64", "patch", 8 * m_cells.size());
+    announce("Int32", "patch", 4 * m_cells.size());
+    announce("Int64", "triangle", 8 * m_cells.size());
     if(m_piece != nullptr)
       announce("Int32", "part", 4 * m_cells.size());
     m_os << "</CellData>\n<Points>\n";
@@ -143,16 +190,50 @@ private:
       m_os.put_bytes(std::int64_t(number));
   }
 
+  void write_names()
+  {
+    if(m_domain.patch_names.empty() && m_domain.region_names.empty())
+      return;
+    m_os << "<FieldData>\n";
+    write_names("patch", m_domain.patch_names);
+    write_names("region", m_domain.region_names);
+    m_os << "</FieldData>\n";
+  }
+
+  // A list of names is two arrays, as text: the numbers, and the names, each as the numbers of its bytes, up to a 0.
+  void write_names(const std::string& what, const std::map<int, std::string>& names)
+  {
+    if(names.empty())
+      return;
+    m_os << "<DataArray type=\"Int32\" Name=\"" << what << "_number\" NumberOfTuples=\"" << names.size()
+         << "\" format=\"ascii\">\n";
+    for(const auto& [number, name] : names)
+      m_os << number << ' ';
+    m_os << "\n</DataArray>\n<Array type=\"String\" Name=\"" << what << "_name\" NumberOfTuples=\"" << names.size()
+         << "\" format=\"ascii\">\n";
+    for(const auto& [number, name] : names)
+    {
+      for(const char c : name)
+        m_os << int(static_cast<unsigned char>(c)) << ' ';
+      m_os << "0\n";
+    }
+    m_os << "</Array>\n";
+  }
+
   void write_cell_data()
   {
     m_os.put_bytes(Length(4 * m_cells.size()));
-    m_cells.for_each([&](const auto&, int, const int region, std::size_t) { m_os.put_bytes(std::int32_t(region)); });
+    m_cells.for_each([&](const auto&, int, const int region, int, std::int64_t)
+                     { m_os.put_bytes(std::int32_t(region)); });
+    m_os.put_bytes(Length(4 * m_cells.size()));
+    m_cells.for_each([&](const auto&, int, int, const int patch, std::int64_t)
+                     { m_os.put_bytes(std::int32_t(patch)); });
     m_os.put_bytes(Length(8 * m_cells.size()));
-    m_cells.for_each([&](const auto&, int, int, const std::size_t patch) { m_os.put_bytes(std::int64_t(patch)); });
+    m_cells.for_each([&](const auto&, int, int, int, const std::int64_t number) { m_os.put_bytes(number); });
     if(m_piece == nullptr)
       return;
     m_os.put_bytes(Length(4 * m_cells.size()));
-    m_cells.for_each([&](const auto&, int, int, std::size_t) { m_os.put_bytes(std::int32_t(m_piece->part)); });
+    m_cells.for_each([&](const auto&, int, int, int, std::int64_t) { m_os.put_bytes(std::int32_t(m_piece->part)); });
   }
 
   void write_points()
@@ -166,20 +247,20 @@ private:
   void write_cells()
   {
     m_os.put_bytes(Length(8 * m_cells.number_of_vertices()));
-    m_cells.for_each([&](const auto& vertices, int, int, std::size_t)
+    m_cells.for_each([&](const auto& vertices, int, int, int, std::int64_t)
     {
       for(const Point_number v : vertices)
         m_os.put_bytes(std::int64_t(v));
     });
     std::int64_t end = 0;
     m_os.put_bytes(Length(8 * m_cells.size()));
-    m_cells.for_each([&](const auto& vertices, int, int, std::size_t)
+    m_cells.for_each([&](const auto& vertices, int, int, int, std::int64_t)
     {
       end += static_cast<std::int64_t>(vertices.size());
       m_os.put_bytes(end);
     });
     m_os.put_bytes(Length(m_cells.size()));
-    m_cells.for_each([&](const auto&, const int type, int, std::size_t) { m_os.put_bytes(std::uint8_t(type)); });
+    m_cells.for_each([&](const auto&, const int type, int, int, std::int64_t) { m_os.put_bytes(std::uint8_t(type)); });
   }
 };
 
@@ -205,7 +286,7 @@ inline void write_pvtu(Output_buffer& os, const std::vector<std::string>& pieces
      << "\" header_type=\"UInt64\">\n<PUnstructuredGrid GhostLevel=\"0\">\n"
      << "<PPointData GlobalIds=\"global_id\">\n<PDataArray type=\"Int64\" Name=\"global_id\"/>\n</PPointData>\n"
      << "<PCellData Scalars=\"region\">\n<PDataArray type=\"Int32\" Name=\"region\"/>\n"
-     << "<PDataArray type=\"Int64\" Name=\"patch\"/>\n<PDataArray type=\"Int32\" Name=\"part\"/>\n</PCellData>\n"
+     << "<PDataArray type=\"Int32\" Name=\"patch\"/>\n<PDataArray type=\"Int64\" Name=\"triangle\"/>\n<PDataArray type=\"Int32\" Name=\"part\"/>\n</PCellData>\n"
      << "<PPoints>\n<PDataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\"/>\n</PPoints>\n";
   for(const std::string& piece : pieces)
     os << "<Piece Source=\"" << xml_text(piece) << "\"/>\n";
