@@ -1,15 +1,27 @@
 #ifndef BOUNDARY_RECOVERY_3_PROGRAM_COMMAND_LINE_H
 #define BOUNDARY_RECOVERY_3_PROGRAM_COMMAND_LINE_H
 
-#include "read_surface.h"
+#include "help_formatter.h"
+#include "lower_case.h"
 #include "write_domain.h"
 
+#include <CGAL/version.h>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <limits>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
+
+#ifndef BOUNDARY_RECOVERY_3_VERSION // our CMakeLists.txt tells the version of the package
+#define BOUNDARY_RECOVERY_3_VERSION "unknown"
+#endif
 
 // What the user of any of the programs may ask for.
 struct Common_options
@@ -24,128 +36,203 @@ struct Common_options
   bool list_defects = false;
   bool quiet = false;
   bool timing = false;
-  bool help = false;
 };
 
-// Reads the arguments of a program from left to right. What only one program has is in a derived class.
+// what the help of each program says of its input
+constexpr const char* input_text =
+  "INPUT is a surface in an .off, .ply, .stl or .obj file, of triangles or polygons; without it, the program takes a\n"
+  "surface of its own.";
+
+// Reads the arguments of a program by CLI11. What only one program has is in a derived class.
 class Command_line
 {
-  const std::vector<std::string> m_arguments;
-  std::size_t m_next = 0;
-  std::string m_message;
+  CLI::App m_app;
+  const std::shared_ptr<Help_formatter> m_formatter;
   Common_options& m_options;
+  std::string m_message, m_text;
 
 public:
-  Command_line(const int argc, const char* const argv[], Common_options& options)
-    : m_arguments(argv + (argc > 0 ? 1 : 0), argv + argc), m_options(options)
-  { }
+  // `before_name` is what stands before the name of the program in a command
+  Command_line(const std::string& name, const std::string& description, Common_options& options,
+               const std::string& before_name = "")
+    : m_app(description, name), m_formatter(std::make_shared<Help_formatter>(before_name + name + " [INPUT] [options]")),
+      m_options(options)
+  {
+    m_app.formatter(m_formatter);
+    m_app.add_option("INPUT", m_options.input)->check(is_not_empty());
+  }
 
   virtual ~Command_line() = default;
 
-  // returns `false` if the arguments make no sense; `message()` says why
-  bool parse()
+  // returns `false` if the arguments make no sense, and `message()` says why, or if `text()` is all that is asked for
+  bool parse(const int argc, const char* const argv[])
   {
-    while(m_message.empty() && m_next < m_arguments.size())
-      parse_argument(m_arguments[m_next++]);
-    if(m_message.empty() && m_options.tolerance >= 0 && ! m_options.repair)
-      refuse("--tolerance is for --repair only");
-    if(m_message.empty())
+    try
+    {
+      m_app.parse(argc, argv);
       check_combination();
-    return m_message.empty();
+    }
+    catch(const CLI::CallForHelp&)
+    {
+      m_text = m_app.help();
+    }
+    catch(const CLI::CallForVersion& version)
+    {
+      m_text = std::string(version.what()) + '\n';
+    }
+    catch(const CLI::Error& error)
+    {
+      m_message = std::string(error.what()) + " (try --help)";
+    }
+    return m_message.empty() && m_text.empty();
   }
 
   const std::string& message() const { return m_message; }
+  const std::string& text() const { return m_text; }
 
 protected:
   enum class Number_kind { not_negative, positive, integer };
 
-  // takes an option that only this program has; returns `false` if it has no such option
-  virtual bool parse_own_option(const std::string& option) = 0;
-
   // whether the program writes files of that kind, besides what all of them do
-  virtual bool is_own_format(const std::string& /* extension */) { return false; }
+  virtual bool is_own_format(const std::string& /* extension */) const { return false; }
 
   // refuses options that do not go together
   virtual void check_combination() { }
 
-  void refuse(const std::string& message) { m_message = message; }
+  [[noreturn]] static void refuse(const std::string& message) { throw CLI::ValidationError(message); }
 
-  std::string value_after(const std::string& option)
+  bool is_given(const std::string& option) const { return m_app.count(option) > 0; }
+
+  void remove_option(const std::string& option) { m_app.remove_option(m_app.get_option(option)); }
+
+  // begins a group of options, of which the help has a text
+  void begin_group(const std::string& group, const std::string& text = "")
   {
-    if(m_next < m_arguments.size() && ! m_arguments[m_next].empty())
-      return m_arguments[m_next++];
-    refuse(option + " needs a value");
-    return std::string();
+    m_app.option_defaults()->group(group);
+    if(! text.empty())
+      m_formatter->explain_group(group, text);
   }
 
-  double number_after(const std::string& option, const Number_kind kind,
-                      const double bound = (std::numeric_limits<double>::max)())
+  void set_notes(const std::string& notes) { m_app.footer(notes); }
+
+  CLI::Option* add_flag(const std::string& option, bool& is_set, const std::string& description)
   {
-    static constexpr const char* names[] = { "a number that is not negative", "a positive number",
-                                             "a number that is not negative and integer" };
-    const std::string text = value_after(option);
-    if(! m_message.empty())
-      return 0;
-    char* end = nullptr;
-    const double x = std::strtod(text.c_str(), &end);
-    const bool good = *end == '\0' && std::isfinite(x) && x >= 0 && x <= bound &&
-                      (kind != Number_kind::positive || x > 0) && (kind != Number_kind::integer || x == std::floor(x));
-    if(! good)
-      refuse(option + " needs " + names[static_cast<int>(kind)] + ", not " + text);
-    return good ? x : 0;
+    return m_app.add_flag(option, is_set, description);
+  }
+
+  // a flag that something is not to be done
+  void add_negative_flag(const std::string& option, bool& is_done, const std::string& description)
+  {
+    m_app.add_flag_callback(option, [&] { is_done = false; }, description);
+  }
+
+  // an option whose value the help calls `value`
+  template <typename T>
+  CLI::Option* add_option(const std::string& option, const std::string& value, T& result, const std::string& description)
+  {
+    return m_app.add_option(option, result, description)->option_text(value)->check(is_not_empty());
+  }
+
+  template <typename T>
+  CLI::Option* add_number(const std::string& option, const std::string& value, T& result, const Number_kind kind,
+                          const std::string& description, const double bound = (std::numeric_limits<double>::max)())
+  {
+    return add_option(option, value, result, description)->check(is_number(kind, bound));
+  }
+
+  template <typename Enumeration>
+  using Choices = std::vector<std::pair<std::string, Enumeration> >;
+
+  template <typename Enumeration>
+  CLI::Option* add_choice(const std::string& option, const Choices<Enumeration>& choices, Enumeration& result,
+                          const std::string& description)
+  {
+    std::string names;
+    for(const auto& choice : choices)
+      names += (names.empty() ? "" : "|") + choice.first;
+    const auto set = [option, names, choices, &result](const std::string& name)
+    {
+      const auto choice = std::find_if(choices.begin(), choices.end(), [&](const auto& c) { return c.first == name; });
+      if(choice == choices.end())
+        refuse(option + " is one of " + names);
+      result = choice->second;
+    };
+    return m_app.add_option_function<std::string>(option, set, description)->option_text(names);
+  }
+
+  // what all programs write
+  void add_output_options()
+  {
+    begin_group("output");
+    add_option("-o", "OUTPUT", m_options.outputs,
+               std::string("write the mesh: ") + known_output_formats + ";\nmay be repeated")
+      ->expected(1)->take_all()->check(is_output());
+  }
+
+  void add_surface_options()
+  {
+    begin_group("surfaces that are not valid");
+    CLI::Option* const repair =
+      add_flag("--repair", m_options.repair, "merge points, and drop, turn and divide triangles and polygons");
+    add_number("--tolerance", "X", m_options.tolerance, Number_kind::not_negative,
+               "repair: merge points whose coordinates differ by at most X, where that helps;\n"
+               "without this option, X is four units in the last place of the largest coordinate\n"
+               "in single precision; 0 merges none")->needs(repair);
+    add_flag("--list-defects", m_options.list_defects,
+             "look for intersections before anything else, and mesh nothing if there are any");
+  }
+
+  void add_message_options()
+  {
+    begin_group("messages");
+    add_option("--report", "FILE.json", m_options.report,
+               "write a report with sizes, times, the quality of the mesh, the tetrahedra with small\n"
+               "angles and their reasons, and all that is wrong or missing");
+    add_flag("--timing", m_options.timing, timing_text());
+    add_flag("--quiet", m_options.quiet,
+             "print errors and limits that ended the work only, and what --timing asks for");
+    m_app.set_version_flag("--version", m_app.get_name() + " " BOUNDARY_RECOVERY_3_VERSION " with CGAL " CGAL_VERSION_STR,
+                           "print the version");
+    m_app.set_help_flag("-h,--help", "print this text");
+  }
+
+  void add_time_limit(const std::string& description)
+  {
+    add_number("--time-limit", "SECONDS", m_options.time_limit, Number_kind::not_negative, description);
   }
 
 private:
-  void parse_argument(const std::string& argument)
+  virtual std::string timing_text() const = 0;
+
+  static CLI::Validator is_not_empty()
   {
-    if(argument.empty() || argument[0] != '-')
-      parse_input(argument);
-    else if(! parse_common_option(argument) && ! parse_own_option(argument))
-      refuse("unknown option: " + argument + " (try --help)");
+    return CLI::Validator([](const std::string& text) { return std::string(text.empty() ? "it is empty" : ""); }, "");
   }
 
-  bool parse_common_option(const std::string& option)
+  static CLI::Validator is_number(const Number_kind kind, const double bound)
   {
-    if(option == "-o")
-      parse_output(option);
-    else if(option == "--time-limit")
-      m_options.time_limit = number_after(option, Number_kind::not_negative);
-    else if(option == "--report")
-      m_options.report = value_after(option);
-    else if(option == "--repair")
-      m_options.repair = true;
-    else if(option == "--tolerance")
-      m_options.tolerance = number_after(option, Number_kind::not_negative);
-    else if(option == "--list-defects")
-      m_options.list_defects = true;
-    else if(option == "--timing")
-      m_options.timing = true;
-    else if(option == "--quiet")
-      m_options.quiet = true;
-    else if(option == "--help" || option == "-h")
-      m_options.help = true;
-    else
-      return false;
-    return true;
+    const auto check = [kind, bound](const std::string& text) -> std::string
+    {
+      static constexpr const char* names[] = { "a number that is not negative", "a positive number",
+                                               "a number that is not negative and integer" };
+      char* end = nullptr;
+      const double x = std::strtod(text.c_str(), &end);
+      const bool good = *end == '\0' && ! text.empty() && std::isfinite(x) && x >= 0 && x <= bound &&
+                        (kind != Number_kind::positive || x > 0) && (kind != Number_kind::integer || x == std::floor(x));
+      return good ? "" : std::string("it needs ") + names[static_cast<int>(kind)] + ", not " + text;
+    };
+    return CLI::Validator(check, "");
   }
 
-  void parse_input(const std::string& file)
+  CLI::Validator is_output() const
   {
-    if(file.empty())
-      refuse("an argument is empty (try --help)");
-    else if(! m_options.input.empty())
-      refuse("more than one input: " + m_options.input + " and " + file);
-    else
-      m_options.input = file;
-  }
-
-  void parse_output(const std::string& option)
-  {
-    const std::string file = value_after(option);
-    const std::string extension = read_surface_internal::lower_case_extension(file);
-    if(m_message.empty() && ! is_output_format(extension) && ! is_own_format(extension))
-      refuse("unknown output format: " + file + " (known are " + known_output_formats + ')');
-    m_options.outputs.push_back(file);
+    const auto check = [this](const std::string& file) -> std::string
+    {
+      const std::string extension = lower_case_extension(file);
+      return is_output_format(extension) || is_own_format(extension)
+             ? "" : "unknown output format: " + file + " (known are " + known_output_formats + ')';
+    };
+    return CLI::Validator(check, "");
   }
 };
 

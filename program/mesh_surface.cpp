@@ -198,5 +198,5 @@ int run(const Meshing_options& options, Program<Point>& program)
 
 int main(int argc, char* argv[])
 {
-  return run_program<Point, Meshing_command_line, Meshing_options>("mesh_surface", meshing_usage, argc, argv, run);
+  return run_program<Point, Meshing_command_line, Meshing_options>("mesh_surface", argc, argv, run);
 }

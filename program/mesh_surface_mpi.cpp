@@ -303,7 +303,7 @@ private:
     load_sides();
     std::vector<std::string> merged, pieces;
     for(const std::string& file : m_options.outputs)
-      (read_surface_internal::lower_case_extension(file) == ".pvtu" ? pieces : merged).push_back(file);
+      (lower_case_extension(file) == ".pvtu" ? pieces : merged).push_back(file);
     if(! m_exchange.do_all_agree(write_pieces(meshing, pieces)))
       message = "cannot write " + pieces.front() + ", or its pieces";
     else if(m_exchange.is_first())
@@ -379,7 +379,7 @@ private:
         parts.insert(parts.end(), part.number_of_cells(), static_cast<int>(p) + 1);
     }
     for(const std::string& file : files)
-      if(! write_domain(file, read_surface_internal::lower_case_extension(file), domain, parts))
+      if(! write_domain(file, lower_case_extension(file), domain, parts))
         message = "cannot write " + file;
   }
 
@@ -470,17 +470,16 @@ int main(int argc, char* argv[])
   boost::mpi::environment environment(argc, argv, boost::mpi::threading::funneled, false);
   const boost::mpi::communicator world;
   Mpi_options options;
-  Mpi_command_line command_line(argc, argv, options);
+  Mpi_command_line command_line(options);
   const std::string rank = (world.rank() == 0) ? "" : ", rank " + std::to_string(world.rank());
   Program<Point> program("mesh_surface_mpi" + rank, options);
-  if(! command_line.parse())
+  const bool is_to_run = command_line.parse(argc, argv);
+  if(! command_line.message().empty())
     return world.rank() == 0 ? program.fail(command_line.message()) : int(usage_or_file_error);
-  if(options.help)
-  {
-    if(world.rank() == 0)
-      std::cout << mpi_usage;
+  if(world.rank() == 0)
+    std::cout << command_line.text();
+  if(! is_to_run)
     return success;
-  }
   options.quiet = options.quiet || world.rank() != 0;
   try
   {

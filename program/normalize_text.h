@@ -1,6 +1,8 @@
 #ifndef BOUNDARY_RECOVERY_3_PROGRAM_NORMALIZE_TEXT_H
 #define BOUNDARY_RECOVERY_3_PROGRAM_NORMALIZE_TEXT_H
 
+#include "lower_case.h"
+
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
@@ -17,13 +19,6 @@
 namespace read_surface_internal {
 
 inline bool is_blank(const char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
-
-inline std::string lower_case(std::string text)
-{
-  for(char& c : text)
-    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
 
 inline std::string first_word(const std::string& line)
 {

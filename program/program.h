@@ -22,10 +22,6 @@
 #include <system_error>
 #include <vector>
 
-#ifndef BOUNDARY_RECOVERY_3_VERSION // our CMakeLists.txt tells the version of the package
-#define BOUNDARY_RECOVERY_3_VERSION "unknown"
-#endif
-
 enum Exit_status { success = 0, usage_or_file_error = 1, invalid_input = 2, incomplete_or_stopped = 3 };
 
 // whether a file can be opened for writing; leaves no trace of the trial
@@ -163,7 +159,7 @@ public:
   bool write_outputs(const Domain<Point>& domain)
   {
     for(const std::string& file : m_options.outputs)
-      if(! write_domain(file, read_surface_internal::lower_case_extension(file), domain))
+      if(! write_domain(file, lower_case_extension(file), domain))
         return refuse("cannot write " + file);
     return true;
   }
@@ -229,20 +225,19 @@ private:
 
 // the main function of each program: `run` takes the options and returns the exit status
 template <typename Point, typename Reader, typename Options, typename Run>
-int run_program(const std::string& name, const char* const usage, const int argc, const char* const argv[],
-                const Run& run)
+int run_program(const std::string& name, const int argc, const char* const argv[], const Run& run)
 {
   Options options;
-  Reader command_line(argc, argv, options);
+  Reader command_line(options);
   Program<Point> program(name, options);
-  if(! command_line.parse())
+  const bool is_to_run = command_line.parse(argc, argv);
+  if(! command_line.message().empty())
     return program.fail(command_line.message());
   int status = success;
   try
   {
-    if(options.help)
-      std::cout << usage;
-    else
+    std::cout << command_line.text();
+    if(is_to_run)
       status = run(options, program);
   }
   catch(const std::exception& e) // such as memory that is exhausted

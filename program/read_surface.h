@@ -38,12 +38,6 @@ struct Bounded_vector
 
 typedef Bounded_vector<std::size_t> Face;
 
-inline std::string lower_case_extension(const std::string& file)
-{
-  const std::size_t dot = file.rfind('.');
-  return dot == std::string::npos ? std::string() : lower_case(file.substr(dot));
-}
-
 // the whole file; `false` if it cannot be read, as a directory cannot. It is opened once only: what comes through a
 // pipe comes once.
 inline bool read_text(const std::string& file, std::string& text)
@@ -105,7 +99,7 @@ template <typename Point>
 bool read_surface(const std::string& file, Surface<Point>& surface, std::string& message)
 {
   namespace internal = read_surface_internal;
-  const std::string extension = internal::lower_case_extension(file);
+  const std::string extension = lower_case_extension(file);
   if(extension != ".off" && extension != ".ply" && extension != ".stl" && extension != ".obj")
   {
     message = "unknown input format: " + file + " (known are .off, .ply, .stl, .obj)";

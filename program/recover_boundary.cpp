@@ -102,6 +102,5 @@ int run(const Recovery_options& options, Program<Point>& program)
 
 int main(int argc, char* argv[])
 {
-  return run_program<Point, Recovery_command_line, Recovery_options>("recover_boundary", recovery_usage, argc, argv,
-                                                                     run);
+  return run_program<Point, Recovery_command_line, Recovery_options>("recover_boundary", argc, argv, run);
 }

@@ -37,6 +37,9 @@ build_packages=(g++ make cmake libcgal-dev libboost-dev libeigen3-dev libgmp-dev
 subdomain_packages=(libtbb-dev libmetis-dev)
 mpi_packages=(libboost-mpi-dev openmpi-bin libopenmpi-dev)
 
+# What the programs read their arguments with.
+program_packages=(libcli11-dev)
+
 # What the Python module and its tests take, and for CMake the Python that has them.
 python_packages=(pybind11-dev python3-dev python3-numpy python3-scipy python3-meshio python3-vtk9 xvfb xauth)
 with_python=(-DBR3_BUILD_PYTHON=ON -DPython_EXECUTABLE=/usr/bin/python3)
