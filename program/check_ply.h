@@ -8,18 +8,23 @@
 #include <string>
 #include <vector>
 
-// Finds out whether a PLY file has all the items that it announces. CGAL's reader makes room for a list before it
-// reads it, so a damaged length would exhaust the memory.
+// Finds out whether a PLY file has all the items that it announces, and what CGAL's reader leaves out: numbers of faces.
+// CGAL's reader makes room for a list before it reads it, so a damaged length would exhaust the memory.
 class Ply_checker
 {
   // a property of an element; `length_size` is 0 unless it is a list
   struct Property
   {
     std::size_t length_size, size;
+    bool is_signed;
+    std::string name;
+    bool is_number_of_faces;  // which may be a patch
+    std::vector<int> numbers; // those of all faces
   };
 
   struct Element
   {
+    std::string name;
     unsigned long long number;
     std::vector<Property> properties;
   };
@@ -36,12 +41,29 @@ public:
   {
     if(! read_header())
       return false;
-    for(const Element& element : m_elements)
+    for(Element& element : m_elements)
       for(unsigned long long i = 0; i < element.number; ++i)
-        for(const Property& property : element.properties)
-          if(! skip(property))
+        for(Property& property : element.properties)
+          if(! (property.is_number_of_faces ? read_number(property) : skip(property)))
             return false;
     return true;
+  }
+
+  // the patches of the faces, if a property has integers for them; of several, the first one
+  std::vector<int> patches(std::vector<std::string>& notes) const
+  {
+    std::vector<int> result;
+    std::string name;
+    for(const Element& element : m_elements)
+      for(const Property& property : element.properties)
+        if(property.is_number_of_faces && name.empty())
+        {
+          name = property.name;
+          result = property.numbers;
+        }
+        else if(property.is_number_of_faces)
+          notes.push_back("a number of the faces that is left out, as " + name + " is their patch: " + property.name);
+    return result;
   }
 
 private:
@@ -79,6 +101,7 @@ private:
       else if(keyword == "element")
       {
         m_elements.emplace_back();
+        m_elements.back().name = word;
         if(! (line >> m_elements.back().number) || m_elements.back().number > m_text.size())
           return false;
       }
@@ -89,13 +112,27 @@ private:
 
   bool read_property(std::istream& line, const std::string& type)
   {
-    std::string length_type, item_type;
+    std::string length_type, item_type = type;
     if(m_elements.empty() || (type == "list" && ! (line >> length_type >> item_type)))
       return false;
     const bool is_list = type == "list";
-    const Property property = { is_list ? size_of(length_type) : 0, size_of(is_list ? item_type : type) };
+    Property property = { is_list ? size_of(length_type) : 0, size_of(item_type), type[0] != 'u', "", false, { } };
+    line >> property.name;
+    property.is_number_of_faces = ! is_list && type.find("int") != std::string::npos && m_elements.back().name == "face";
     m_elements.back().properties.push_back(property);
     return property.size > 0 && (! is_list || property.length_size > 0);
+  }
+
+  // The sign is that of the highest bit.
+  bool read_number(Property& property)
+  {
+    unsigned long long bits = 0;
+    if(! read_length(property.size, bits))
+      return false;
+    const unsigned long long half = 1ull << (8 * property.size - 1);
+    const bool is_negative = ! m_is_ascii && property.is_signed && bits >= half;
+    property.numbers.push_back(static_cast<int>(is_negative ? bits - 2 * half : bits));
+    return true;
   }
 
   bool skip(const Property& property)

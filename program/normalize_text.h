@@ -110,7 +110,7 @@ inline std::string normalize_text_stl(const std::string& text, std::vector<std::
     if(is_solid || is_end) // what follows is a name
     {
       is_in_solid = is_solid;
-      result += word + line.substr(line.find(original) + original.size());
+      result += word + ' ' + line.substr(line.find(original) + original.size()); // CGAL looks for a blank
     }
     else
       result += std::find(std::begin(keywords), std::end(keywords), word) == std::end(keywords) ? line

@@ -2,6 +2,7 @@
 #define BOUNDARY_RECOVERY_3_PROGRAM_PROGRAM_H
 
 #include "command_line.h"
+#include "divide_polygons.h"
 #include "domain.h"
 #include "patches_by_angle.h"
 #include "read_surface.h"
@@ -94,10 +95,12 @@ public:
     return true;
   }
 
-  // tells what the user has to know of the surface, repairs it if that is asked for, and divides it into patches unless it
-  // has some
+  // divides polygons, tells what the user has to know of the surface, repairs it if that is asked for, and divides it into
+  // patches unless it has some
   void prepare_surface()
   {
+    Polygon_divider<Point> divide(m_surface);
+    divide(m_options.repair);
     if(! m_options.quiet)
       for(const std::string& note : m_surface.notes)
         std::cout << "note: " << note << std::endl;

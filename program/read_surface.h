@@ -2,41 +2,30 @@
 #define BOUNDARY_RECOVERY_3_PROGRAM_READ_SURFACE_H
 
 #include "check_ply.h"
+#include "lower_case.h"
 #include "normalize_text.h"
+#include "polygon_soup.h"
 #include "read_binary_off.h"
 #include "read_faulty_soup.h"
+#include "read_gmsh.h"
+#include "read_medit.h"
+#include "read_names.h"
+#include "read_poly.h"
 #include "surface.h"
+#include "word_reader.h"
 
 #include <CGAL/IO/polygon_soup_io.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <exception>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace read_surface_internal {
-
-// A vector that refuses a size that no file of the given size can fill: what a damaged file asks for would
-// exhaust the memory.
-template <typename T>
-struct Bounded_vector
-  : public std::vector<T>
-{
-  std::size_t bound = 1u << 20;
-
-  void resize(const std::size_t n)
-  {
-    if(n > bound)
-      throw std::length_error("it announces more than it has");
-    std::vector<T>::resize(n);
-  }
-};
-
-typedef Bounded_vector<std::size_t> Face;
 
 // the whole file; `false` if it cannot be read, as a directory cannot. It is opened once only: what comes through a
 // pipe comes once.
@@ -94,39 +83,101 @@ bool read_soup(const std::string& extension, const std::string& text, PointRange
 
 } // namespace read_surface_internal
 
-// reads a surface from an .off, .ply, .stl or .obj file; returns `false` and says why if that fails
+constexpr const char* known_input_formats = ".off, .ply, .stl, .obj, .msh, .mesh, .poly, .smesh";
+
+inline bool is_format_of_cgal(const std::string& extension)
+{
+  return extension == ".off" || extension == ".ply" || extension == ".stl" || extension == ".obj";
+}
+
+inline bool is_input_format(const std::string& extension)
+{
+  return is_format_of_cgal(extension) || extension == ".msh" || extension == ".mesh" || extension == ".poly" ||
+         extension == ".smesh";
+}
+
+// reads what CGAL reads, and the names of faces; returns `false` if that fails
+template <typename Point>
+bool read_soup_with_names(const std::string& extension, std::string& text, Polygon_soup<Point>& soup)
+{
+  namespace internal = read_surface_internal;
+  internal::normalize(extension, text, soup.notes);
+  soup.points.bound = soup.polygons.bound = text.size();
+  Ply_checker check_ply(text);
+  if((extension == ".ply" && ! check_ply()) ||
+     (! internal::read_soup(extension, text, soup.points, soup.polygons) &&
+      ! internal::read_faulty_soup(extension, text, soup.points, soup.polygons)))
+    return false;
+  if(extension == ".ply")
+    soup.set_patches_by_numbers(check_ply.patches(soup.notes), false);
+  else if(extension == ".stl" && ! internal::is_binary(extension, text))
+    internal::read_names_of_solids(text, soup);
+  else if(extension == ".obj")
+  {
+    soup.first_number = 1;
+    internal::Obj_name_reader<Point> read_names(soup);
+    read_names(text);
+  }
+  return true;
+}
+
+// reads what meshers write; throws `Unreadable` if that fails
+template <typename Point>
+Polygon_soup<Point> read_soup_of_mesher(const std::string& extension, const std::string& file, const std::string& text)
+{
+  if(extension == ".msh")
+    return Gmsh_reader<Point>(text)();
+  if(extension == ".mesh")
+    return Medit_reader<Point>(text)();
+  std::string nodes;
+  read_surface_internal::read_text(std::filesystem::path(file).replace_extension(".node").string(), nodes);
+  return Poly_reader<Point>()(text, nodes, extension == ".smesh");
+}
+
+// makes a surface of what was read
+template <typename Point>
+Surface<Point> make_surface(Polygon_soup<Point>& soup)
+{
+  Surface<Point> surface = make_surface<Point>(soup.points, soup.polygons);
+  if(! soup.positions.empty())
+    surface.file_faces.swap(soup.positions);
+  if(! soup.patches.empty())
+    surface.patches.swap(soup.patches);
+  surface.first_number = soup.first_number;
+  surface.patch_names.swap(soup.patch_names);
+  surface.regions.swap(soup.regions);
+  surface.voids.swap(soup.voids);
+  surface.notes.swap(soup.notes);
+  return surface;
+}
+
+// reads a surface; returns `false` and says why if that fails
 template <typename Point>
 bool read_surface(const std::string& file, Surface<Point>& surface, std::string& message)
 {
-  namespace internal = read_surface_internal;
   const std::string extension = lower_case_extension(file);
-  if(extension != ".off" && extension != ".ply" && extension != ".stl" && extension != ".obj")
-  {
-    message = "unknown input format: " + file + " (known are .off, .ply, .stl, .obj)";
-    return false;
-  }
   std::string text;
-  if(! internal::read_text(file, text))
-  {
+  if(! is_input_format(extension))
+    message = "unknown input format: " + file + " (known are " + known_input_formats + ')';
+  else if(! read_surface_internal::read_text(file, text))
     message = "cannot read " + file;
+  if(! message.empty())
     return false;
-  }
 
-  std::vector<std::string> notes;
-  internal::normalize(extension, text, notes);
-
-  internal::Bounded_vector<Point> points;
-  internal::Bounded_vector<internal::Face> polygons;
-  points.bound = polygons.bound = text.size();
-  if((extension == ".ply" && ! Ply_checker(text)()) ||
-     (! internal::read_soup(extension, text, points, polygons) &&
-      ! internal::read_faulty_soup(extension, text, points, polygons)))
+  Polygon_soup<Point> soup;
+  try
   {
-    message = "cannot read " + file + ": it is damaged, truncated, or not in the format of its name";
+    if(! is_format_of_cgal(extension))
+      soup = read_soup_of_mesher<Point>(extension, file, text);
+    else if(! read_soup_with_names(extension, text, soup))
+      throw Unreadable("it is damaged, truncated, or not in the format of its name");
+  }
+  catch(const Unreadable& reason)
+  {
+    message = "cannot read " + file + ": " + reason.what();
     return false;
   }
-  surface = make_surface<Point>(points, polygons);
-  surface.notes = notes;
+  surface = make_surface(soup);
   return true;
 }
 

@@ -290,12 +290,14 @@ private:
     }
   }
 
+  // -1 for what has none, as meshio wants data of all elements
   void write_numbers()
   {
-    const std::size_t n = m_domain.triangles.size();
+    const std::size_t n = m_domain.triangles.size() + m_domain.tetrahedra.size();
     m_os << "$ElementData\n1\n\"triangle\"\n1\n0\n3\n0\n1\n" << n << '\n';
     for(std::size_t i = 0; i < n; ++i)
-      m_os << i + 1 << ' ' << static_cast<std::int64_t>(m_domain.triangle_numbers[i]) << '\n'; // -1: from no file
+      m_os << i + 1 << ' '
+           << (i < m_domain.triangles.size() ? static_cast<std::int64_t>(m_domain.triangle_numbers[i]) : -1) << '\n';
     m_os << "$EndElementData\n";
   }
 };

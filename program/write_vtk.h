@@ -56,27 +56,32 @@ inline std::string encoded_vtk_name(const std::string& name)
   return result;
 }
 
-// writes the names of patches and regions, each list as two arrays: the numbers, and their names
+// The names of patches and regions as field data: an array for each name, with the number and the dimension of each patch
+// and region that has it, as meshio tells physical groups. Arrays of strings, which VTK knows, it would refuse.
+template <typename Point>
+std::map<std::string, std::vector<std::array<int, 2> > > vtk_names(const Domain<Point>& domain)
+{
+  std::map<std::string, std::vector<std::array<int, 2> > > result;
+  for(const auto& [number, name] : domain.patch_names)
+    result[name].push_back({{ number, 2 }});
+  for(const auto& [number, name] : domain.region_names)
+    result[name].push_back({{ number, 3 }});
+  return result;
+}
+
 template <typename Point>
 void write_vtk_names(Output_buffer& os, const Domain<Point>& domain)
 {
-  const int number_of_lists = ! domain.patch_names.empty() + ! domain.region_names.empty();
-  if(number_of_lists == 0)
+  const auto names = vtk_names(domain);
+  if(names.empty())
     return;
-  os << "FIELD FieldData " << 2 * number_of_lists << '\n';
-  const auto write = [&](const std::string& what, const std::map<int, std::string>& names)
+  os << "FIELD FieldData " << names.size() << '\n';
+  for(const auto& [name, values] : names)
   {
-    if(names.empty())
-      return;
-    os << what << "_number 1 " << names.size() << " int\n";
-    for(const auto& [number, name] : names)
-      os << number << '\n';
-    os << what << "_name 1 " << names.size() << " string\n";
-    for(const auto& [number, name] : names)
-      os << encoded_vtk_name(name) << '\n';
-  };
-  write("patch", domain.patch_names);
-  write("region", domain.region_names);
+    os << encoded_vtk_name(name) << " 2 " << values.size() << " int\n";
+    for(const auto& [number, dimension] : values)
+      os << number << ' ' << dimension << '\n';
+  }
 }
 
 // writes VTK's legacy text format
@@ -118,6 +123,21 @@ inline const char* vtk_byte_order()
 {
   const std::uint16_t one = 1;
   return *reinterpret_cast<const unsigned char*>(&one) == 1 ? "LittleEndian" : "BigEndian";
+}
+
+// a name as the value of an attribute
+inline std::string xml_text(const std::string& text)
+{
+  std::string result;
+  for(const char c : text)
+    switch(c)
+    {
+      case '&':  result += "&amp;"; break;
+      case '<':  result += "&lt;"; break;
+      case '"':  result += "&quot;"; break;
+      default:   result += c;
+    }
+  return result;
 }
 
 // Writes VTK's XML format: the numbers are raw bytes at the end of the file.
@@ -192,32 +212,19 @@ private:
 
   void write_names()
   {
-    if(m_domain.patch_names.empty() && m_domain.region_names.empty())
-      return;
-    m_os << "<FieldData>\n";
-    write_names("patch", m_domain.patch_names);
-    write_names("region", m_domain.region_names);
-    m_os << "</FieldData>\n";
-  }
-
-  // A list of names is two arrays, as text: the numbers, and the names, each as the numbers of its bytes, up to a 0.
-  void write_names(const std::string& what, const std::map<int, std::string>& names)
-  {
+    const auto names = vtk_names(m_domain);
     if(names.empty())
       return;
-    m_os << "<DataArray type=\"Int32\" Name=\"" << what << "_number\" NumberOfTuples=\"" << names.size()
-         << "\" format=\"ascii\">\n";
-    for(const auto& [number, name] : names)
-      m_os << number << ' ';
-    m_os << "\n</DataArray>\n<Array type=\"String\" Name=\"" << what << "_name\" NumberOfTuples=\"" << names.size()
-         << "\" format=\"ascii\">\n";
-    for(const auto& [number, name] : names)
+    m_os << "<FieldData>\n";
+    for(const auto& [name, values] : names)
     {
-      for(const char c : name)
-        m_os << int(static_cast<unsigned char>(c)) << ' ';
-      m_os << "0\n";
+      m_os << "<DataArray type=\"Int32\" Name=\"" << xml_text(name) << "\" NumberOfComponents=\"2\" NumberOfTuples=\""
+           << values.size() << "\" format=\"ascii\">\n";
+      for(const auto& [number, dimension] : values)
+        m_os << number << ' ' << dimension << '\n';
+      m_os << "</DataArray>\n";
     }
-    m_os << "</Array>\n";
+    m_os << "</FieldData>\n";
   }
 
   void write_cell_data()
@@ -263,21 +270,6 @@ private:
     m_cells.for_each([&](const auto&, const int type, int, int, std::int64_t) { m_os.put_bytes(std::uint8_t(type)); });
   }
 };
-
-// a file name as the value of an attribute
-inline std::string xml_text(const std::string& text)
-{
-  std::string result;
-  for(const char c : text)
-    switch(c)
-    {
-      case '&':  result += "&amp;"; break;
-      case '<':  result += "&lt;"; break;
-      case '"':  result += "&quot;"; break;
-      default:   result += c;
-    }
-  return result;
-}
 
 // writes what ParaView opens: the names of the pieces, which are beside the file, and what they have
 inline void write_pvtu(Output_buffer& os, const std::vector<std::string>& pieces)
