@@ -10,6 +10,7 @@
 #include "edge_lengths.h"
 #include "mesh_size.h"
 #include "mesh_surface_options.h"
+#include "named_regions.h"
 #include "print_mesh.h"
 #include "program.h"
 #include "progress_bar.h"
@@ -20,6 +21,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Real_timer.h>
 
+#include <cstddef>
 #include <functional>
 #include <iostream>
 #include <sstream>
@@ -43,8 +45,33 @@ struct Measurements
   double seconds_recovery = 0; // without the insertion of the surface's points
 };
 
+// Places of names that are wrong end the work before anything takes long.
+class Progress
+  : public Progress_bar
+{
+  const Triangulation& m_tr;
+  const Surface<Point>& m_surface;
+  Named_regions m_regions;
+
+public:
+  Progress(const Triangulation& tr, const Surface<Point>& surface, const bool is_quiet)
+    : Progress_bar(std::cout, is_quiet, stdout_is_terminal()), m_tr(tr), m_surface(surface)
+  { }
+
+  void on_phase_end(const CGAL::Boundary_recovery_3::Phase_report& report)
+  {
+    Progress_bar::on_phase_end(report);
+    if(report.phase == CGAL::Boundary_recovery_3::Phase::domain_marking)
+      m_regions.find(m_tr, m_surface.regions);
+  }
+
+  bool go_further() { return m_regions.message().empty(); }
+
+  const Named_regions& regions() const { return m_regions; }
+};
+
 Result mesh(Triangulation& tr, const Surface<Point>& surface, const Size& size, const Meshing_options& options,
-            Progress_bar& progress)
+            Progress& progress)
 {
   const auto common = CGAL::parameters::visitor(std::ref(progress)).maximum_running_time(options.time_limit);
   const auto defects = CGAL::parameters::list_defects(options.list_defects);
@@ -53,10 +80,11 @@ Result mesh(Triangulation& tr, const Surface<Point>& surface, const Size& size, 
   const auto angle = CGAL::parameters::min_dihedral_angle(options.min_angle);
   const auto effort = CGAL::parameters::improvement_effort(options.effort);
   const auto subdomains = CGAL::parameters::number_of_subdomains(options.number_of_subdomains);
+  const auto voids = CGAL::parameters::void_points(surface.voids);
   const Thread_limit limit(options.number_of_threads);
   return CGAL::make_boundary_constrained_mesh_3(tr, surface.points, surface.faces,
                                                 options.insert_field_points ? size : Size::unbounded(),
-                                                common, defects, vertices, improve, angle, effort, subdomains);
+                                                common, defects, vertices, improve, angle, effort, subdomains, voids);
 }
 
 // the regions, unless they are not known: only what is outside would be written otherwise
@@ -123,11 +151,18 @@ void print_timing(const Result& result, const Measurements& measured)
             << "\n@@improve " << result.improvement.seconds << "\n@@tmesh " << measured.seconds_total << std::endl;
 }
 
-// tells what is wrong with the input: the surface, or a size
+// tells what is wrong with the input: the surface, a place, or a size
 int refuse(const Result& result, const Program<Point>& program)
 {
   if(result.recovery.status == CGAL::Boundary_recovery_3::Recovery_status::invalid_input)
     return program.refuse_input(result.recovery);
+  for(const std::size_t v : result.invalid_void_points)
+  {
+    std::ostringstream message;
+    message << "the place (" << program.surface().voids[v]
+            << ") is in no region that could be empty: it is outside, or on the surface";
+    program.fail(message.str());
+  }
   for(const auto& invalid : result.filling.invalid_sizes)
   {
     std::ostringstream message;
@@ -140,12 +175,17 @@ int refuse(const Result& result, const Program<Point>& program)
 
 // writes the files, and tells how it went; returns the exit status
 int finish(const Meshing_options& options, Program<Point>& program, const Result& result, const Domain<Point>& domain,
-           const Measurements& measured)
+           const Measurements& measured, const Named_regions& regions)
 {
   if(! program.write_report([&](Json_writer& json) { write_entries(json, options, result, domain, measured); }))
     return program.fail();
   if(result.status == Status::invalid_input)
     return refuse(result, program);
+  if(! regions.message().empty())
+  {
+    program.fail(regions.message());
+    return invalid_input;
+  }
 
   if(options.timing)
     print_timing(result, measured);
@@ -181,9 +221,10 @@ int run(const Meshing_options& options, Program<Point>& program)
   if(! program.can_write())
     return program.fail();
   program.prepare_surface();
+  program.add_places(options.regions, options.voids);
 
   Triangulation tr;
-  Progress_bar progress(std::cout, options.quiet, stdout_is_terminal());
+  Progress progress(tr, program.surface(), options.quiet);
   CGAL::Real_timer timer;
   timer.start();
   size.set_surface(program.surface(), options);
@@ -192,8 +233,9 @@ int run(const Meshing_options& options, Program<Point>& program)
 
   Domain<Point> domain = make_domain(tr, result, options);
   program.use_numbers_of_file(result.recovery, domain);
+  domain.region_names = progress.regions().names();
   const Measurements measured = measure(tr, domain, size, result, timer.time(), options);
-  return finish(options, program, result, domain, measured);
+  return finish(options, program, result, domain, measured, progress.regions());
 }
 
 int main(int argc, char* argv[])

@@ -15,6 +15,7 @@
 #include "mesh_size.h"
 #include "mesh_surface_mpi_options.h"
 #include "mpi_exchange.h"
+#include "named_regions.h"
 #include "part_piece.h"
 #include "part_store.h"
 #include "print_mesh.h"
@@ -46,6 +47,7 @@
 #include <filesystem>
 #include <iostream>
 #include <limits>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -75,6 +77,7 @@ class Mpi_mesher
   Size m_size;
   Part_store m_store;          // where the parts are
   std::vector<Sides> m_sides;  // of the triangles of the surface
+  std::map<int, std::string> m_region_names;
   std::vector<Round_report> m_reports;
   Mesh_quality m_quality;
   bool m_is_field_resolved = true;
@@ -151,6 +154,7 @@ private:
     if(! message.empty())
       return false;
     m_program.prepare_surface();
+    m_program.add_places(m_options.regions, m_options.voids);
     m_size.set_surface(m_program.surface(), m_options);
     return true;
   }
@@ -222,17 +226,26 @@ private:
     Triangulation tr;
     Result result = CGAL::make_boundary_constrained_mesh_3(tr, surface.points, surface.faces, Size::unbounded(),
                                                            CGAL::parameters::list_defects(m_options.list_defects),
-                                                           CGAL::parameters::improve_quality(false));
+                                                           CGAL::parameters::improve_quality(false),
+                                                           CGAL::parameters::void_points(surface.voids));
     if(result.recovery.status == CGAL::Boundary_recovery_3::Recovery_status::invalid_input)
     {
       Domain<Point> nothing;
       m_program.use_numbers_of_file(result.recovery, nothing);
       return m_program.refuse_input(result.recovery);
     }
+    Named_regions regions;
+    regions.find(tr, surface.regions);
+    if(! regions.message().empty() || ! result.invalid_void_points.empty())
+    {
+      m_program.fail(regions.message().empty() ? "a place that is to be empty is outside, or on the surface"
+                                               : regions.message());
+      return invalid_input;
+    }
     const std::string reason = reason_for_no_mesh(result, m_options.maximum_number_of_vertices);
     if(! reason.empty())
       return cannot_mesh(reason);
-    store_sides(tr, result);
+    store_sides(tr, result, regions);
     const internal::Hold_recovered_vertices_3<Triangulation> hold(tr, result.recovery);
     return divide(tr, result, parts, numbers);
   }
@@ -275,8 +288,8 @@ private:
     return invalid_input;
   }
 
-  // What is on both sides of each triangle is needed again for the output.
-  void store_sides(const Triangulation& tr, const Result& result) const
+  // What is on both sides of each triangle, and the names of regions, are needed again for the output.
+  void store_sides(const Triangulation& tr, const Result& result, const Named_regions& regions) const
   {
     const Domain<Point> domain = make_meshed_domain(tr, result);
     const std::vector<Sides> sides = find_sides(domain);
@@ -284,7 +297,13 @@ private:
     for(std::size_t t = 0; t < sides.size(); ++t)
       sides_of_faces.at(domain.triangle_numbers[t]) = sides[t];
     Bytes bytes;
-    Byte_writer(bytes).put(sides_of_faces);
+    Byte_writer writer(bytes);
+    writer.put(sides_of_faces);
+    for(const auto& [region, name] : regions.names())
+    {
+      writer.put(region);
+      writer.put(std::vector<char>(name.begin(), name.end()));
+    }
     m_store.save("sides", { bytes });
   }
 
@@ -293,7 +312,15 @@ private:
     Bytes bytes;
     if(! m_store.load("sides", 0, bytes))
       throw std::runtime_error(m_store.file_of("sides") + " is not there, or not as it was written");
-    Byte_reader(bytes).get(m_sides);
+    Byte_reader reader(bytes);
+    reader.get(m_sides);
+    while(! reader.is_at_end())
+    {
+      const int region = reader.get<int>();
+      std::vector<char> name;
+      reader.get(name);
+      m_region_names[region].assign(name.begin(), name.end());
+    }
     if(m_sides.size() != m_program.surface().faces.size())
       throw std::runtime_error(m_store.file_of("sides") + " is of another surface");
   }
@@ -334,7 +361,8 @@ private:
         continue;
       Vtu_piece numbers;
       numbers.part = static_cast<int>(p) + 1;
-      const Domain<Point> piece = pieces.piece(meshing.part(p), p == 0, numbers.numbers);
+      Domain<Point> piece = pieces.piece(meshing.part(p), p == 0, numbers.numbers);
+      piece.region_names = m_region_names;
       m_number_of_tetrahedra += piece.tetrahedra.size();
       qualities.push_back(measure_quality(piece));
       for(const std::string& file : files)
@@ -369,6 +397,7 @@ private:
   {
     const Part_pieces<Part, Point> pieces(m_program.surface(), m_sides);
     Domain<Point> domain = pieces.surface();
+    domain.region_names = m_region_names;
     std::vector<Point_number> positions;
     std::vector<int> parts;
     for(std::size_t p = 0; p < meshing.number_of_parts(); ++p)

@@ -65,6 +65,15 @@ std::uint64_t key_of_mesh(const Surface<Point>& surface, const Mpi_options& opti
       hash.add(v);
   for(const std::size_t face : surface.file_faces)
     hash.add(face);
+  for(const Point& place : surface.voids)
+    for(int i = 0; i < 3; ++i)
+      hash.add(double(place[i]));
+  for(const auto& region : surface.regions)
+  {
+    hash.add(region.name);
+    for(int i = 0; i < 3; ++i)
+      hash.add(double(region.place[i]));
+  }
   hash.add(options.size).add(options.grading).add(options.has_grading).add(options.insert_field_points)
       .add(options.min_angle).add(static_cast<int>(options.effort)).add(options.improve_quality)
       .add(options.maximum_number_of_vertices)

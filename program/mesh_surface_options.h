@@ -8,6 +8,8 @@
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <tuple>
+#include <vector>
 
 using CGAL::Boundary_recovery_3::Improvement_effort;
 
@@ -22,6 +24,8 @@ struct Meshing_options
   bool has_grading = false;
   bool insert_field_points = true;
   double min_angle = 25;            // in degrees, that of the library
+  std::vector<std::tuple<std::string, double, double, double> > regions; // names, and places in them
+  std::vector<std::tuple<double, double, double> > voids;                // places in regions that are to be empty
   Improvement_effort effort = Improvement_effort::normal;
   bool improve_quality = true;
   std::size_t maximum_number_of_vertices = (std::numeric_limits<std::size_t>::max)();
@@ -143,6 +147,10 @@ private:
                          ".poly and .smesh and an integer property of the faces in .ply are patches of the surface.");
     add_number("--patch-angle", "DEGREES", m_options.patch_angle, Number_kind::not_negative,
                "where there are no names, patches end at edges sharper than that, default: 40", 180);
+    add_option("--region", "NAME X Y Z", m_options.regions, "the name of the region that has this place; may be repeated");
+    add_option("--void", "X Y Z", m_options.voids,
+               "the region that has this place is to be empty; may be repeated. .poly and .smesh files have\n"
+               "such places, too: holes, and the attributes of regions as names");
   }
 
   static constexpr double largest_angle = 70.53; // no tetrahedron has only larger ones

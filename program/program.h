@@ -110,6 +110,16 @@ public:
       set_patches_by_angle(m_surface, m_options.patch_angle);
   }
 
+  // places in regions with names, and in those that are to be empty, beside those of the file
+  template <typename NamedPlaces, typename Places>
+  void add_places(const NamedPlaces& regions, const Places& voids)
+  {
+    for(const auto& [name, x, y, z] : regions)
+      m_surface.regions.push_back({ name, Point(x, y, z) });
+    for(const auto& [x, y, z] : voids)
+      m_surface.voids.push_back(Point(x, y, z));
+  }
+
   // The surface has each point once and may lack vertices of the file, and its faces may be parts: translates to the
   // numbers of the file, and tells the patches.
   template <typename Result>

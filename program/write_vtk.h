@@ -108,7 +108,7 @@ void write_vtk(Output_buffer& os, const Domain<Point>& domain)
   cells.for_each([&](const auto&, int, const int region, int, std::int64_t) { os << region << '\n'; });
   os << "FIELD FieldData 2\npatch 1 " << cells.size() << " int\n"; // of several scalars, VTK reads the first one only
   cells.for_each([&](const auto&, int, int, const int patch, std::int64_t) { os << patch << '\n'; });
-  os << "triangle 1 " << cells.size() << " vtktypeint64\n";
+  os << "triangle 1 " << cells.size() << " long\n";
   cells.for_each([&](const auto&, int, int, int, const std::int64_t number) { os << number << '\n'; });
 }
 

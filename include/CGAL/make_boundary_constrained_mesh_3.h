@@ -27,6 +27,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <type_traits>
 #include <vector>
 
@@ -69,6 +70,13 @@ make_mesh(Tr& tr, Surface_to_mesh_3<Tr>& surface, const SizingField& size, const
   {
     surface.constrained_edges.push_back({{ u, v }});
   });
+  if constexpr(! parameters::is_default_parameter<NamedParameters, internal::void_points_t>::value)
+  {
+    static_assert(std::is_same<typename Cell_indices<typename Tr::Cell>::Subdomain_index, int>::value,
+                  "Regions that are to be empty need cells whose Subdomain_index is int.");
+    const auto places = parameters::get_parameter(np, internal::void_points);
+    surface.void_points.assign(std::begin(places), std::end(places));
+  }
   static_assert(parameters::is_default_parameter<NamedParameters, internal::number_of_subdomains_t>::value
                 || Can_be_divided<Tr>::value,
                 "Sub-domains need vertices with meshing_info(), as those of "
@@ -187,6 +195,14 @@ make_mesh_of_surface(Tr& tr, const FaceListGraph& surface, const SizingField& si
  *     \cgalParamDescription{the patch of each triangle, see `mark_domain()`}
  *     \cgalParamType{a model of `ReadablePropertyMap` whose key type is `std::size_t`, the position of a triangle}
  *     \cgalParamDefault{the position of the triangle + 1}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{void_points}
+ *     \cgalParamDescription{places in regions that are to be empty: these become a part of the outside, and the others
+ *                           are numbered anew, in their order. A place that is outside, or on the surface, is
+ *                           `invalid_input`}
+ *     \cgalParamType{a `ConstRange` whose value type is `Triangulation::Geom_traits::Point_3`}
+ *     \cgalParamDefault{no places}
+ *     \cgalParamExtra{The `Subdomain_index` of the cells has to be `int`.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{improve_quality}
  *     \cgalParamDescription{whether cells are improved after the field points are inserted}

@@ -98,6 +98,11 @@ struct Boundary_constrained_mesh_result_3
   Recovery recovery;
 
   int number_of_regions = 0; ///< step 5: number of regions of the domain
+
+  /// the positions of those of the named parameter `void_points` that made the status `invalid_input`, as they are
+  /// outside, or on the surface
+  std::vector<std::size_t> invalid_void_points;
+
   Filling filling;           ///< step 6: field points
 
   /// into how many sub-domains the domain was divided for steps 6 and 7; 1 if it was not

@@ -44,6 +44,7 @@ enum cell_region_map_t           { cell_region_map };
 enum constrained_facets_t        { constrained_facets };
 enum number_of_layers_t          { number_of_layers };
 enum number_of_subdomains_t      { number_of_subdomains };
+enum void_points_t               { void_points };
 
 // A pack with all the parameters of both packs; those of the second win.
 template <typename NP, typename T, typename Tag>
@@ -187,6 +188,10 @@ CGAL_BOUNDARY_RECOVERY_3_PARAMETER(number_of_layers)
 /// \ingroup PkgBoundaryRecovery3Functions
 /// into how many sub-domains a domain is divided, which are meshed at the same time, an integer.
 CGAL_BOUNDARY_RECOVERY_3_PARAMETER(number_of_subdomains)
+
+/// \ingroup PkgBoundaryRecovery3Functions
+/// places in regions that are to be empty: a range of points.
+CGAL_BOUNDARY_RECOVERY_3_PARAMETER(void_points)
 
 #undef CGAL_BOUNDARY_RECOVERY_3_PARAMETER
 

@@ -231,6 +231,36 @@ void test_regions()
   test<Kernel>(fan, 4, { big.volume(), 8 * 8 * 12, 216 });
 }
 
+// Regions become empty, and the others are numbered anew. Places may be on facets inside, but not on walls.
+void test_voids()
+{
+  Box_soup nested;
+  nested.add_box(big);
+  nested.add_box(small);
+  const auto center = [](const Box& box)
+  {
+    return K::Point_3((box.low[0] + box.high[0]) / 2., (box.low[1] + box.high[1]) / 2., (box.low[2] + box.high[2]) / 2.);
+  };
+  const K::Point_3 corner(big.low[0] + 0.5, big.low[1] + 0.5, big.low[2] + 0.5), outside(1000, 0, 0);
+  const auto make = [](Scene<K>& scene, const std::vector<K::Point_3>& voids)
+  {
+    scene.make([](const K::Point_3&, int, int) { return 3.; }, parameters::void_points(voids));
+  };
+  Scene<K> hollow(nested), inner(nested), empty(nested), wrong(nested);
+  make(hollow, { center(small) });
+  assert(hollow.result && hollow.result.number_of_regions == 1);
+  assert(hollow.volume(1) == 6 * (big.volume() - small.volume()));
+  make(inner, { corner });
+  assert(inner.result && inner.result.number_of_regions == 1);
+  assert(inner.volume(1) == 6 * small.volume() && inner.volume(2) == 0);
+  make(empty, { corner, center(small) });
+  assert(empty.result.status == BR3::Meshing_status::no_region && empty.result.number_of_regions == 0);
+  const K::Point_3 on_wall(small.low[0], center(small).y(), center(small).z());
+  make(wrong, { center(small), outside, on_wall });
+  assert(wrong.result.status == BR3::Meshing_status::invalid_input);
+  assert((wrong.result.invalid_void_points == std::vector<std::size_t>{ 1, 2 }));
+}
+
 void test_patches()
 {
   Scene<K> scene(box_with_sheet_and_edges());
@@ -594,6 +624,7 @@ int main()
 #ifndef BR3_TEST_EPICK_ONLY
   test<Exact>(box_with_sheet_and_edges(), 3, { big.volume() });
 #endif
+  test_voids();
   test_patches();
   test_improvement();
   test_other_ends();

@@ -18,6 +18,7 @@
 #include <CGAL/Boundary_recovery_3/internal/filling/Field_point_insertion_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mark_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/regions_at_places.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Mesh_in_subdomains_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Part_triangulation_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Improve_quality_3.h>
@@ -139,6 +140,7 @@ struct Surface_to_mesh_3
   std::function<Recovery(Mesh_visitor_3<Tr>&)>     recover;
   std::function<std::vector<Patch>(const Facets&)> patches;           // of its facets, as the recovery lists them
   std::vector<std::array<std::size_t, 2> >         constrained_edges; // between points, beside those of the facets
+  std::vector<typename Tr::Point>                  void_points;       // in regions that are to be empty
 };
 
 // The mesh edges that the constrained edges of the input consist of.
@@ -234,6 +236,7 @@ private:
       const Constrained_mesh_edges_3<Tr> edges(m_result.recovery, surface.constrained_edges);
       m_result.number_of_regions = Mark_domain_3<Tr>(m_tr)(facets, surface.patches(facets), edges.edges,
                                                            edges.numbers);
+      empty_regions(surface.void_points);
       m_result.constrained_edges = edges.edges;
     },
     [this](Phase_report& report)
@@ -241,6 +244,14 @@ private:
       report.number_of_vertices = m_tr.number_of_vertices();
       report.number_of_cells = m_tr.number_of_finite_cells();
     });
+  }
+
+  void empty_regions(const std::vector<typename Tr::Point>& places)
+  {
+    if constexpr(std::is_same<typename Cell_indices<typename Tr::Cell>::Subdomain_index, int>::value)
+      if(! places.empty() && m_result.number_of_regions > 0)
+        m_result.number_of_regions = internal::empty_regions(m_tr, places, m_result.number_of_regions,
+                                                             m_result.invalid_void_points);
   }
 
   void fill_and_improve(const Size_field* size)
@@ -314,7 +325,9 @@ Boundary_constrained_meshing_3<Tr, Quality>::operator()(const Surface& surface, 
   if(m_result.recovery)
   {
     mark_domain(surface);
-    if(m_result.number_of_regions == 0)
+    if(! m_result.invalid_void_points.empty())
+      m_result.status = Meshing_status::invalid_input;
+    else if(m_result.number_of_regions == 0)
       m_result.status = Meshing_status::no_region;
     else if(! m_context.go_further())
       m_result.status = m_result.filling.status = m_result.improvement.status = Meshing_status::stopped;
