@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-// Finds out whether a PLY file has all the items that it announces, and what CGAL's reader leaves out: numbers of faces.
-// CGAL's reader makes room for a list before it reads it, so a damaged length would exhaust the memory.
+// Finds out whether a PLY file has all the items that it announces, and what CGAL's reader leaves out: numbers of
+// faces. CGAL's reader makes room for a list before it reads it, so a damaged length would exhaust the memory.
 class Ply_checker
 {
   // a property of an element; `length_size` is 0 unless it is a list
@@ -80,6 +80,16 @@ private:
     return 0;
   }
 
+  static bool is_integer(const std::string& type) { return type.find("float") != 0 && type != "double"; }
+
+  static bool is_color(const std::string& name)
+  {
+    for(const char* color : { "red", "green", "blue", "alpha" })
+      if(name == color)
+        return true;
+    return false;
+  }
+
   bool read_header()
   {
     for(;;)
@@ -118,7 +128,8 @@ private:
     const bool is_list = type == "list";
     Property property = { is_list ? size_of(length_type) : 0, size_of(item_type), type[0] != 'u', "", false, { } };
     line >> property.name;
-    property.is_number_of_faces = ! is_list && type.find("int") != std::string::npos && m_elements.back().name == "face";
+    property.is_number_of_faces = m_elements.back().name == "face" && ! is_list && is_integer(type) && ! "
+                                                            "is_color(property.name);
     m_elements.back().properties.push_back(property);
     return property.size > 0 && (! is_list || property.length_size > 0);
   }

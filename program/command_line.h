@@ -55,7 +55,8 @@ public:
   // `before_name` is what stands before the name of the program in a command
   Command_line(const std::string& name, const std::string& description, Common_options& options,
                const std::string& before_name = "")
-    : m_app(description, name), m_formatter(std::make_shared<Help_formatter>(before_name + name + " [INPUT] [options]")),
+    : m_app(description, name), m_formatter(std::make_shared<Help_formatter>(before_name + name + " [INPUT] "
+                                                                                                  "[options]")),
       m_options(options)
   {
     m_app.formatter(m_formatter);
@@ -128,7 +129,8 @@ protected:
 
   // an option whose value the help calls `value`
   template <typename T>
-  CLI::Option* add_option(const std::string& option, const std::string& value, T& result, const std::string& description)
+  CLI::Option* add_option(const std::string& option, const std::string& value, T& result,
+                          const std::string& description)
   {
     return m_app.add_option(option, result, description)->option_text(value)->check(is_not_empty());
   }
@@ -191,7 +193,8 @@ protected:
     add_flag("--timing", m_options.timing, timing_text());
     add_flag("--quiet", m_options.quiet,
              "print errors and limits that ended the work only, and what --timing asks for");
-    m_app.set_version_flag("--version", m_app.get_name() + " " BOUNDARY_RECOVERY_3_VERSION " with CGAL " CGAL_VERSION_STR,
+    m_app.set_version_flag("--version", m_app.get_name() + " " BOUNDARY_RECOVERY_3_VERSION " with CGAL " "
+                                                                                           "CGAL_VERSION_STR,
                            "print the version");
     m_app.set_help_flag("-h,--help", "print this text");
   }
@@ -218,7 +221,8 @@ private:
       char* end = nullptr;
       const double x = std::strtod(text.c_str(), &end);
       const bool good = *end == '\0' && ! text.empty() && std::isfinite(x) && x >= 0 && x <= bound &&
-                        (kind != Number_kind::positive || x > 0) && (kind != Number_kind::integer || x == std::floor(x));
+                        (kind != Number_kind::positive || x > 0) &&
+                        (kind != Number_kind::integer || x == std::floor(x));
       return good ? "" : std::string("it needs ") + names[static_cast<int>(kind)] + ", not " + text;
     };
     return CLI::Validator(check, "");

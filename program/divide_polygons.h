@@ -10,8 +10,9 @@
 #include <string>
 #include <vector>
 
-// Divides the faces of a surface that are polygons into triangles, which have their numbers and patches. Polygons that are
-// not flat, that cross or touch themselves, or that have holes stay as they are, so that they are refused by their numbers.
+// Divides the faces of a surface that are polygons into triangles, which have their numbers and patches. Polygons that
+// are not flat, that cross or touch themselves, or that have holes stay as they are, so that they are refused by their
+// numbers.
 template <typename Point>
 class Polygon_divider
 {

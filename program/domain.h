@@ -27,7 +27,7 @@ struct Domain
   std::vector<std::array<Point_number, 4> > tetrahedra;
   std::vector<int> regions;                             // of each tetrahedron
   std::vector<std::array<Point_number, 3> > triangles;  // the input faces that are in the triangulation, or their parts
-  std::vector<std::size_t> triangle_numbers;            // of each triangle: the number of its face; in the end, in the file
+  std::vector<std::size_t> triangle_numbers;            // of each triangle: the number of its face
   std::vector<int> patches;                             // of each triangle, 0 if it is in none
   std::map<int, std::string> patch_names, region_names; // of those that have one
   int number_of_regions = 0;

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-// Prints the help of a program with a text before each group of options; `make_man_page.py` reads it. Lines of all texts
-// end where they are to end.
+// Prints the help of a program with a text before each group of options; `make_man_page.py` reads it. Lines of all
+// texts end where they are to end.
 class Help_formatter
   : public CLI::Formatter
 {

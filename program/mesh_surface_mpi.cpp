@@ -328,6 +328,7 @@ private:
   bool write_outputs(const Meshing& meshing, std::string& message)
   {
     load_sides();
+    m_program.set_patches();
     std::vector<std::string> merged, pieces;
     for(const std::string& file : m_options.outputs)
       (lower_case_extension(file) == ".pvtu" ? pieces : merged).push_back(file);

@@ -28,8 +28,10 @@ class Mpi_command_line
 public:
   explicit Mpi_command_line(Mpi_options& options)
     : Meshing_command_line("mesh_surface_mpi",
-        "Meshes what a triangulated surface bounds in sub-domains, with several processes on one or more machines. The\n"
-        "mesh depends on the number of sub-domains, which is 16 by default, but not on that of the ranks, bit for bit; it\n"
+        "Meshes what a triangulated surface bounds in sub-domains, with several processes on one or more machines. "
+        "The\n"
+        "mesh depends on the number of sub-domains, which is 16 by default, but not on that of the ranks, bit for "
+        "bit; it\n"
         "is that of mesh_surface with as many sub-domains. All ranks read INPUT, and all the files that options name.\n"
         + std::string(input_text), options, "mpirun -n RANKS ")
   {
@@ -42,7 +44,8 @@ public:
                "temporary folder, enough on one machine. Rank 0 removes it at the end, after a failure\n"
                "as well, unless it was killed itself");
     add_flag("--pieces", options.pieces, "in .msh files, tell Gmsh which tetrahedra are of which sub-domain. With\n"
-                                         "-o OUTPUT.pvtu, the mesh is written in pieces, one for each sub-domain, beside a\n"
+                                         "-o OUTPUT.pvtu, the mesh is written in pieces, one for each sub-domain, "
+                                         "beside a\n"
                                          "file that names them; each rank writes some, and no rank has all in memory");
   }
 

@@ -17,8 +17,8 @@ class Named_regions
   std::string m_message;
 
 public:
-  // looks up the regions in a triangulation that is marked; `message()` says if a place is in none, or if a region gets two
-  // names
+  // looks up the regions in a triangulation that is marked; `message()` says if a place is in none, or if a region gets
+  // two names
   template <typename Triangulation>
   void find(const Triangulation& tr, const std::vector<Named_place<typename Triangulation::Point> >& places)
   {

@@ -11,8 +11,9 @@
 #include <cstddef>
 #include <vector>
 
-// Patches of a surface that has none: they end where the angle between neighboring triangles differs from 180 degrees by
-// at least the given angle, and where more or less than two triangles meet. Patches are numbered by their first triangles.
+// Patches of a surface that has none: they end where the angle between neighboring triangles differs from 180 degrees
+// by at least the given angle, and where more or less than two triangles meet. Patches are numbered by their first
+// triangles.
 template <typename Point>
 void set_patches_by_angle(Surface<Point>& surface, const double angle)
 {

@@ -95,8 +95,7 @@ public:
     return true;
   }
 
-  // divides polygons, tells what the user has to know of the surface, repairs it if that is asked for, and divides it into
-  // patches unless it has some
+  // divides polygons, tells what the user has to know of the surface, and repairs it if that is asked for
   void prepare_surface()
   {
     Polygon_divider<Point> divide(m_surface);
@@ -106,7 +105,12 @@ public:
         std::cout << "note: " << note << std::endl;
     if(m_options.repair)
       repair_surface();
-    if(! m_options.outputs.empty() && ! m_surface.has_patches() && is_triangle_soup(m_surface))
+  }
+
+  // divides the surface into patches unless it has some; it is to be valid
+  void set_patches()
+  {
+    if(! m_surface.has_patches())
       set_patches_by_angle(m_surface, m_options.patch_angle);
   }
 
@@ -123,7 +127,7 @@ public:
   // The surface has each point once and may lack vertices of the file, and its faces may be parts: translates to the
   // numbers of the file, and tells the patches.
   template <typename Result>
-  void use_numbers_of_file(Result& result, Domain<Point>& domain) const
+  void use_numbers_of_file(Result& result, Domain<Point>& domain)
   {
     typedef typename Result::Input_simplex Simplex;
 
@@ -141,6 +145,8 @@ public:
     std::for_each(result.unrepresentable_constraints.begin(), result.unrepresentable_constraints.end(), translate);
     for(auto& defect : result.defects)
       std::for_each(defect.simplices.begin(), defect.simplices.end(), translate);
+    if(! domain.triangles.empty())
+      set_patches();
     for(std::size_t& face : domain.triangle_numbers)
     {
       domain.patches.push_back(m_surface.patches[face]);

@@ -12,8 +12,8 @@
 #include <vector>
 
 // Reads the triangles and quadrangles of a file in Gmsh's formats 2.2 and 4.1, as text, with their physical groups, or
-// where there are none, with the surfaces that they are on. Of those of second order, the corners are taken. Points keep
-// their order, not their tags; faces count from 1.
+// where there are none, with the surfaces that they are on. Of those of second order, the corners are taken. Points
+// keep their order, not their tags; faces count from 1.
 template <typename Point>
 class Gmsh_reader
 {
@@ -149,7 +149,10 @@ private:
     return kind->second;
   }
 
-  static bool is_cell(const long long type) { return (type >= 4 && type <= 7) || (type >= 11 && type != 15 && type != 16); }
+  static bool is_cell(const long long type)
+  {
+    return (type >= 4 && type <= 7) || (type >= 11 && type != 15 && type != 16);
+  }
 
   void read_old_elements()
   {

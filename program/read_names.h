@@ -103,7 +103,8 @@ private:
       if(name.empty())
         continue;
       if(is_divided)
-        m_soup.notes.push_back(std::string("the ") + kinds[k] + " of all faces, not part of the names of patches: " + name);
+        m_soup.notes.push_back(std::string("the ") + kinds[k] + " of all faces, not part of the names of patches: "
+                               + name);
       for(Names& names : m_names)
         names[k].clear();
     }

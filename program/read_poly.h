@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-// Reads TetGen's .poly and .smesh files: facets of one or several polygons, with holes; their markers are patches. Places of
-// holes are to be empty, and those of regions have their attributes as names.
+// Reads TetGen's .poly and .smesh files: facets of one or several polygons, with holes; their markers are patches.
+// Places of holes are to be empty, and those of regions have their attributes as names.
 template <typename Point>
 class Poly_reader
 {

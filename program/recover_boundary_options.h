@@ -26,8 +26,8 @@ class Recovery_command_line
 public:
   explicit Recovery_command_line(Recovery_options& options)
     : Command_line("recover_boundary",
-        "Meshes the inside of a triangulated surface with tetrahedra that have all its triangles as faces. Points are added\n"
-        "only if there is no other way found, and not on the surface.\n" + std::string(input_text), options),
+        "Meshes the inside of a triangulated surface with tetrahedra that have all its triangles as faces. Points are\n"
+        "added only if there is no other way found, and not on the surface.\n" + std::string(input_text), options),
       m_options(options)
   {
     add_output_options();
@@ -35,7 +35,8 @@ public:
     add_recovery_options();
     add_surface_options();
     add_message_options();
-    set_notes("exit status: 0 every constraint recovered, 1 usage or file error, 2 invalid input, 3 incomplete or stopped");
+    set_notes("exit status: 0 every constraint recovered, 1 usage or file error, 2 invalid input, 3 incomplete or\n"
+              "stopped");
   }
 
 private:

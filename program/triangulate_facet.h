@@ -57,8 +57,8 @@ public:
     });
   }
 
-  // The triangles, turned as the largest polygon is, between the edges and outside of the holes. None if edges cross, if
-  // points fall together, or if there is no area.
+  // The triangles, turned as the largest polygon is, between the edges and outside of the holes. None if edges cross,
+  // if points fall together, or if there is no area.
   std::vector<Triangle> operator()(const std::vector<Point>& holes = { }) const
   {
     if(m_normal == CGAL::NULL_VECTOR)

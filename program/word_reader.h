@@ -15,8 +15,8 @@ struct Unreadable
   using std::runtime_error::runtime_error;
 };
 
-// Reads a text word by word; `#` begins a comment, if there are any. Where something else stands than what is asked for, it
-// throws `Unreadable`.
+// Reads a text word by word; `#` begins a comment, if there are any. Where something else stands than what is asked
+// for, it throws `Unreadable`.
 class Word_reader
 {
   static constexpr const char* blanks = " \t\r\v\f\n";

@@ -17,7 +17,7 @@
 
 // Writes Gmsh's format 4.1, as text. Each region is a volume, and all the triangles of a patch with the same regions on
 // both sides are a surface. Regions and patches are physical groups with names, so that a solver can put its conditions
-// there; so are all triangles with the same regions on both sides. The number of a triangle in the input is data.
+// there. The number of a triangle in the input is data.
 //
 // If the parts of a mesh are given, the entities are divided by them, as Gmsh does it: what has the tetrahedra or the
 // triangles is an entity for each part, or for each two parts that meet; it has the whole one as its parent.
@@ -30,7 +30,7 @@ class Gmsh_writer
   struct Entity
   {
     int tag;                 // that of a volume is the number of its region
-    std::vector<int> groups; // the tags of its physical groups
+    int group;               // the tag of its physical group
     int dimension;
     Sides parts;     // on its sides, the smaller one first; of a volume, its part twice
     std::vector<std::size_t> simplices; // triangles or tetrahedra, in ascending order; of a parent, the first one
@@ -70,29 +70,24 @@ public:
   }
 
 private:
-  // Groups of patches have the numbers of these. Gmsh knows no 0, and quotes end names.
+  // Groups have the numbers of patches. What is in no patch is grouped by its sides: Gmsh's numbers begin with 1.
   void add_surfaces()
   {
     std::vector<Patch_sides> values;
-    int free_group = 0;
+    int largest_patch = 0;
     for(std::size_t i = 0; i < m_sides.size(); ++i)
     {
       values.emplace_back(m_domain.patches[i], m_sides[i]);
-      free_group = (std::max)(free_group, m_domain.patches[i]);
+      largest_patch = (std::max)(largest_patch, m_domain.patches[i]);
     }
-    std::map<Sides, int> groups;
-    for(const Sides& sides : m_sides)
-      if(groups.emplace(sides, 0).second)
-        m_groups[0].emplace(groups[sides] = ++free_group, name_of_surface(sides));
     int number_of_surfaces = 0;
     add_entities(2, values, [&](const std::size_t i) { return m_part_sides[i]; }, m_domain.triangles,
                  [&](const Patch_sides& value)
     {
       const auto& [patch, sides] = value;
-      if(patch == 0)
-        return std::make_pair(++number_of_surfaces, std::vector<int>{ groups[sides] });
-      m_groups[0].emplace(patch, name_of(m_domain.patch_names, patch, "patch_"));
-      return std::make_pair(++number_of_surfaces, std::vector<int>{ patch, groups[sides] });
+      const int tag = ++number_of_surfaces, group = patch == 0 ? largest_patch + tag : patch;
+      m_groups[0].emplace(group, patch == 0 ? name_of_surface(sides) : name_of(m_domain.patch_names, patch, "patch_"));
+      return std::make_pair(tag, group);
     });
   }
 
@@ -104,7 +99,7 @@ private:
     {
       const int tag = region == 0 ? m_domain.number_of_regions + 1 : region;
       m_groups[1].emplace(tag, region == 0 ? "outside" : name_of(m_domain.region_names, region, "region_"));
-      return std::make_pair(tag, std::vector<int>{ tag });
+      return std::make_pair(tag, tag);
     });
   }
 
@@ -142,8 +137,8 @@ private:
       const Value& value = entry.first.first;
       if(previous == nullptr || *previous != value)
       {
-        const auto [tag, groups] = tags(value);
-        m_parents.push_back({ tag, groups, dimension, Sides{{ 0, 0 }}, { entry.second.front() }, CGAL::Bbox_3(),
+        const auto [tag, group] = tags(value);
+        m_parents.push_back({ tag, group, dimension, Sides{{ 0, 0 }}, { entry.second.front() }, CGAL::Bbox_3(),
                               m_parents.size() });
         largest_tag = (std::max)(largest_tag, m_parents.back().tag);
       }
@@ -156,8 +151,8 @@ private:
           m_owners[v] = (std::min)(m_owners[v], m_entities.size());
         }
       m_parents.back().box += box;
-      m_entities.push_back({ m_parents.back().tag, m_parents.back().groups, dimension, entry.first.second, std::move(entry.second), box,
-                             m_parents.size() - 1 });
+      m_entities.push_back({ m_parents.back().tag, m_parents.back().group, dimension, entry.first.second,
+                             std::move(entry.second), box, m_parents.size() - 1 });
     }
     for(std::size_t e = first; is_divided() && e < m_entities.size(); ++e)
       m_entities[e].tag = ++largest_tag;
@@ -217,9 +212,7 @@ private:
       m_os << ' ' << entity.box.min(i);
     for(int i = 0; i < 3; ++i)
       m_os << ' ' << entity.box.max(i);
-    m_os << ' ' << entity.groups.size();
-    for(const int group : entity.groups)
-      m_os << ' ' << group;
+    m_os << " 1 " << entity.group;
     write_boundary(entity, entities);
   }
 

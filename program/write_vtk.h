@@ -56,8 +56,8 @@ inline std::string encoded_vtk_name(const std::string& name)
   return result;
 }
 
-// The names of patches and regions as field data: an array for each name, with the number and the dimension of each patch
-// and region that has it, as meshio tells physical groups. Arrays of strings, which VTK knows, it would refuse.
+// The names of patches and regions as field data: an array for each name, with the number and the dimension of each
+// patch and region that has it, as meshio tells physical groups. Arrays of strings, which VTK knows, it would refuse.
 template <typename Point>
 std::map<std::string, std::vector<std::array<int, 2> > > vtk_names(const Domain<Point>& domain)
 {
@@ -278,7 +278,8 @@ inline void write_pvtu(Output_buffer& os, const std::vector<std::string>& pieces
      << "\" header_type=\"UInt64\">\n<PUnstructuredGrid GhostLevel=\"0\">\n"
      << "<PPointData GlobalIds=\"global_id\">\n<PDataArray type=\"Int64\" Name=\"global_id\"/>\n</PPointData>\n"
      << "<PCellData Scalars=\"region\">\n<PDataArray type=\"Int32\" Name=\"region\"/>\n"
-     << "<PDataArray type=\"Int32\" Name=\"patch\"/>\n<PDataArray type=\"Int64\" Name=\"triangle\"/>\n<PDataArray type=\"Int32\" Name=\"part\"/>\n</PCellData>\n"
+     << "<PDataArray type=\"Int32\" Name=\"patch\"/>\n<PDataArray type=\"Int64\" Name=\"triangle\"/>\n"
+     << "<PDataArray type=\"Int32\" Name=\"part\"/>\n</PCellData>\n"
      << "<PPoints>\n<PDataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\"/>\n</PPoints>\n";
   for(const std::string& piece : pieces)
     os << "<Piece Source=\"" << xml_text(piece) << "\"/>\n";

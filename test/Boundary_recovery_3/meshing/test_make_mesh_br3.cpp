@@ -8,6 +8,7 @@
 #include "mesh_validity_br3.h"
 
 #include <CGAL/Boundary_recovery_3/internal/mesh/Ordinary_scale_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/regions_at_places.h>
 #include <CGAL/Boundary_recovery_3/internal/meshing/Boundary_constrained_meshing_3.h>
 #include <CGAL/Boundary_recovery_3/mesh_quality.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -239,7 +240,8 @@ void test_voids()
   nested.add_box(small);
   const auto center = [](const Box& box)
   {
-    return K::Point_3((box.low[0] + box.high[0]) / 2., (box.low[1] + box.high[1]) / 2., (box.low[2] + box.high[2]) / 2.);
+    return K::Point_3((box.low[0] + box.high[0]) / 2., (box.low[1] + box.high[1]) / 2.,
+                      (box.low[2] + box.high[2]) / 2.);
   };
   const K::Point_3 corner(big.low[0] + 0.5, big.low[1] + 0.5, big.low[2] + 0.5), outside(1000, 0, 0);
   const auto make = [](Scene<K>& scene, const std::vector<K::Point_3>& voids)

@@ -48,11 +48,13 @@ def two_regions():
 def mesh(name, surface, *arguments, status=MESHED):
     """the mesh of a surface, checked, and the report"""
     points, faces = surface
-    report = report_of(write(name + '.off', off_text(points, faces)), '-o', name + '.mesh', *arguments, status=status)
-    result = read_mesh(name + '.mesh')
+    report = report_of(write(name + '.off', off_text(points, faces)), '-o', name + '.mesh', '-o', name + '.vtu', *arguments,
+                       status=status)
+    result = read_vtu(name + '.vtu')
+    assert result == read_mesh(name + '.mesh')
     check_tetrahedra(result)
     assert result.points[:len(points)] == [tuple(map(float, p)) for p in points]
-    assert result.triangles == [tuple(f) for f in faces] and result.patches == list(range(1, len(faces) + 1))
+    assert result.triangles == [tuple(f) for f in faces] and result.numbers == list(range(len(faces)))
     assert min(result.regions) > 0
     return result, report
 
@@ -114,17 +116,8 @@ def test_formats():
     found = read_msh('two.msh')
     assert found.mesh == expected and found.volumes == ['region_%d' % r for r in expected.regions]
 
-    # surfaces by what is on both sides
-    sides = collections.defaultdict(list)
-    for t, region in zip(expected.tetrahedra, expected.regions):
-        for i in range(4):
-            sides[frozenset(t[:i] + t[i + 1:])].append(region)
-    inner, outer, beside = (sides[frozenset(surface[1][12 * i])] for i in (0, 1, 2))
-    (around,), (other,) = outer, beside
-    assert len(inner) == 2 and around in inner and other not in inner
-    names = (12 * ['interface_of_regions_%d_and_%d' % tuple(sorted(inner))] + 12 * ['boundary_of_region_%d' % around]
-             + 12 * ['boundary_of_region_%d' % other] + ['sheet_in_region_%d' % around, 'sheet_outside'])
-    assert found.surfaces == names
+    # patches by sharp edges: the sides of the boxes, and two sheets
+    assert found.patches == ['patch_%d' % (1 + i // 2 if i < 36 else i - 17) for i in range(38)]
 
     # nodes of the surface are on a surface, all others in the volume of their tetrahedra
     on_surface = {v for t in expected.triangles for v in t}
@@ -149,9 +142,10 @@ def test_gmsh_reads_the_mesh():
     begin = 0
     for _ in range(3):  # texts, real numbers, integers
         begin += 1 + int(lines[begin])
-    assert int(lines[begin - 1]) == len(ours.mesh.triangles)
-    values = [tuple(map(float, line.split())) for line in lines[begin:begin + len(ours.mesh.triangles)]]
-    assert values == [(i + 1, patch) for i, patch in enumerate(ours.mesh.patches)]
+    elements = len(ours.mesh.triangles) + len(ours.mesh.tetrahedra)
+    assert int(lines[begin - 1]) == elements
+    values = [tuple(map(float, line.split())) for line in lines[begin:begin + elements]]
+    assert values == list(enumerate(ours.mesh.numbers + [-1] * len(ours.mesh.tetrahedra), 1))
 
     # it reads MEDIT's format, too, and takes references for entities
     gmsh('two.mesh', '-save', '-format', 'msh2', '-o', 'medit.msh')
@@ -176,7 +170,7 @@ def test_vtk_reads_the_mesh():
         assert grid['types'] == [10] * len(mesh.tetrahedra) + [5] * len(mesh.triangles)
         cells = [tuple(c) for c in grid['cells']]
         points = [tuple(p) for p in grid['points']]
-        assert split_cells(cells, grid['arrays']['region'], grid['arrays']['patch'], points) == mesh
+        assert split_cells(cells, grid['arrays']['region'], grid['arrays']['patch'], grid['arrays']['triangle'], points) == mesh
 
 
 # ---------------------------------------------------------------- tests of what is meshed
@@ -730,7 +724,8 @@ def test_command_line():
     process = run('--help', status=MESHED)
     assert process.out.startswith('usage: mesh_surface') and process.err == ''
     for option in ('-o --size --sources --background --grading --no-field-points --max-vertices --time-limit --subdomains '
-                   '--threads --min-angle --effort --no-improvement --repair --tolerance --list-defects --report --timing --quiet --help').split():
+                   '--threads --min-angle --effort --no-improvement --repair --tolerance --list-defects --patch-angle --region --void --report '
+                   '--timing --quiet --version -h,--help').split():
         assert '  %s ' % option in process.out, option
     surface = write('command_line.off', off_text(*tetrahedron()))
     for wrong in (['--unknown'], ['-x'], ['-o'], ['--report'], [surface], [''], ['--size'], ['--size', '0'], ['--size', '-1'],

@@ -123,7 +123,7 @@ def check_surface(mesh, surface):
     """points and triangles are those of the surface; each facet has two sides, or is a triangle"""
     points, faces = surface
     assert mesh.points[:len(points)] == [tuple(map(float, p)) for p in points]
-    assert mesh.triangles == [tuple(f) for f in faces] and mesh.patches == list(range(1, len(faces) + 1))
+    assert mesh.triangles == [tuple(f) for f in faces]
     sides = {}
     for t, region in zip(mesh.tetrahedra, mesh.regions):
         for facet in itertools.combinations(sorted(t), 3):

@@ -95,7 +95,6 @@ def test_regions():
     msh = read_msh('all.msh')  # regions are numbers of volumes, which are never 0
     assert msh.mesh == mesh._replace(regions=[r or 2 for r in mesh.regions])
     assert msh.volumes == ['region_1' if r else 'outside' for r in mesh.regions]
-    assert set(msh.surfaces) == {'boundary_of_region_1'}
 
     report = report_of(write('two.off', off_text(*join(outer, inner))), '-o', 'two.mesh', status=RECOVERED)
     mesh = read_mesh('two.mesh')
@@ -114,7 +113,7 @@ def test_regions():
 def test_incomplete():
     points, faces = schonhardt()
     surface = write('twisted.off', off_text([(9, 9, 9)] + points, [tuple(v + 1 for v in f) for f in faces]))
-    process = run(surface, '--flips-only', '-o', 'twisted.mesh', status=INCOMPLETE)
+    process = run(surface, '--flips-only', '-o', 'twisted.vtu', status=INCOMPLETE)
     assert 'incomplete' in process.out and process.err == ''
     report = report_of(surface, '--flips-only', status=INCOMPLETE)
     assert report['status'] == 'incomplete' and report['mode'] == 'flips_only'
@@ -128,11 +127,11 @@ def test_incomplete():
     for facet in facets:
         assert {v - 1 for v in facet['vertices']} == set(faces[facet['index']])
         assert any(set(edge['vertices']) <= set(facet['vertices']) for edge in edges)
-    mesh = read_mesh('twisted.mesh')  # written all the same: the convex hull, and the facets that are there
+    mesh = read_vtu('twisted.vtu')  # written all the same: the convex hull, and the facets that are there
     check_tetrahedra(mesh)
     assert report['domain'] == 'convex_hull' and len(mesh.points) == 6
     missing = {facet['index'] for facet in facets}
-    assert mesh.patches == [i + 1 for i in range(len(faces)) if i not in missing]
+    assert mesh.numbers == [i for i in range(len(faces)) if i not in missing]
     assert mesh.triangles == [tuple(faces[i]) for i in range(len(faces)) if i not in missing]
 
 
@@ -181,8 +180,8 @@ def chains_of(triangles):
 def check_parts(mesh, faces):
     """the triangles of each face are turned as it is, and one cycle through its corners goes around them"""
     parts = collections.defaultdict(list)
-    for triangle, patch in zip(mesh.triangles, mesh.patches):
-        parts[patch - 1].append(triangle)
+    for triangle, number in zip(mesh.triangles, mesh.numbers):
+        parts[number].append(triangle)
     assert sorted(parts) == list(range(len(faces)))
     for i, face in enumerate(faces):
         after = chains_of(parts[i])
@@ -195,12 +194,12 @@ def check_parts(mesh, faces):
 
 def test_conforming():
     points, faces = schonhardt()
-    report = report_of(write('twisted.off', off_text(points, faces)), '--conforming', '-o', 'twisted.mesh',
+    report = report_of(write('twisted.off', off_text(points, faces)), '--conforming', '-o', 'twisted.vtu',
                        status=RECOVERED)
     assert report['mode'] == 'conforming' and report['domain'] == 'regions'
     assert report['number_of_steiner_points_left'] == report['number_of_constraint_points'] > 0
     assert report['number_of_split_edges'] > 0 and report['number_of_split_facets'] > 0
-    mesh = read_mesh('twisted.mesh')
+    mesh = read_vtu('twisted.vtu')
     check_tetrahedra(mesh)
     assert check_parts(mesh, faces) > 1 and set(mesh.regions) == {1}
     boundary = {f for f, n in facets_of(mesh.tetrahedra).items() if n == 1}
@@ -209,8 +208,8 @@ def test_conforming():
 
     for outward, regions in ((False, {1}), (True, {1, 2})):  # parts that are not turned like their face would not tell
         surface = twisted_box(outward)
-        run(write('box.off', off_text(*surface)), '--conforming', '-o', 'box.mesh', status=RECOVERED)
-        mesh = read_mesh('box.mesh')
+        run(write('box.off', off_text(*surface)), '--conforming', '-o', 'box.vtu', status=RECOVERED)
+        mesh = read_vtu('box.vtu')
         check_tetrahedra(mesh)
         assert check_parts(mesh, surface[1]) > 1 and set(mesh.regions) == regions
 
@@ -342,7 +341,7 @@ def test_files():
 def check_same_mesh(name, content, expected, note=None):
     """a file is read like another one, whose mesh is there; a note in the summary and the report says what is left out"""
     process = run(write(name, content), '-o', 'same.mesh', status=RECOVERED)
-    assert read('same.mesh') == read(expected), name
+    assert read_mesh('same.mesh')[:4] == read_mesh(expected)[:4], name  # names make other patches
     notes = re.findall(r'^note: (.*)$', process.out, re.M)
     assert notes == ([] if note is None else [note]), process.out
     assert report_of(name, status=RECOVERED)['notes'] == notes
@@ -481,7 +480,8 @@ def test_invalid_coordinates():
             odd = text([(7, 7, 7)] + points, [tuple(v + 1 for v in f) for f in faces])
             odd = odd.replace('1 1 0', '1 %s 0' % word, 1)  # vertex 3 of the box is vertex 4 of the file
             defects = check_invalid(write(name, odd), 'non_finite_coordinate')
-            assert [d['simplices'][0]['vertices'] for d in defects] == [[4]], defects
+            number = 5 if name == 'odd.obj' else 4  # OBJ files count from 1
+            assert [d['simplices'][0]['vertices'] for d in defects] == [[number]], defects
     check_invalid(write('odd.stl', stl_text(points, faces).replace('vertex 1 1 0', 'vertex 1 nan 0')),
                   'non_finite_coordinate')
     points[3] = (1, math.nan, 0)
@@ -495,11 +495,12 @@ def test_invalid_faces():
 
     def check(kind, changed, index, vertices, text=off_text, name='faces.off'):
         defects = check_invalid(write(name, text(unused, changed)), kind)
-        assert any(s['index'] == index and sorted(s['vertices']) == sorted(vertices)
+        first = int(text == obj_text)  # OBJ files count from 1
+        assert any(s['index'] == index + first and sorted(s['vertices']) == sorted(v + first for v in vertices)
                    for d in defects for s in d['simplices'] if s['simplex'] == 'facet'), defects
         return defects
 
-    check('not_a_triangle', shifted[:2] + [(1, 2, 4, 3)] + shifted[3:], 2, (1, 2, 4, 3))
+    check('not_a_triangle', shifted[:2] + [(1, 2, 3, 5)] + shifted[3:], 2, (1, 2, 3, 5))
     check('not_a_triangle', shifted[:5] + [(1, 2)] + shifted[6:], 5, (1, 2), obj_text, 'faces.obj')
     check('degenerate_facet', shifted[:4] + [(3, 5, 3)] + shifted[5:], 4, (3, 5, 3))
     check('duplicate_facet', shifted + [shifted[2][1:] + shifted[2][:1]], len(faces), shifted[2])
@@ -548,7 +549,7 @@ def shaken(soup, amount):
 def repair(points, faces, *arguments, status=RECOVERED):
     """the mesh, if there is one, and the report of the repair; the summary says as much"""
     name = write('repair.off', off_text(points, faces))
-    process = run(name, '--repair', '-o', 'repair.mesh', *arguments, status=status)
+    process = run(name, '--repair', '-o', 'repair.mesh', '-o', 'repair.vtu', *arguments, status=status)
     assert 'repair, with tolerance' in process.out or 'repair: nothing is done' in process.out
     report = report_of(name, '--repair', *arguments, status=status)
     changes = report['repair']
@@ -557,7 +558,7 @@ def repair(points, faces, *arguments, status=RECOVERED):
                        ('divided_facets', 'divided, into')):
         number = re.search(r'^  (\d+) \w+ ' + words, process.out, re.M)
         assert changes['number_of_' + key] == len(changes[key]) == (int(number.group(1)) if number else 0), (key, process.out)
-    return read_mesh('repair.mesh') if status == RECOVERED else None, report
+    return read_vtu('repair.vtu') if status == RECOVERED else None, report
 
 
 def is_unchanged(changes):
@@ -569,9 +570,9 @@ def is_unchanged(changes):
 def check_sources(mesh, report, points, faces):
     """each triangle of the boundary is in the plane of the face that it came from"""
     assert len(report['repair']['source_facets']) == len(mesh.triangles)
-    assert mesh.patches == [source + 1 for source in report['repair']['source_facets']]
-    for triangle, patch in zip(mesh.triangles, mesh.patches):
-        plane = [points[v] for v in faces[patch - 1]]
+    assert mesh.numbers == report['repair']['source_facets']
+    for triangle, number in zip(mesh.triangles, mesh.numbers):
+        plane = [points[v] for v in faces[number]]
         assert all(determinant(plane + [mesh.points[v]]) == 0 for v in triangle)
 
 
@@ -600,7 +601,7 @@ def test_repair_merges_points():
         assert report['domain'] == 'regions' and report['number_of_regions'] == 1 and len(mesh.points) == 8
         assert changes['is_tolerance_used'] and changes['tolerance'] == 4 * 2.0 ** -23 * max(max(map(abs, p)) for p in points)
         assert changes['number_of_open_edges_before'] == 36 and changes['number_of_open_edges_after'] == 0
-        assert changes['number_of_merged_vertices'] == len(set(points)) - 8 and mesh.patches == list(range(1, 13))
+        assert changes['number_of_merged_vertices'] == len(set(points)) - 8 and mesh.numbers == list(range(12))
         for vertex, into in changes['merged_vertices']:
             assert into < vertex and all(abs(x - y) <= changes['tolerance'] for x, y in zip(points[vertex], points[into]))
         corners = [[tuple(abs(round(x / scale)) for x in mesh.points[v]) for v in t] for t in mesh.triangles]
@@ -666,7 +667,7 @@ def test_repair_stitches_edges():
         assert changes['number_of_stitched_edges'] == 3 and changes['number_of_merged_vertices'] == 0
         assert changes['number_of_open_edges_before'] == 5 and changes['number_of_open_edges_after'] == 0
         divided, = changes['divided_facets']
-        assert {0, 1} <= set(soup[divided]) and mesh.patches.count(divided + 1) == 4
+        assert {0, 1} <= set(soup[divided]) and mesh.numbers.count(divided) == 4
         assert report['number_of_regions'] == 1 and mesh.points == scaled
         check_tetrahedra(mesh)
         report = repair(scaled, soup, '--tolerance', repr(scale * 1e-9))[1]
@@ -704,7 +705,7 @@ def test_repair_of_intersections():
 
 def test_repair_of_what_is_no_triangle_soup():
     points, faces = box((0, 0, 0), (1, 1, 1))
-    for soup in (faces[:-2] + [(0, 4, 6, 2)], faces + [(0, 1, 8)], faces + [(0, 1)]):
+    for soup in (faces[:-2] + [(0, 6, 4, 2)], faces + [(0, 1, 8)], faces + [(0, 1)]):
         mesh, report = repair(points, soup, status=INVALID_INPUT)
         assert not report['repair']['is_possible'] and is_unchanged(report['repair'])
     process = run(write('nan.off', off_text(points, faces).replace('1 1 1', '1 nan 1')), '--repair', status=INVALID_INPUT)
