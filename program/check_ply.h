@@ -128,8 +128,8 @@ private:
     const bool is_list = type == "list";
     Property property = { is_list ? size_of(length_type) : 0, size_of(item_type), type[0] != 'u', "", false, { } };
     line >> property.name;
-    property.is_number_of_faces = m_elements.back().name == "face" && ! is_list && is_integer(type) && ! "
-                                                            "is_color(property.name);
+    property.is_number_of_faces = m_elements.back().name == "face" && ! is_list && is_integer(type) &&
+                                  ! is_color(property.name);
     m_elements.back().properties.push_back(property);
     return property.size > 0 && (! is_list || property.length_size > 0);
   }

@@ -193,9 +193,8 @@ protected:
     add_flag("--timing", m_options.timing, timing_text());
     add_flag("--quiet", m_options.quiet,
              "print errors and limits that ended the work only, and what --timing asks for");
-    m_app.set_version_flag("--version", m_app.get_name() + " " BOUNDARY_RECOVERY_3_VERSION " with CGAL " "
-                                                                                           "CGAL_VERSION_STR,
-                           "print the version");
+    const std::string version = m_app.get_name() + " " BOUNDARY_RECOVERY_3_VERSION " with CGAL " CGAL_VERSION_STR;
+    m_app.set_version_flag("--version", version, "print the version");
     m_app.set_help_flag("-h,--help", "print this text");
   }
 

@@ -129,21 +129,21 @@ private:
     add_number("--min-angle", "DEGREES", m_options.min_angle, Number_kind::not_negative,
                "improve tetrahedra with a dihedral angle below that one, default: 25; more is\n"
                "seldom possible, more than 70.53 never", largest_angle);
-    add_choice<Improvement_effort>("--effort", { { "low", Improvement_effort::low }, { "normal", "
-                                                                                       "Improvement_effort::normal },
+    add_choice<Improvement_effort>("--effort", { { "low", Improvement_effort::low },
+                                                 { "normal", Improvement_effort::normal },
                                                  { "high", Improvement_effort::high } }, m_options.effort,
                                    "how much work the improvement is worth, default: normal; high takes some times "
                                    "as long");
-    add_negative_flag("--no-improvement", m_options.improve_quality, "leave the tetrahedra as the field points make "
-                                                                     "them");
+    add_negative_flag("--no-improvement", m_options.improve_quality,
+                      "leave the tetrahedra as the field points make them");
   }
 
   void add_limit_options()
   {
     begin_group("limits and threads");
     add_number("--max-vertices", "N", m_options.maximum_number_of_vertices, Number_kind::integer,
-               "mesh nothing if more vertices than that are needed; the improvement does without more", "
-               "largest_integer);
+               "mesh nothing if more vertices than that are needed; the improvement does without more",
+               largest_integer);
     add_time_limit("stop after that time, and write what there is if the surface is recovered by then");
     CLI::Option* const subdomains =
       add_number("--subdomains", "N", m_options.number_of_subdomains, Number_kind::integer,
