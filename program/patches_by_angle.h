@@ -8,17 +8,23 @@
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
 // Patches of a surface that has none: they end where the angle between neighboring triangles differs from 180 degrees
 // by at least the given angle, and where more or less than two triangles meet. Patches are numbered by their first
-// triangles.
+// triangles. None is set if a triangle has a vertex twice.
 template <typename Point>
 void set_patches_by_angle(Surface<Point>& surface, const double angle)
 {
   namespace PMP = CGAL::Polygon_mesh_processing;
   typedef CGAL::Surface_mesh<Point> Mesh;
+
+  const auto is_degenerate = [](const auto& face)
+  { return face[0] == face[1] || face[1] == face[2] || face[2] == face[0]; };
+  if(std::any_of(surface.faces.begin(), surface.faces.end(), is_degenerate))
+    return;
 
   // Edges of more than two triangles become several, each of two triangles at most, or of one.
   std::vector<Point> points = surface.points;

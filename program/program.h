@@ -107,7 +107,7 @@ public:
       repair_surface();
   }
 
-  // divides the surface into patches unless it has some; it is to be valid
+  // divides the surface into patches unless it has some
   void set_patches()
   {
     if(! m_surface.has_patches())

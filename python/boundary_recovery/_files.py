@@ -1,7 +1,6 @@
 """Files, and the meshes of other modules."""
 import os
-import re
-from typing import TYPE_CHECKING, Any, Callable, Dict, List, NamedTuple, Sequence, Tuple, Union
+from typing import TYPE_CHECKING, Any, Callable, Dict, NamedTuple, Sequence, Union
 
 import numpy as np
 
@@ -16,7 +15,7 @@ class Surface(NamedTuple):
 
     points            (n, 3) float64
     triangles         (m, 3) int64
-    patches           (m,) int32, from 1
+    patches           (m,) int32, from 1; 0 is no patch
     patch_names       {number: name}
     triangle_numbers  (m,) int64: the number in the file, or before the repair, of each triangle
     point_numbers     (n,) int64: the same of each point
@@ -32,10 +31,13 @@ class Surface(NamedTuple):
 
 
 def read(file: Union[str, "os.PathLike[str]"]) -> Surface:
-    """Reads a surface: .off, .ply, .stl, .obj; and by meshio, if that is there, the triangles of .msh, .mesh, .vtu, ...
+    """Reads a surface: .off, .ply, .stl, .obj, .mesh, .poly, .smesh; and by meshio, if that is there, the triangles of
+    .msh, .vtu, ...
 
-    Equal points become one, as .stl needs it, and points that no triangle has are left out. Patches are the solids of a
-    textual .stl, the objects, groups and materials of .obj, the physical groups of .msh, the references of .mesh.
+    Equal points become one, as .stl needs it, points that no triangle has are left out, and polygons that are flat are
+    divided. Patches are the solids of a textual .stl, the objects, groups and materials of .obj, an integer property of
+    the faces of .ply, the physical groups of .msh, the references of .mesh, the markers of .poly and .smesh. Without
+    any, they end at edges where neighboring triangles meet at an angle that differs from 180 degrees by 40 or more.
 
     Raises OSError if there is no such file, ValueError if it is damaged, has no triangles, or is of a format that nobody
     knows.
@@ -44,56 +46,13 @@ def read(file: Union[str, "os.PathLike[str]"]) -> Surface:
     with open(name, "rb"):
         pass  # raises what says why it cannot be read
     extension = os.path.splitext(name)[1].lower()
-    if extension not in (".off", ".ply", ".stl", ".obj"):
+    if extension not in (".off", ".ply", ".stl", ".obj", ".mesh", ".poly", ".smesh"):
         return _read_by_meshio(name)
     data = _core.read_surface(name)
     if data["message"]:
         raise ValueError(data["message"])
-    numbers = data["triangle_numbers"]
-    names = _names_of_faces(name, extension)
-    if len(names) > 0 and len(numbers) > 0 and numbers.max() < len(names):
-        patches, patch_names = _patches_of_names(names, numbers)
-    else:
-        patches, patch_names = np.ones(len(numbers), dtype=np.int32), {}
-    return Surface(data["points"], data["triangles"], patches, patch_names, numbers, data["point_numbers"],
-                   {"notes": data["notes"]})
-
-
-def _names_of_faces(name: str, extension: str) -> List[str]:
-    """The name of each face of a file, none if it has no names."""
-    if extension not in (".stl", ".obj"):
-        return []
-    with open(name, "rb") as file:
-        text = file.read()
-    if extension == ".obj":
-        return _names_in_obj(text)
-    if not text.lstrip().startswith(b"solid") or b"endsolid" not in text:
-        return []
-    names, current = [], ""
-    for keyword, rest in re.findall(rb"^[ \t]*(solid|facet)\b([^\r\n]*)", text, re.M | re.I):
-        if keyword.lower() == b"solid":
-            current = rest.decode("utf-8", "replace").strip()
-        else:
-            names.append(current)
-    return names
-
-
-def _names_in_obj(text: bytes) -> List[str]:
-    names, current = [], {b"o": "", b"g": "", b"usemtl": ""}
-    for keyword, rest in re.findall(rb"^[ \t]*(o|g|usemtl|f)[ \t]+([^\r\n]*)", text, re.M):
-        if keyword == b"f":
-            names.append(current[b"g"] or current[b"usemtl"] or current[b"o"])
-        else:
-            current[keyword] = rest.decode("utf-8", "replace").strip()
-    return names
-
-
-def _patches_of_names(names: Sequence[str], numbers: np.ndarray) -> Tuple[np.ndarray, Dict[int, str]]:
-    number_of: Dict[str, int] = {}
-    for name in names:
-        number_of.setdefault(name, len(number_of) + 1)
-    patches = np.array([number_of[name] for name in names], dtype=np.int32)[numbers]
-    return patches, {number: name for name, number in number_of.items() if name}
+    return Surface(data["points"], data["triangles"], data["patches"], data["patch_names"], data["triangle_numbers"],
+                   data["point_numbers"], {"notes": data["notes"]})
 
 
 def _read_by_meshio(name: str) -> Surface:

@@ -532,6 +532,8 @@ py::dict as_python(Surface_arrays& surface)
   dict["triangles"] = as_array(surface.triangles);
   dict["triangle_numbers"] = as_array(surface.triangle_numbers, true);
   dict["point_numbers"] = as_array(surface.point_numbers, true);
+  dict["patches"] = as_array(surface.patches, true);
+  dict["patch_names"] = surface.patch_names;
   dict["notes"] = surface.notes;
   dict["changes"] = as_python(surface.changes);
   return dict;

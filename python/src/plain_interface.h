@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <memory>
 #include <string>
 #include <utility>
@@ -190,6 +191,8 @@ struct Surface_arrays
 {
   Rows<double> points;
   Rows<std::int64_t> triangles, triangle_numbers, point_numbers;
+  Rows<std::int32_t> patches;
+  std::map<int, std::string> patch_names;
   std::vector<std::string> notes;
   Record changes;
   std::string message; // not empty: it could not be read

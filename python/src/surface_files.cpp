@@ -2,11 +2,15 @@
 
 #include "module_types.h"
 
+#include "divide_polygons.h"
+#include "patches_by_angle.h"
 #include "read_surface.h"
 #include "repair_surface.h"
 
 namespace boundary_recovery {
 namespace {
+
+constexpr double patch_angle = 40; // as that of the programs
 
 Surface_arrays plain_surface(const Surface<Point_3>& surface)
 {
@@ -20,6 +24,7 @@ Surface_arrays plain_surface(const Surface<Point_3>& surface)
   }
   arrays.triangles = Rows<std::int64_t>(surface.faces.size(), 3);
   arrays.triangle_numbers = Rows<std::int64_t>(surface.faces.size(), 1);
+  arrays.patches = Rows<std::int32_t>(surface.faces.size(), 1);
   for(std::size_t i = 0; i < surface.faces.size(); ++i)
   {
     if(surface.faces[i].size() != 3)
@@ -30,7 +35,9 @@ Surface_arrays plain_surface(const Surface<Point_3>& surface)
     for(std::size_t j = 0; j < 3; ++j)
       arrays.triangles[i][j] = static_cast<std::int64_t>(surface.faces[i][j]);
     arrays.triangle_numbers[i][0] = static_cast<std::int64_t>(surface.file_faces[i]);
+    arrays.patches[i][0] = surface.patches[i];
   }
+  arrays.patch_names = surface.patch_names;
   arrays.notes = surface.notes;
   return arrays;
 }
@@ -43,6 +50,10 @@ Surface_arrays read_surface_file(const std::string& file)
   Surface_arrays arrays;
   if(! read_surface(file, surface, arrays.message))
     return arrays;
+  Polygon_divider<Point_3> divide(surface);
+  divide(false);
+  if(! surface.has_patches() && is_triangle_soup(surface))
+    set_patches_by_angle(surface, patch_angle);
   return plain_surface(surface);
 }
 

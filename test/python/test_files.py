@@ -48,7 +48,9 @@ class FilesTest(MeshTest):
             s = br.read(mesh_file(name))
             if points is not None:
                 self.assertEqual((s.points.shape, s.triangles.shape), ((points, 3), (triangles, 3)))
-            self.assertTrue((s.patches == 1).all())
+            self.assertTrue((s.patches > 0).all() and s.patch_names == {})
+            if name == "cube_br3.off":
+                self.assertEqual(sorted(np.bincount(s.patches)), [0] + 6 * [2])
             self.assertTrue(br.tetrahedralize(s.points, s.triangles))
 
     def test_names_in_stl(self):
