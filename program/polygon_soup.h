@@ -2,6 +2,7 @@
 #define BOUNDARY_RECOVERY_3_PROGRAM_POLYGON_SOUP_H
 
 #include "surface.h"
+#include "utf8.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -51,7 +52,7 @@ struct Polygon_soup
     {
       const int number = name.empty() ? 0 : numbers.emplace(name, static_cast<int>(numbers.size()) + 1).first->second;
       if(number != 0)
-        patch_names.emplace(number, name);
+        patch_names.emplace(number, as_utf8(name));
       patches.push_back(number);
     }
   }

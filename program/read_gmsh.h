@@ -2,6 +2,7 @@
 #define BOUNDARY_RECOVERY_3_PROGRAM_READ_GMSH_H
 
 #include "polygon_soup.h"
+#include "utf8.h"
 #include "word_reader.h"
 
 #include <algorithm>
@@ -77,7 +78,7 @@ private:
       const std::string line = m_words.line();
       const std::size_t begin = line.find('"'), end = line.rfind('"');
       if(dimension == 2 && begin != end)
-        m_group_names[static_cast<int>(group)] = line.substr(begin + 1, end - begin - 1);
+        m_group_names[static_cast<int>(group)] = as_utf8(line.substr(begin + 1, end - begin - 1));
     }
   }
 

@@ -1,6 +1,8 @@
 #ifndef BOUNDARY_RECOVERY_3_PROGRAM_WRITE_REPORT_H
 #define BOUNDARY_RECOVERY_3_PROGRAM_WRITE_REPORT_H
 
+#include "utf8.h"
+
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
 #include <CGAL/version.h>
 
@@ -62,21 +64,19 @@ public:
   void value(const bool b) { m_os << (b ? "true" : "false"); }
   void value(const char* text) { value(std::string(text)); }
 
-  // bytes that are not ASCII are escaped one by one: a file name need not be in any encoding
   void value(const std::string& text)
   {
     m_os << '"';
-    for(const char c : text)
+    for(const char c : as_utf8(text))
     {
-      const unsigned char byte = static_cast<unsigned char>(c);
       if(c == '"' || c == '\\')
         m_os << '\\' << c;
-      else if(byte >= 0x20 && byte < 0x7f)
+      else if(static_cast<unsigned char>(c) >= 0x20 && c != 0x7f)
         m_os << c;
       else
       {
         char code[8];
-        std::snprintf(code, sizeof(code), "\\u%04x", static_cast<unsigned int>(byte));
+        std::snprintf(code, sizeof(code), "\\u%04x", static_cast<unsigned int>(c));
         m_os << code;
       }
     }

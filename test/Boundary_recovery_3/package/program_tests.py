@@ -167,7 +167,7 @@ class Mesh(collections.namedtuple('Mesh', 'points tetrahedra regions triangles p
 
 
 def read_mesh(name):
-    words = iter(open(name).read().split())
+    words = iter(open(name, encoding='utf-8').read().split())
     assert [next(words) for _ in range(4)] == ['MeshVersionFormatted', '2', 'Dimension', '3']
 
     def section(keyword, size):
@@ -198,7 +198,7 @@ def split_cells(cells, regions, patches, numbers, points):
 
 
 def read_vtk(name):
-    lines = open(name).read().split('\n')
+    lines = open(name, encoding='utf-8').read().split('\n')
     assert lines[0].startswith('# vtk DataFile Version') and lines[2:4] == ['ASCII', 'DATASET UNSTRUCTURED_GRID']
     words = iter(' '.join(lines[4:]).split())
 

@@ -5,6 +5,7 @@ what had a name has it in every format that is written.
 usage: test_named_surfaces_br3.py PROGRAM
 """
 import collections
+import json
 import math
 import shutil
 import struct
@@ -74,6 +75,20 @@ def test_solids_of_stl():
     assert set(names) == {None} and mesh.patches == [1 + i // 2 for i in range(12)]
     unnamed = ''.join(solid('', [f]) for f in triangles()[0])
     assert read_all(write('unnamed.stl', unnamed))[1] == ['solid_%d' % (i + 1) for i in range(12)]
+
+
+def test_encodings():
+    """what is written is UTF-8, whatever the input is"""
+    names = {'caf\u00e9 \u4e2d': 'utf-8', 'caf\u00e9 \u00fc': 'latin-1'}
+    for name, encoding in names.items():
+        content = stl_with_solids().replace('top', name).encode(encoding)
+        assert set(read_all(write('encoded.stl', content))[1]) == {name} | set(NAMES) - {'top'}
+    content = stl_with_solids().encode()
+    for file_name in (b'caf\xc3\xa9.stl', b'caf\xe9.stl'):
+        with open(file_name, 'wb') as f:
+            f.write(content)
+        run(file_name, '--report', 'report.json', status=MESHED)
+        assert json.loads(read('report.json').decode('utf-8'))['input'] == 'caf\u00e9.stl'
 
 
 def obj_with(lines):
