@@ -2,6 +2,7 @@
 #define BOUNDARY_RECOVERY_3_PROGRAM_NORMALIZE_TEXT_H
 
 #include "lower_case.h"
+#include "word_reader.h"
 
 #include <algorithm>
 #include <cctype>
@@ -126,7 +127,7 @@ inline std::string normalize_text_stl(const std::string& text, std::vector<std::
 }
 
 // CGAL's reader takes as many triangles from a binary STL file as its header says. A program that did not know
-// how many there would be when it began to write leaves too small a number there.
+// how many there would be when it began to write leaves too small a number there; a larger one is an error.
 inline void correct_number_of_stl_triangles(std::string& text, std::vector<std::string>& notes)
 {
   const std::size_t header = 84, triangle = 50;
@@ -135,7 +136,10 @@ inline void correct_number_of_stl_triangles(std::string& text, std::vector<std::
     return;
   std::memcpy(&counted, text.data() + header - sizeof(counted), sizeof(counted));
   const std::size_t stored = (text.size() - header) / triangle, rest = (text.size() - header) % triangle;
-  if(counted > stored || (counted == stored && rest == 0))
+  if(counted > stored)
+    throw Unreadable("its header announces " + std::to_string(counted) + " triangles, and it has "
+                     + std::to_string(stored));
+  if(counted == stored && rest == 0)
     return;
   const std::size_t end = header + triangle * counted;
   const bool is_padded = text.find_first_not_of('\0', end) == std::string::npos;

@@ -11,7 +11,8 @@ inline std::size_t length_of_utf8_character(const std::string& text, const std::
 {
   const auto byte = [&](const std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned char first = byte(position);
-  const std::size_t length = first < 0x80 ? 1 : first < 0xc2 || first > 0xf4 ? 0 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
+  const std::size_t length = first < 0x80 ? 1 : first < 0xc2 || first > 0xf4 ? 0
+                           : first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
   if(position + length > text.size())
     return 0;
   for(std::size_t i = 1; i < length; ++i)
