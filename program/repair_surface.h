@@ -2,8 +2,8 @@
 #define BOUNDARY_RECOVERY_3_PROGRAM_REPAIR_SURFACE_H
 
 #include "close_gaps.h"
-#include "count_intersections.h"
 #include "dissolve_degenerate_triangles.h"
+#include "find_intersections.h"
 #include "merge_close_points.h"
 #include "orient_triangles.h"
 #include "resolve_intersections.h"
@@ -87,7 +87,7 @@ public:
       return changes;
 
     load();
-    changes.open_edges[0] = open_edges(m_state.soup).size();
+    changes.open_edges[0] = open_edges(m_state.soup.triangles).size();
     clean(m_state);
     changes.intersections[0] = m_state.intersections;
     if(! m_state.is_good() && changes.tolerance > 0)
@@ -134,8 +134,8 @@ private:
 
   static void judge(State& state)
   {
-    state.intersections = number_of_intersections(state.soup);
-    state.open_edges = open_edges(state.soup).size();
+    state.intersections = Intersection_finder<Point>(state.soup).number_of_pairs();
+    state.open_edges = open_edges(state.soup.triangles).size();
   }
 
   // returns the sources of those that are gone

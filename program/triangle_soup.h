@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <map>
 #include <utility>
 #include <vector>
 
@@ -36,29 +35,34 @@ struct Triangle_soup
 
 typedef std::pair<std::size_t, std::size_t> Vertex_numbers; // those of an edge, the smaller one first
 
-inline Vertex_numbers edge_of(const Sourced_triangle& t, const int i)
+inline Vertex_numbers edge_of(const std::vector<std::size_t>& triangle, const int i)
 {
-  return std::minmax(t[(i + 1) % 3], t[(i + 2) % 3]);
+  return std::minmax(triangle[(i + 1) % 3], triangle[(i + 2) % 3]);
 }
 
-// an edge that only one triangle has, and the third vertex of that triangle
+// an edge that only one triangle has, the number of that triangle, and its third vertex
 struct Open_edge
 {
   Vertex_numbers vertices;
+  std::size_t triangle;
   std::size_t opposite;
 };
 
-template <typename Point>
-std::vector<Open_edge> open_edges(const Triangle_soup<Point>& soup)
+// the open edges in the order of their vertices; a triangle is a vector of three vertices, or of a derived class
+template <typename Triangle>
+std::vector<Open_edge> open_edges(const std::vector<Triangle>& triangles)
 {
-  std::map<Vertex_numbers, std::vector<std::size_t> > opposite;
-  for(const Sourced_triangle& t : soup.triangles)
+  std::vector<Open_edge> edges, result;
+  for(std::size_t t = 0; t < triangles.size(); ++t)
     for(int i = 0; i < 3; ++i)
-      opposite[edge_of(t, i)].push_back(t[i]);
-  std::vector<Open_edge> result;
-  for(const auto& edge : opposite)
-    if(edge.second.size() == 1)
-      result.push_back(Open_edge{ edge.first, edge.second[0] });
+      edges.push_back(Open_edge{ edge_of(triangles[t], i), t, triangles[t][i] });
+  std::stable_sort(edges.begin(), edges.end(),
+                   [](const Open_edge& e, const Open_edge& f) { return e.vertices < f.vertices; });
+  const auto are_alike = [&](const std::size_t i, const std::size_t j)
+  { return j < edges.size() && edges[i].vertices == edges[j].vertices; };
+  for(std::size_t i = 0; i < edges.size(); ++i)
+    if(! are_alike(i, i + 1) && ! (i > 0 && are_alike(i - 1, i)))
+      result.push_back(edges[i]);
   return result;
 }
 
