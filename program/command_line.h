@@ -32,6 +32,7 @@ struct Common_options
   double time_limit = (std::numeric_limits<double>::infinity)();
   bool repair = false;
   double tolerance = -1;            // for the repair; -1: that of single precision
+  bool fuse = false;                // as a part of the repair
   double patch_angle = 40;          // in degrees
   double max_hole_length = -1;      // of loops that are closed; negative: none is
   bool list_defects = false;
@@ -181,6 +182,8 @@ protected:
                "repair: merge points whose coordinates differ by at most X, where that helps;\n"
                "without this option, X is four units in the last place of the largest coordinate\n"
                "in single precision; 0 merges none")->needs(repair);
+    add_flag("--fuse", m_options.fuse,
+             "repair: make one body of bodies that overlap: what is inside of any of them is inside")->needs(repair);
     add_number("--close-holes", "[LENGTH]", m_options.max_hole_length, Number_kind::not_negative,
                "close loops of open edges, all of them or only those that are at most so long, by\n"
                "triangles between their vertices; loops stay open whose triangles would cross the\n"

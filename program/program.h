@@ -233,7 +233,7 @@ public:
 private:
   void repair_surface()
   {
-    m_changes = Surface_repairer<Point>(m_surface)(m_options.tolerance);
+    m_changes = Surface_repairer<Point>(m_surface)(m_options.tolerance, m_options.fuse);
     if(! m_options.quiet)
       print_repair(std::cout, m_changes);
   }

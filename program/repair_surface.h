@@ -3,7 +3,9 @@
 
 #include "close_gaps.h"
 #include "dissolve_degenerate_triangles.h"
+#include "drop_dust_regions.h"
 #include "find_intersections.h"
+#include "fuse_bodies.h"
 #include "merge_close_points.h"
 #include "orient_triangles.h"
 #include "resolve_intersections.h"
@@ -37,6 +39,10 @@ struct Repair_changes
   std::vector<std::size_t> divided_faces;
   std::size_t number_of_parts = 0;          // of the divided faces
   std::size_t number_of_new_points = 0;     // where triangles intersected
+  bool is_fused = false;
+  std::vector<std::size_t> inner_faces;                     // that are gone, by the fusion
+  std::size_t number_of_dust_regions = 0;   // that became a part of what is beside them
+  std::vector<std::size_t> dust_faces;                      // that are gone with them
   std::array<std::size_t, 2> open_edges = {{ 0, 0 }};       // before and after
   std::array<std::size_t, 2> intersections = {{ 0, 0 }};    // before and after
 };
@@ -77,8 +83,8 @@ class Surface_repairer
 public:
   explicit Surface_repairer(Surface<Point>& surface) : m_surface(surface) { }
 
-  // `tolerance` is that of the default if it is negative
-  Repair_changes operator()(const double tolerance)
+  // `tolerance` is that of the default if it is negative; `fuses` tells whether bodies that overlap become one
+  Repair_changes operator()(const double tolerance, const bool fuses)
   {
     Repair_changes& changes = m_state.changes;
     changes.tolerance = tolerance < 0 ? default_tolerance(m_surface.points) : tolerance;
@@ -95,6 +101,10 @@ public:
     if(m_state.open_edges > 0 && changes.tolerance > 0)
       try_change([](State& state) { stitch(state); });
     refine();
+    if(fuses && m_state.intersections == 0)
+      fuse();
+    if(changes.intersections[0] > 0 && m_state.intersections == 0)
+      drop_dust();
     store();
     return changes;
   }
@@ -212,10 +222,38 @@ private:
       rename_vertices(refined.soup, first_at_same_point(refined.soup.points));
       Degenerate_triangle_dissolver<Point> dissolve(refined.soup);
       dissolve();
-      drop_duplicate_triangles(refined.soup);
+      unite_equal_triangles(refined.soup);
       judge(refined);
       m_state = std::move(refined);
     }
+  }
+
+  std::map<std::size_t, std::size_t> number_of_parts() const
+  {
+    std::map<std::size_t, std::size_t> number;
+    for(const Sourced_triangle& t : m_state.soup.triangles)
+      ++number[t.source];
+    return number;
+  }
+
+  void fuse()
+  {
+    const auto before = number_of_parts();
+    m_state.changes.is_fused = Body_fuser<Point>(m_state.soup)();
+    for(const auto& face : before)
+      m_state.changes.inner_faces.push_back(face.first);
+  }
+
+  void drop_dust()
+  {
+    const auto before = number_of_parts();
+    std::vector<bool> is_part;
+    for(const Sourced_triangle& t : m_state.soup.triangles)
+      is_part.push_back(before.at(t.source) > 1);
+    m_state.changes.number_of_dust_regions = Dust_dropper<Point>(m_state.soup)(is_part, m_state.changes.tolerance);
+    for(const auto& face : before)
+      m_state.changes.dust_faces.push_back(face.first);
+    m_state.open_edges = open_edges(m_state.soup.triangles).size();
   }
 
   // makes the surface of the soup
@@ -250,24 +288,22 @@ private:
   void list_faces()
   {
     Repair_changes& changes = m_state.changes;
-    std::map<std::size_t, std::size_t> number_of_parts;
-    for(const Sourced_triangle& t : m_state.soup.triangles)
-      ++number_of_parts[t.source];
-    for(const auto& face : number_of_parts)
+    const std::map<std::size_t, std::size_t> parts = number_of_parts();
+    for(const auto& face : parts)
       if(face.second > 1)
       {
         changes.divided_faces.push_back(face.first);
         changes.number_of_parts += face.second;
       }
-    for(auto* list : { &changes.degenerate_faces, &changes.duplicate_faces })
+    for(auto* list : { &changes.degenerate_faces, &changes.duplicate_faces, &changes.inner_faces, &changes.dust_faces })
     {
       std::sort(list->begin(), list->end());
       const auto end = std::remove_if(list->begin(), std::unique(list->begin(), list->end()),
-                                      [&](const std::size_t f) { return number_of_parts.count(f) > 0; });
+                                      [&](const std::size_t f) { return parts.count(f) > 0; });
       list->erase(end, list->end());
     }
     for(auto* list : { &changes.degenerate_faces, &changes.duplicate_faces, &changes.reversed_faces,
-                       &changes.divided_faces })
+                       &changes.divided_faces, &changes.inner_faces, &changes.dust_faces })
       for(std::size_t& f : *list)
         f = m_surface.file_face(f);
   }

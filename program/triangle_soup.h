@@ -4,15 +4,18 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <map>
 #include <utility>
 #include <vector>
 
-// A triangle that knows of which face of the input it is a part, or the whole of it. The functions of the package
-// Polygon Mesh Processing take it for a polygon: when they exchange polygons, the number goes with them.
+// A triangle that knows of which face of the input it is a part, or the whole of it, and how often it was there. The
+// functions of the package Polygon Mesh Processing take it for a polygon: when they exchange polygons, the numbers go
+// with them.
 struct Sourced_triangle
   : public std::vector<std::size_t>
 {
   std::size_t source = 0;
+  long weight = 1; // number of triangles that it stands for, and that turn like it, minus those that turn the other way
 
   Sourced_triangle() { }
   Sourced_triangle(const std::array<std::size_t, 3>& vertices, const std::size_t source)
@@ -38,6 +41,30 @@ typedef std::pair<std::size_t, std::size_t> Vertex_numbers; // those of an edge,
 inline Vertex_numbers edge_of(const std::vector<std::size_t>& triangle, const int i)
 {
   return std::minmax(triangle[(i + 1) % 3], triangle[(i + 2) % 3]);
+}
+
+// Makes one of triangles with the same vertices, the first one, and keeps account of them. A fold is nothing then, if
+// both its sides are the same, but two bodies that touch have opposite sides, too: so the one triangle stays for now.
+template <typename Point>
+void unite_equal_triangles(Triangle_soup<Point>& soup)
+{
+  std::map<std::array<std::size_t, 3>, std::size_t> positions;
+  std::vector<Sourced_triangle> united;
+  for(const Sourced_triangle& t : soup.triangles)
+  {
+    std::array<std::size_t, 3> key = {{ t[0], t[1], t[2] }};
+    std::sort(key.begin(), key.end());
+    const auto inserted = positions.emplace(key, united.size());
+    if(inserted.second)
+    {
+      united.push_back(t);
+      continue;
+    }
+    Sourced_triangle& first = united[inserted.first->second];
+    const bool turns_alike = first[(std::find(first.begin(), first.end(), t[0]) - first.begin() + 1) % 3] == t[1];
+    first.weight += turns_alike ? t.weight : -t.weight;
+  }
+  soup.triangles.swap(united);
 }
 
 // an edge that only one triangle has, the number of that triangle, and its third vertex
