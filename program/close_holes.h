@@ -2,6 +2,7 @@
 #define BOUNDARY_RECOVERY_3_PROGRAM_CLOSE_HOLES_H
 
 #include "boundary_loops.h"
+#include "fill_loop.h"
 #include "find_intersections.h"
 #include "open_surface.h"
 #include "print_summary.h"
@@ -10,13 +11,9 @@
 #include "write_report.h"
 
 #include <CGAL/Kernel_traits.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
-#include <CGAL/utility.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
-#include <iterator>
 #include <map>
 #include <ostream>
 #include <set>
@@ -54,8 +51,6 @@ class Hole_closer
 {
   typedef typename CGAL::Kernel_traits<Point>::Kernel Kernel;
   typedef std::vector<std::size_t>                    Triangle;
-
-  static constexpr std::size_t max_size_for_cubic_algorithm = 200; // vertices
 
   Surface<Point>& m_surface;
   std::map<Vertex_numbers, Open_edge> m_edges;
@@ -124,25 +119,15 @@ private:
   void triangulate(Hole& hole)
   {
     const std::vector<std::size_t>& v = hole.loop.vertices;
-    std::vector<Point> polyline, opposite;
+    std::vector<Point> opposite;
     for(std::size_t i = 0; i < v.size(); ++i)
     {
       const Open_edge& e = m_edges.at(std::minmax(v[i], v[(i + 1) % v.size()]));
-      polyline.push_back(m_surface.points[v[i]]);
       opposite.push_back(m_surface.points[e.opposite]);
       hole.neighbors.push_back(e.triangle);
     }
-    std::vector<CGAL::Triple<int, int, int> > triangles;
-    CGAL::Polygon_mesh_processing::triangulate_hole_polyline(
-      polyline, opposite, std::back_inserter(triangles),
-      CGAL::parameters::use_2d_constrained_delaunay_triangulation(true)
-        .do_not_use_cubic_algorithm(v.size() > max_size_for_cubic_algorithm));
-    for(const auto& t : triangles)
-    {
-      std::array<int, 3> i = {{ t.first, t.second, t.third }};
-      std::sort(i.begin(), i.end()); // turned as the loop is
-      hole.triangles.push_back({ v[i[0]], v[i[1]], v[i[2]] });
-    }
+    for(const auto& t : fill_loop(m_surface.points, v, opposite))
+      hole.triangles.emplace_back(t.begin(), t.end());
   }
 
   // turns the triangles as most of their neighbors are
@@ -155,12 +140,6 @@ private:
     if(2 * number_along > v.size())
       for(Triangle& t : hole.triangles)
         std::reverse(t.begin(), t.end());
-  }
-
-  static bool goes_along(const Triangle& t, const std::size_t v, const std::size_t w)
-  {
-    const std::size_t i = std::find(t.begin(), t.end(), v) - t.begin();
-    return t[(i + 1) % 3] == w;
   }
 
   // New triangles come first: of too many intersections, those of the first triangles are listed.

@@ -11,6 +11,7 @@
 #include "resolve_intersections.h"
 #include "surface.h"
 #include "triangle_soup.h"
+#include "unfold_triangles.h"
 
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 
@@ -36,6 +37,7 @@ struct Repair_changes
   std::vector<std::size_t> duplicate_faces;                 // that are gone
   std::vector<std::size_t> reversed_faces;
   std::size_t number_of_stitched_edges = 0; // that were divided at points close to them
+  std::vector<std::size_t> unfolded_faces;                  // that made way for others with the same border
   std::vector<std::size_t> divided_faces;
   std::size_t number_of_parts = 0;          // of the divided faces
   std::size_t number_of_new_points = 0;     // where triangles intersected
@@ -100,6 +102,8 @@ public:
       try_change([this](State& state) { merge_points(state); });
     if(m_state.open_edges > 0 && changes.tolerance > 0)
       try_change([](State& state) { stitch(state); });
+    if(m_state.intersections > 0 && changes.tolerance > 0)
+      try_change([](State& state) { unfold(state); });
     refine();
     if(fuses && m_state.intersections == 0)
       fuse();
@@ -184,6 +188,14 @@ private:
   static void stitch(State& state)
   {
     state.changes.number_of_stitched_edges = Gap_closer<Point>(state.soup, state.changes.tolerance)();
+  }
+
+  // The order of the faces stays.
+  static void unfold(State& state)
+  {
+    state.changes.unfolded_faces = Triangle_unfolder<Point>(state.soup, state.changes.tolerance)();
+    std::stable_sort(state.soup.triangles.begin(), state.soup.triangles.end(),
+                     [](const Sourced_triangle& s, const Sourced_triangle& t) { return s.source < t.source; });
   }
 
   // The points stay in their places; merged ones are no longer used.
@@ -303,7 +315,7 @@ private:
       list->erase(end, list->end());
     }
     for(auto* list : { &changes.degenerate_faces, &changes.duplicate_faces, &changes.reversed_faces,
-                       &changes.divided_faces, &changes.inner_faces, &changes.dust_faces })
+                       &changes.unfolded_faces, &changes.divided_faces, &changes.inner_faces, &changes.dust_faces })
       for(std::size_t& f : *list)
         f = m_surface.file_face(f);
   }

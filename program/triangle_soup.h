@@ -43,6 +43,13 @@ inline Vertex_numbers edge_of(const std::vector<std::size_t>& triangle, const in
   return std::minmax(triangle[(i + 1) % 3], triangle[(i + 2) % 3]);
 }
 
+// whether vertex `w` comes after vertex `v` of a triangle that has both
+inline bool goes_along(const std::vector<std::size_t>& triangle, const std::size_t v, const std::size_t w)
+{
+  const std::size_t i = std::find(triangle.begin(), triangle.end(), v) - triangle.begin();
+  return triangle[(i + 1) % 3] == w;
+}
+
 // Makes one of triangles with the same vertices, the first one, and keeps account of them. A fold is nothing then, if
 // both its sides are the same, but two bodies that touch have opposite sides, too: so the one triangle stays for now.
 template <typename Point>
@@ -61,8 +68,7 @@ void unite_equal_triangles(Triangle_soup<Point>& soup)
       continue;
     }
     Sourced_triangle& first = united[inserted.first->second];
-    const bool turns_alike = first[(std::find(first.begin(), first.end(), t[0]) - first.begin() + 1) % 3] == t[1];
-    first.weight += turns_alike ? t.weight : -t.weight;
+    first.weight += goes_along(first, t[0], t[1]) ? t.weight : -t.weight;
   }
   soup.triangles.swap(united);
 }
