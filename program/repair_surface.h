@@ -41,7 +41,7 @@ struct Repair_changes
   std::vector<std::size_t> divided_faces;
   std::size_t number_of_parts = 0;          // of the divided faces
   std::size_t number_of_new_points = 0;     // where triangles intersected
-  bool is_fused = false;
+  bool is_fusion_wanted = false, is_fused = false;
   std::vector<std::size_t> inner_faces;                     // that are gone, by the fusion
   std::size_t number_of_dust_regions = 0;   // that became a part of what is beside them
   std::vector<std::size_t> dust_faces;                      // that are gone with them
@@ -52,8 +52,9 @@ struct Repair_changes
 // Repairs a triangle soup, step by step; what is good already stays as it is. Triangles without area or that are there
 // twice go, and neighbors are turned alike. If the surface is open or intersects itself then, the same is tried with
 // points merged that are closer than the tolerance, and then with triangles divided at points that are as close to
-// their edges; each is kept if fewer intersections or open edges are left. What still intersects is divided. Nothing
-// is promised: the recovery judges what comes out as it judges any surface.
+// their edges, and with triangles replaced that are folded flat; each is kept if fewer intersections or open edges are
+// left. What still intersects is divided, and regions of dust that come of it are none. Nothing is promised: the recovery
+// judges what comes out as it judges any surface.
 template <typename Point>
 class Surface_repairer
 {
@@ -104,10 +105,11 @@ public:
       try_change([](State& state) { stitch(state); });
     if(m_state.intersections > 0 && changes.tolerance > 0)
       try_change([](State& state) { unfold(state); });
-    refine();
+    const bool is_refined = refine();
+    changes.is_fusion_wanted = fuses;
     if(fuses && m_state.intersections == 0)
       fuse();
-    if(changes.intersections[0] > 0 && m_state.intersections == 0)
+    if(is_refined && m_state.intersections == 0)
       drop_dust();
     store();
     return changes;
@@ -225,8 +227,10 @@ private:
         v = names[v];
   }
 
-  void refine()
+  // returns whether there was anything to do, and a way to do it
+  bool refine()
   {
+    const bool is_needed = can_resolve_intersections && m_state.intersections > 0;
     for(int i = 0; can_resolve_intersections && i < max_number_of_refinements && m_state.intersections > 0; ++i)
     {
       State refined = m_state;
@@ -238,6 +242,7 @@ private:
       judge(refined);
       m_state = std::move(refined);
     }
+    return is_needed;
   }
 
   std::map<std::size_t, std::size_t> number_of_parts() const
@@ -248,12 +253,22 @@ private:
     return number;
   }
 
+  // the sources of which no part is left
+  std::vector<std::size_t> sources_gone(const std::map<std::size_t, std::size_t>& before) const
+  {
+    const std::map<std::size_t, std::size_t> after = number_of_parts();
+    std::vector<std::size_t> gone;
+    for(const auto& source : before)
+      if(after.count(source.first) == 0)
+        gone.push_back(source.first);
+    return gone;
+  }
+
   void fuse()
   {
     const auto before = number_of_parts();
     m_state.changes.is_fused = Body_fuser<Point>(m_state.soup)();
-    for(const auto& face : before)
-      m_state.changes.inner_faces.push_back(face.first);
+    m_state.changes.inner_faces = sources_gone(before);
   }
 
   void drop_dust()
@@ -263,8 +278,7 @@ private:
     for(const Sourced_triangle& t : m_state.soup.triangles)
       is_part.push_back(before.at(t.source) > 1);
     m_state.changes.number_of_dust_regions = Dust_dropper<Point>(m_state.soup)(is_part, m_state.changes.tolerance);
-    for(const auto& face : before)
-      m_state.changes.dust_faces.push_back(face.first);
+    m_state.changes.dust_faces = sources_gone(before);
     m_state.open_edges = open_edges(m_state.soup.triangles).size();
   }
 
@@ -307,7 +321,7 @@ private:
         changes.divided_faces.push_back(face.first);
         changes.number_of_parts += face.second;
       }
-    for(auto* list : { &changes.degenerate_faces, &changes.duplicate_faces, &changes.inner_faces, &changes.dust_faces })
+    for(auto* list : { &changes.degenerate_faces, &changes.duplicate_faces })
     {
       std::sort(list->begin(), list->end());
       const auto end = std::remove_if(list->begin(), std::unique(list->begin(), list->end()),

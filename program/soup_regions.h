@@ -1,6 +1,7 @@
 #ifndef BOUNDARY_RECOVERY_3_PROGRAM_SOUP_REGIONS_H
 #define BOUNDARY_RECOVERY_3_PROGRAM_SOUP_REGIONS_H
 
+#include "surface.h"
 #include "triangle_soup.h"
 
 #include <CGAL/Boundary_constrained_mesh_triangulation_3.h>
@@ -45,7 +46,8 @@ class Soup_regions
 public:
   explicit Soup_regions(const Triangle_soup<Point>& soup) : m_walls_of_cell(0), m_region(no_region)
   {
-    const auto result = CGAL::recover_boundary(m_tr, soup.points, soup.triangles);
+    const Surface<Point> surface = make_surface(soup.points, soup.triangles); // points that are not used may be on it
+    const auto result = CGAL::recover_boundary(m_tr, surface.points, surface.faces);
     if(! result || m_tr.dimension() < 3)
       return;
     const auto triangles = result.surface_facets();
