@@ -127,7 +127,7 @@ private:
     for(const Region_wall& wall : m_regions.walls())
     {
       const Sourced_triangle& t = m_soup.triangles[wall.triangle];
-      const bool is_within = wall.separates() ? joined(wall.regions[0]) == joined(wall.regions[1]) : t.weight % 2 == 0;
+      const bool is_within = wall.separates() ? joined(wall.regions[0]) == joined(wall.regions[1]) : ! t.is_odd;
       if(! is_within)
         kept.push_back(t);
     }

@@ -13,8 +13,6 @@
 #include "triangle_soup.h"
 #include "unfold_triangles.h"
 
-#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -165,9 +163,9 @@ private:
       return count;
     };
     const auto before = count_sources();
-    CGAL::Polygon_mesh_processing::merge_duplicate_polygons_in_polygon_soup(soup.points, soup.triangles);
-    std::stable_sort(soup.triangles.begin(), soup.triangles.end(), // the others took the places of those
-                     [](const Sourced_triangle& s, const Sourced_triangle& t) { return s.source < t.source; });
+    unite_equal_triangles(soup);
+    for(Sourced_triangle& t : soup.triangles)
+      t.is_odd = true; // a sheet with a front and a back is one
     auto after = count_sources();
     std::vector<std::size_t> dropped;
     for(const auto& source : before)

@@ -15,7 +15,8 @@ struct Sourced_triangle
   : public std::vector<std::size_t>
 {
   std::size_t source = 0;
-  long weight = 1; // number of triangles that it stands for, and that turn like it, minus those that turn the other way
+  long weight = 1;    // number of triangles that it stands for and that turn like it, minus those that do not
+  bool is_odd = true; // whether it stands for an odd number of them
 
   Sourced_triangle() { }
   Sourced_triangle(const std::array<std::size_t, 3>& vertices, const std::size_t source)
@@ -69,6 +70,7 @@ void unite_equal_triangles(Triangle_soup<Point>& soup)
     }
     Sourced_triangle& first = united[inserted.first->second];
     first.weight += goes_along(first, t[0], t[1]) ? t.weight : -t.weight;
+    first.is_odd = first.is_odd != t.is_odd;
   }
   soup.triangles.swap(united);
 }
