@@ -20,6 +20,7 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -36,6 +37,7 @@ struct Repair_changes
   std::vector<std::size_t> reversed_faces;
   std::size_t number_of_stitched_edges = 0; // that were divided at points close to them
   std::vector<std::size_t> unfolded_faces;                  // that made way for others with the same border
+  std::vector<std::size_t> unfolded_vertices;               // that are gone, inside of such a border
   std::vector<std::size_t> divided_faces;
   std::size_t number_of_parts = 0;          // of the divided faces
   std::size_t number_of_new_points = 0;     // where triangles intersected
@@ -102,7 +104,7 @@ public:
     if(m_state.open_edges > 0 && changes.tolerance > 0)
       try_change([](State& state) { stitch(state); });
     if(m_state.intersections > 0 && changes.tolerance > 0)
-      try_change([](State& state) { unfold(state); });
+      try_change([this](State& state) { unfold(state); });
     const bool is_refined = refine();
     changes.is_fusion_wanted = fuses;
     if(fuses && m_state.intersections == 0)
@@ -191,11 +193,24 @@ private:
   }
 
   // The order of the faces stays.
-  static void unfold(State& state)
+  void unfold(State& state) const
   {
+    const std::set<std::size_t> before = used_vertices(state.soup);
     state.changes.unfolded_faces = Triangle_unfolder<Point>(state.soup, state.changes.tolerance)();
     std::stable_sort(state.soup.triangles.begin(), state.soup.triangles.end(),
                      [](const Sourced_triangle& s, const Sourced_triangle& t) { return s.source < t.source; });
+    const std::set<std::size_t> after = used_vertices(state.soup);
+    for(const std::size_t v : before)
+      if(after.count(v) == 0)
+        state.changes.unfolded_vertices.push_back(m_surface.file_vertex(v));
+  }
+
+  static std::set<std::size_t> used_vertices(const Soup& soup)
+  {
+    std::set<std::size_t> vertices;
+    for(const Sourced_triangle& t : soup.triangles)
+      vertices.insert(t.begin(), t.end());
+    return vertices;
   }
 
   // The points stay in their places; merged ones are no longer used.

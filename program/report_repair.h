@@ -34,6 +34,7 @@ inline void print_repair(std::ostream& os, const Repair_changes& changes)
   print(changes.reversed_faces.size(), "triangle", "turned over");
   print(changes.number_of_stitched_edges, "edge", "stitched to points beside");
   print(changes.unfolded_faces.size(), "triangle", "folded flat replaced by others with the same border");
+  print(changes.unfolded_vertices.size(), "point", "inside of these dropped");
   print(changes.divided_faces.size(), "triangle", "divided, into " + count(changes.number_of_parts, "part"));
   print(changes.number_of_new_points, "point", "added where triangles intersect");
   if(changes.is_fusion_wanted)
@@ -79,6 +80,7 @@ void write_repair(Json_writer& json, const Repair_changes& changes, const Surfac
   list("duplicate_facets", changes.duplicate_faces);
   list("reversed_facets", changes.reversed_faces);
   list("unfolded_facets", changes.unfolded_faces);
+  list("unfolded_vertices", changes.unfolded_vertices);
   list("divided_facets", changes.divided_faces);
   list("inner_facets", changes.inner_faces);
   list("dust_facets", changes.dust_faces);

@@ -75,29 +75,51 @@ void unite_equal_triangles(Triangle_soup<Point>& soup)
   soup.triangles.swap(united);
 }
 
-// an edge that only one triangle has, the number of that triangle, and its third vertex
-struct Open_edge
+// an edge of a triangle, the number of that triangle, and its third vertex
+struct Triangle_edge
 {
   Vertex_numbers vertices;
   std::size_t triangle;
   std::size_t opposite;
 };
 
-// the open edges in the order of their vertices; a triangle is a vector of three vertices, or of a derived class
+typedef Triangle_edge Open_edge; // one that no other triangle has
+
+// the edges of all triangles in the order of their vertices; a triangle is a vector of three vertices, or of a derived
+// class
+template <typename Triangle>
+std::vector<Triangle_edge> sorted_edges(const std::vector<Triangle>& triangles)
+{
+  std::vector<Triangle_edge> edges;
+  for(std::size_t t = 0; t < triangles.size(); ++t)
+    for(int i = 0; i < 3; ++i)
+      edges.push_back(Triangle_edge{ edge_of(triangles[t], i), t, triangles[t][i] });
+  std::stable_sort(edges.begin(), edges.end(), [](const Triangle_edge& e, const Triangle_edge& f)
+                   { return e.vertices < f.vertices; });
+  return edges;
+}
+
+// calls `visit` with the first one of each set of equal edges, and how many they are
+template <typename Triangle, typename Visit>
+void visit_edges(const std::vector<Triangle>& triangles, const Visit& visit)
+{
+  const std::vector<Triangle_edge> edges = sorted_edges(triangles);
+  for(auto begin = edges.begin(), end = begin; begin != edges.end(); begin = end)
+  {
+    end = std::find_if(begin, edges.end(), [&](const Triangle_edge& e) { return e.vertices != begin->vertices; });
+    visit(begin, static_cast<std::size_t>(end - begin));
+  }
+}
+
 template <typename Triangle>
 std::vector<Open_edge> open_edges(const std::vector<Triangle>& triangles)
 {
-  std::vector<Open_edge> edges, result;
-  for(std::size_t t = 0; t < triangles.size(); ++t)
-    for(int i = 0; i < 3; ++i)
-      edges.push_back(Open_edge{ edge_of(triangles[t], i), t, triangles[t][i] });
-  std::stable_sort(edges.begin(), edges.end(),
-                   [](const Open_edge& e, const Open_edge& f) { return e.vertices < f.vertices; });
-  const auto are_alike = [&](const std::size_t i, const std::size_t j)
-  { return j < edges.size() && edges[i].vertices == edges[j].vertices; };
-  for(std::size_t i = 0; i < edges.size(); ++i)
-    if(! are_alike(i, i + 1) && ! (i > 0 && are_alike(i - 1, i)))
-      result.push_back(edges[i]);
+  std::vector<Open_edge> result;
+  visit_edges(triangles, [&](const auto edge, const std::size_t number)
+  {
+    if(number == 1)
+      result.push_back(*edge);
+  });
   return result;
 }
 

@@ -18,14 +18,15 @@
 #include <vector>
 
 // Unfolds a surface where it is folded flat, as if a vertex had been moved over an edge: triangles that intersect and
-// are in one plane, as far as the tolerance tells, are replaced by others with the same border. Were they divided where
-// they intersect, thin gaps would stay between the layers of the fold. What would intersect again, or has more than one
-// border, stays as it is.
+// are in one plane, as far as the tolerance tells, are replaced by others with the same border, and so are triangles
+// beside them that are folded at an edge. Were they divided where they intersect, thin gaps would stay between the layers
+// of the fold. What would intersect again, or has more than one border, stays as it is.
 template <typename Point>
 class Triangle_unfolder
 {
   typedef typename CGAL::Kernel_traits<Point>::Kernel Kernel;
   typedef typename Kernel::Vector_3                   Vector;
+  typedef boost::disjoint_sets<std::size_t*, std::size_t*> Sets;
 
   // triangles of the soup, and those in their place
   struct Fold
@@ -45,10 +46,11 @@ public:
   {
     std::vector<Fold> folds;
     for(const auto& triangles : find_folds())
-    {
       folds.push_back(Fold{ triangles, {} });
-      replace(folds.back());
-    }
+    do
+      for(Fold& fold : folds)
+        replace(fold);
+    while(grow(folds)); // there is an end: there are so many triangles
     drop_bad(folds);
     std::vector<std::size_t> sources;
     for(const Fold& fold : folds)
@@ -61,47 +63,92 @@ public:
   }
 
 private:
-  // sets of triangles, each connected by pairs that intersect in one plane
+  // Folds that do not touch any intersection may be thin edges that are meant.
   std::vector<std::vector<std::size_t> > find_folds() const
   {
     const std::size_t n = m_soup.triangles.size();
     std::vector<std::size_t> rank(n), parent(n);
-    boost::disjoint_sets<std::size_t*, std::size_t*> sets(rank.data(), parent.data());
+    Sets sets(rank.data(), parent.data());
     for(std::size_t t = 0; t < n; ++t)
       sets.make_set(t);
+    std::vector<bool> is_folded(n, false), has_intersection(n, false);
+    const auto unite = [&](const std::size_t s, const std::size_t t)
+    {
+      sets.union_set(s, t);
+      is_folded[s] = is_folded[t] = true;
+    };
     for(const auto& pair : Intersection_finder<Point>(m_soup).pairs())
-      if(are_in_one_plane(pair[0], pair[1]) || are_in_one_plane(pair[1], pair[0]))
-        sets.union_set(pair[0], pair[1]);
-    std::map<std::size_t, std::vector<std::size_t> > members;
-    for(std::size_t t = 0; t < n; ++t)
-      members[sets.find_set(t)].push_back(t);
-    std::vector<std::vector<std::size_t> > folds;
-    for(const auto& set : members)
-      if(set.second.size() > 1)
-        folds.push_back(set.second);
-    std::sort(folds.begin(), folds.end());
-    return folds;
+      if(are_in_one_plane(m_soup.triangles[pair[0]], m_soup.triangles[pair[1]]))
+      {
+        unite(pair[0], pair[1]);
+        has_intersection[pair[0]] = true;
+      }
+    visit_neighbors(m_soup, [&](const Triangle_edge& e, const Triangle_edge& f)
+    {
+      if(is_folded_at(e, f))
+        unite(e.triangle, f.triangle);
+    });
+    visit_neighbors(m_soup, [&](const Triangle_edge& e, const Triangle_edge& f)
+    {
+      if(is_folded[e.triangle] && is_folded[f.triangle])
+        sets.union_set(e.triangle, f.triangle);
+    });
+    return sets_with(sets, has_intersection);
   }
 
-  const Point& point(const std::size_t triangle, const int i) const
+  // calls `visit` with the edges of each two triangles that have an edge in common, are the only ones, and in one plane
+  template <typename Visit>
+  void visit_neighbors(const Triangle_soup<Point>& soup, const Visit& visit) const
   {
-    return m_soup.points[m_soup.triangles[triangle][i]];
+    visit_edges(soup.triangles, [&](const auto edge, const std::size_t number)
+    {
+      if(number == 2 && are_in_one_plane(soup.triangles[edge->triangle], soup.triangles[(edge + 1)->triangle]))
+        visit(*edge, *(edge + 1));
+    });
+  }
+
+  // whether both triangles are on the same side of the edge
+  bool is_folded_at(const Triangle_edge& e, const Triangle_edge& f) const
+  {
+    const Point& p = m_soup.points[e.vertices.first];
+    const Vector edge = m_soup.points[e.vertices.second] - p;
+    return CGAL::cross_product(edge, m_soup.points[e.opposite] - p) *
+           CGAL::cross_product(edge, m_soup.points[f.opposite] - p) > 0;
+  }
+
+  // the sets that have a marked triangle
+  std::vector<std::vector<std::size_t> > sets_with(Sets& sets, const std::vector<bool>& is_marked) const
+  {
+    std::map<std::size_t, std::vector<std::size_t> > members;
+    for(std::size_t t = 0; t < is_marked.size(); ++t)
+      members[sets.find_set(t)].push_back(t);
+    std::vector<std::vector<std::size_t> > result;
+    for(const auto& set : members)
+      if(std::any_of(set.second.begin(), set.second.end(), [&](const std::size_t t) { return is_marked[t]; }))
+        result.push_back(set.second);
+    std::sort(result.begin(), result.end());
+    return result;
   }
 
   // whether the vertices of one triangle are close to the plane of the other one
-  bool are_in_one_plane(const std::size_t plane, const std::size_t triangle) const
+  bool are_in_one_plane(const Sourced_triangle& s, const Sourced_triangle& t) const
   {
-    const Vector normal = CGAL::cross_product(point(plane, 1) - point(plane, 0), point(plane, 2) - point(plane, 0));
+    return is_in_plane(s, t) || is_in_plane(t, s);
+  }
+
+  bool is_in_plane(const Sourced_triangle& triangle, const Sourced_triangle& plane) const
+  {
+    const Point& p = m_soup.points[plane[0]];
+    const Vector normal = CGAL::cross_product(m_soup.points[plane[1]] - p, m_soup.points[plane[2]] - p);
     const double length = std::sqrt(normal.squared_length());
-    for(int i = 0; i < 3; ++i)
-      if(! (std::abs(normal * (point(triangle, i) - point(plane, 0))) <= m_tolerance * length))
-        return false;
-    return true;
+    return std::all_of(triangle.begin(), triangle.end(), [&](const std::size_t v)
+                       { return std::abs(normal * (m_soup.points[v] - p)) <= m_tolerance * length; });
   }
 
   // no replacement is found if the border is not one loop
   void replace(Fold& fold) const
   {
+    fold.replacement.clear();
     std::vector<Sourced_triangle> triangles;
     for(const std::size_t t : fold.triangles)
       triangles.push_back(m_soup.triangles[t]);
@@ -137,6 +184,29 @@ private:
     return triangles[0].source;
   }
 
+  // adds triangles that are folded at the border of a replacement; returns whether there are any
+  bool grow(std::vector<Fold>& folds) const
+  {
+    std::vector<std::size_t> owners; // of the triangles when folds are replaced: the fold, then the old position
+    for(std::size_t f = 0; f < folds.size(); ++f)
+      owners.insert(owners.end(), folds[f].replacement.size(), f);
+    const std::size_t number_of_new_triangles = owners.size();
+    const std::vector<bool> is_replaced = replaced(folds);
+    for(std::size_t t = 0; t < is_replaced.size(); ++t)
+      if(! is_replaced[t])
+        owners.push_back(t);
+    std::map<std::size_t, std::size_t> added; // triangles, and their folds
+    visit_neighbors(unfolded(folds), [&](const Triangle_edge& e, const Triangle_edge& f)
+    {
+      const auto [first, second] = std::minmax(e.triangle, f.triangle);
+      if(first < number_of_new_triangles && second >= number_of_new_triangles && is_folded_at(e, f))
+        added.emplace(owners[second], owners[first]);
+    });
+    for(const auto& triangle : added)
+      folds[triangle.second].triangles.push_back(triangle.first);
+    return ! added.empty();
+  }
+
   // forgets folds without a replacement, and those whose replacement intersects anything
   void drop_bad(std::vector<Fold>& folds) const
   {
@@ -157,18 +227,24 @@ private:
     });
   }
 
+  std::vector<bool> replaced(const std::vector<Fold>& folds) const
+  {
+    std::vector<bool> result(m_soup.triangles.size(), false);
+    for(const Fold& fold : folds)
+      if(! fold.replacement.empty())
+        for(const std::size_t t : fold.triangles)
+          result[t] = true;
+    return result;
+  }
+
   // the replacements, then all that is not replaced
   Triangle_soup<Point> unfolded(const std::vector<Fold>& folds) const
   {
-    std::vector<bool> is_replaced(m_soup.triangles.size(), false);
     Triangle_soup<Point> soup;
     soup.points = m_soup.points;
     for(const Fold& fold : folds)
-    {
       soup.triangles.insert(soup.triangles.end(), fold.replacement.begin(), fold.replacement.end());
-      for(const std::size_t t : fold.triangles)
-        is_replaced[t] = true;
-    }
+    const std::vector<bool> is_replaced = replaced(folds);
     for(std::size_t t = 0; t < is_replaced.size(); ++t)
       if(! is_replaced[t])
         soup.triangles.push_back(m_soup.triangles[t]);
