@@ -10,9 +10,9 @@
 #include <iterator>
 #include <vector>
 
-// Triangles between the vertices of a closed loop that fill it, turned as the loop is, by CGAL's hole filling: flat loops
-// as polygons, others as smooth as they go on from the triangles beside, of which `opposite` has the third vertices, one
-// for each edge, or none. Empty if there is no way found.
+// Triangles between the vertices of a closed loop that fill it, turned as the loop is, by CGAL's hole filling: flat
+// loops as polygons, others such that they go on as the triangles beside do. `opposite` has the third vertices of
+// these, one for each edge, or none. Empty if no way is found.
 template <typename Point>
 std::vector<std::array<std::size_t, 3> > fill_loop(const std::vector<Point>& points,
                                                    const std::vector<std::size_t>& loop,

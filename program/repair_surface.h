@@ -53,8 +53,8 @@ struct Repair_changes
 // twice go, and neighbors are turned alike. If the surface is open or intersects itself then, the same is tried with
 // points merged that are closer than the tolerance, and then with triangles divided at points that are as close to
 // their edges, and with triangles replaced that are folded flat; each is kept if fewer intersections or open edges are
-// left. What still intersects is divided, and regions of dust that come of it are none. Nothing is promised: the recovery
-// judges what comes out as it judges any surface.
+// left. What still intersects is divided, and regions of dust that come of it are none. Nothing is promised: the
+// recovery judges what comes out as it judges any surface.
 template <typename Point>
 class Surface_repairer
 {

@@ -41,7 +41,7 @@ inline void print_repair(std::ostream& os, const Repair_changes& changes)
     os << "  bodies are " << (changes.is_fused ? "fused, those that overlap"
                                                : "not fused: triangles intersect, or do not tell what is inside") << '\n';
   print(changes.inner_faces.size(), "triangle", "inside of a body dropped");
-  print(changes.number_of_dust_regions, "region", "of dust joined with what is beside: too small, or too thin");
+  print(changes.number_of_dust_regions, "region", "of dust joined with what is beside: too small or too thin");
   print(changes.dust_faces.size(), "triangle", "beside dust or in a fold dropped");
   os << "  open edges: " << changes.open_edges[0] << " before, " << changes.open_edges[1] << " after\n"
      << "  intersections: " << changes.intersections[0] << " before, " << changes.intersections[1] << " after\n";

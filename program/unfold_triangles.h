@@ -19,13 +19,13 @@
 
 // Unfolds a surface where it is folded flat, as if a vertex had been moved over an edge: triangles that intersect and
 // are in one plane, as far as the tolerance tells, are replaced by others with the same border, and so are triangles
-// beside them that are folded at an edge. Were they divided where they intersect, thin gaps would stay between the layers
-// of the fold. What would intersect again, or has more than one border, stays as it is.
+// beside them that are folded at an edge. Were they divided where they intersect, thin gaps would stay between the
+// layers of the fold. What would intersect again, or has more than one border, stays as it is.
 template <typename Point>
 class Triangle_unfolder
 {
-  typedef typename CGAL::Kernel_traits<Point>::Kernel Kernel;
-  typedef typename Kernel::Vector_3                   Vector;
+  typedef typename CGAL::Kernel_traits<Point>::Kernel      Kernel;
+  typedef typename Kernel::Vector_3                        Vector;
   typedef boost::disjoint_sets<std::size_t*, std::size_t*> Sets;
 
   // triangles of the soup, and those in their place
