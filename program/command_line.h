@@ -177,7 +177,7 @@ protected:
   {
     begin_group("surfaces that are not valid");
     CLI::Option* const repair =
-      add_flag("--repair", m_options.repair, "merge points, and drop, turn and divide triangles and polygons");
+      add_flag("--repair", m_options.repair, "merge points; drop, turn, unfold and divide triangles and polygons");
     add_number("--tolerance", "X", m_options.tolerance, Number_kind::not_negative,
                "repair: merge points whose coordinates differ by at most X, where that helps;\n"
                "without this option, X is four units in the last place of the largest coordinate\n"

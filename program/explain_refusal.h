@@ -78,7 +78,7 @@ inline void print_open_surface(std::ostream& os, const Open_surface& open, const
   if(open.boundary.loops.empty())
     return;
   if(options.max_hole_length >= 0)
-    os << "--close-holes did not do\n";
+    os << "--close-holes leaves these open: --report tells why\n";
   else
     os << "--close-holes may help\n";
 }
