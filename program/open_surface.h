@@ -72,6 +72,8 @@ Open_surface find_open_surface(const Surface<Point>& surface, const Domain<Point
   const std::vector<Sides> sides = find_sides(domain);
   for(std::size_t t = 0; t < sides.size(); ++t)
   {
+    if(t > 0 && domain.triangle_numbers[t - 1] == domain.triangle_numbers[t])
+      continue; // parts of a face come one after the other, and have the same regions beside them
     if(sides[t][1] == 0)
       open.idle_faces.push_back(domain.triangle_numbers[t]);
     open.number_of_inner_faces += sides[t][0] != 0 && sides[t][0] == sides[t][1];
@@ -119,7 +121,10 @@ void print_idle_faces(std::ostream& os, const Open_surface& open, const Surface<
   os << n << " of " << count(open.number_of_faces, "triangle") << (n == 1 ? " bounds" : " bound")
      << " nothing, there is no region beside: ";
   for(std::size_t i = 0; i < shown; ++i)
-    os << (i == 0 ? "facet " : ", ") << surface.face_number(open.idle_faces[i]);
+  {
+    const std::size_t number = surface.face_number(open.idle_faces[i]);
+    os << (i == 0 ? "facet " : ", ") << (number == surface.no_face ? "added" : std::to_string(number));
+  }
   os << (shown < n ? ", ..." : "") << ", between ";
   print_box(os, open.box);
   os << '\n';
@@ -146,7 +151,7 @@ void write_open_surface(Json_writer& json, const Open_surface& open, const Surfa
   json.entry("number_of_facets_inside_regions", open.number_of_inner_faces);
   json.entry("number_of_facets_that_bound_nothing", open.idle_faces.size());
   json.key("facets_that_bound_nothing");
-  json.list(open.idle_faces, [&](const std::size_t f) { json.value(surface.face_number(f)); });
+  json.list(open.idle_faces, [&](const std::size_t f) { json.number_or_null(surface.face_number(f)); });
   json.entry("number_of_branching_boundary_vertices", open.boundary.number_of_branching_vertices);
   json.key("boundary_loops");
   json.objects(open.boundary.loops, [&](const Boundary_loop& loop) { write_loop(json, loop, surface); });

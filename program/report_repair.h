@@ -92,7 +92,7 @@ void write_repair(Json_writer& json, const Repair_changes& changes, const Surfac
   before_and_after("number_of_open_edges", changes.open_edges);
   before_and_after("number_of_intersections", changes.intersections);
   json.key("source_facets"); // of each triangle that was recovered
-  json.list(surface.file_faces, value);
+  json.list(surface.file_faces, [&](const std::size_t f) { json.number_or_null(f); });
   json.end('}');
 }
 
