@@ -38,8 +38,8 @@ inline void print_repair(std::ostream& os, const Repair_changes& changes)
   print(changes.divided_faces.size(), "triangle", "divided, into " + count(changes.number_of_parts, "part"));
   print(changes.number_of_new_points, "point", "added where triangles intersect");
   if(changes.is_fusion_wanted)
-    os << "  bodies are " << (changes.is_fused ? "fused, those that overlap"
-                                               : "not fused: triangles intersect, or do not tell what is inside") << '\n';
+    os << (changes.is_fused ? "  bodies that overlap are fused\n"
+                            : "  bodies are not fused: triangles intersect, or do not tell what is inside\n");
   print(changes.inner_faces.size(), "triangle", "inside of a body dropped");
   print(changes.number_of_dust_regions, "region", "of dust joined with what is beside: too small or too thin");
   print(changes.dust_faces.size(), "triangle", "beside dust or in a fold dropped");
