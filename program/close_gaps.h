@@ -42,7 +42,7 @@ public:
 private:
   Middle_vertices find_middles() const
   {
-    const std::vector<Open_edge> edges = open_edges(m_soup);
+    const std::vector<Open_edge> edges = open_edges(m_soup.triangles);
     std::vector<std::size_t> vertices, close;
     for(const Open_edge& e : edges)
       vertices.insert(vertices.end(), { e.vertices.first, e.vertices.second });

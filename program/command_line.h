@@ -32,7 +32,9 @@ struct Common_options
   double time_limit = (std::numeric_limits<double>::infinity)();
   bool repair = false;
   double tolerance = -1;            // for the repair; -1: that of single precision
+  bool fuse = false;                // as a part of the repair
   double patch_angle = 40;          // in degrees
+  double max_hole_length = -1;      // of loops that are closed; negative: none is
   bool list_defects = false;
   bool quiet = false;
   bool timing = false;
@@ -70,7 +72,7 @@ public:
   {
     try
     {
-      m_app.parse(argc, argv);
+      m_app.parse(reversed(argc, argv)); // as CLI11 wants it
       check_combination();
     }
     catch(const CLI::CallForHelp&)
@@ -175,11 +177,17 @@ protected:
   {
     begin_group("surfaces that are not valid");
     CLI::Option* const repair =
-      add_flag("--repair", m_options.repair, "merge points, and drop, turn and divide triangles and polygons");
+      add_flag("--repair", m_options.repair, "merge points; drop, turn, unfold and divide triangles and polygons");
     add_number("--tolerance", "X", m_options.tolerance, Number_kind::not_negative,
                "repair: merge points whose coordinates differ by at most X, where that helps;\n"
                "without this option, X is four units in the last place of the largest coordinate\n"
                "in single precision; 0 merges none")->needs(repair);
+    add_flag("--fuse", m_options.fuse,
+             "repair: make one body of bodies that overlap: what is inside of any of them is inside")->needs(repair);
+    add_number("--close-holes", "[LENGTH]", m_options.max_hole_length, Number_kind::not_negative,
+               "close loops of open edges, all of them or only those that are at most so long, by\n"
+               "triangles between their vertices; loops stay open whose triangles would cross the\n"
+               "surface");
     add_flag("--list-defects", m_options.list_defects,
              "look for intersections before anything else, and mesh nothing if there are any");
   }
@@ -204,6 +212,29 @@ protected:
   }
 
 private:
+  // A number after --close-holes may be left out. CLI11 would take what comes next for it.
+  static std::vector<std::string> reversed(const int argc, const char* const argv[])
+  {
+    std::vector<std::string> arguments;
+    for(int i = 1; i < argc; ++i)
+    {
+      arguments.push_back(argv[i]);
+      if(arguments.back() == "--close-holes" && ! (i + 1 < argc && is_like_number(argv[i + 1])))
+        arguments.push_back(any_length);
+    }
+    std::reverse(arguments.begin(), arguments.end());
+    return arguments;
+  }
+
+  static constexpr const char* any_length = "1e308";
+
+  static bool is_like_number(const std::string& text)
+  {
+    char* end = nullptr;
+    std::strtod(text.c_str(), &end);
+    return ! text.empty() && *end == '\0';
+  }
+
   virtual std::string timing_text() const = 0;
 
   static CLI::Validator is_not_empty()

@@ -193,6 +193,8 @@ int finish(const Meshing_options& options, Program<Point>& program, const Result
   if(! reason.empty())
   {
     program.fail("there is no mesh: " + reason);
+    if(result.status == Status::no_region)
+      program.explain_open_surface();
     return incomplete_or_stopped;
   }
   if(! program.write_outputs(domain))
@@ -206,6 +208,7 @@ int finish(const Meshing_options& options, Program<Point>& program, const Result
                measured.seconds_total);
     if(options.outputs.empty())
       std::cout << "no mesh is written; -o OUTPUT does that" << std::endl;
+    program.warn_of_idle_faces();
   }
   return result ? success : incomplete_or_stopped;
 }
@@ -232,6 +235,8 @@ int run(const Meshing_options& options, Program<Point>& program)
   timer.stop();
 
   Domain<Point> domain = make_domain(tr, result, options);
+  if(domain.number_of_regions > 0 || result.status == Status::no_region || result.status == Status::invalid_input)
+    program.find_open_surface(domain);
   program.use_numbers_of_file(result.recovery, domain);
   domain.region_names = progress.regions().names();
   const Measurements measured = measure(tr, domain, size, result, timer.time(), options);

@@ -90,7 +90,7 @@ std::string reason_for_no_mesh(const Result& result, const std::size_t max_numbe
     case Meshing_status::meshed:
       return std::string();
     case Meshing_status::no_region:
-      return "the surface bounds no region: it is open, or inside out as a whole";
+      return "the surface bounds no region";
     case Meshing_status::incomplete:
       return "the surface is not recovered, " + count(result.recovery.missing_edges.size(), "edge") + " and " +
              count(result.recovery.missing_facets.size(), "facet") + " are missing: --report lists them";

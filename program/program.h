@@ -1,9 +1,12 @@
 #ifndef BOUNDARY_RECOVERY_3_PROGRAM_PROGRAM_H
 #define BOUNDARY_RECOVERY_3_PROGRAM_PROGRAM_H
 
+#include "close_holes.h"
 #include "command_line.h"
 #include "divide_polygons.h"
 #include "domain.h"
+#include "explain_refusal.h"
+#include "open_surface.h"
 #include "patches_by_angle.h"
 #include "read_surface.h"
 #include "repair_surface.h"
@@ -45,6 +48,8 @@ class Program
   const Common_options& m_options;
   Surface<Point> m_surface;
   Repair_changes m_changes;
+  std::vector<Hole> m_holes;
+  Open_surface m_open;
   std::string m_message;
 
 public:
@@ -105,6 +110,8 @@ public:
         std::cout << "note: " << note << std::endl;
     if(m_options.repair)
       repair_surface();
+    if(m_options.max_hole_length >= 0 && is_triangle_soup(m_surface))
+      close_holes();
   }
 
   // divides the surface into patches unless it has some
@@ -123,6 +130,22 @@ public:
     for(const auto& [x, y, z] : voids)
       m_surface.voids.push_back(Point(x, y, z));
   }
+
+  // finds what of the surface bounds nothing, for the messages and the report; before `use_numbers_of_file()`
+  void find_open_surface(const Domain<Point>& domain) { m_open = ::find_open_surface(m_surface, domain); }
+
+  // Part of the surface may be forgotten, or out of place: nobody would see that in the mesh.
+  void warn_of_idle_faces() const
+  {
+    if(m_options.quiet || m_open.idle_faces.empty())
+      return;
+    std::cerr << m_name << ": warning: ";
+    print_idle_faces(std::cerr, m_open, m_surface);
+    explain_open_surface();
+  }
+
+  // tells where the surface is open, if it bounds nothing at all
+  void explain_open_surface() const { print_open_surface(std::cerr, m_open, m_options); }
 
   // The surface has each point once and may lack vertices of the file, and its faces may be parts: translates to the
   // numbers of the file, and tells the patches.
@@ -166,12 +189,19 @@ public:
     json.list(m_surface.notes, [&](const std::string& note) { json.value(note); });
     if(m_options.repair)
       write_repair(json, m_changes, m_surface);
+    if(m_options.max_hole_length >= 0)
+      write_holes(json, m_holes, m_surface);
+    if(m_open.number_of_faces > 0)
+      write_open_surface(json, m_open, m_surface);
   }
 
   template <typename Result>
   int refuse_input(const Result& result) const
   {
-    print_defects(result);
+    std::cerr << m_name << ": ";
+    print_defects(std::cerr, result);
+    print_remedy(std::cerr, result, m_options);
+    explain_open_surface();
     return invalid_input;
   }
 
@@ -203,9 +233,16 @@ public:
 private:
   void repair_surface()
   {
-    m_changes = Surface_repairer<Point>(m_surface)(m_options.tolerance);
+    m_changes = Surface_repairer<Point>(m_surface)(m_options.tolerance, m_options.fuse);
     if(! m_options.quiet)
       print_repair(std::cout, m_changes);
+  }
+
+  void close_holes()
+  {
+    m_holes = Hole_closer<Point>(m_surface)(m_options.max_hole_length);
+    if(! m_options.quiet)
+      print_holes(std::cout, m_holes);
   }
 
   bool refuse(const std::string& message)
@@ -220,25 +257,6 @@ private:
     if(! m_options.report.empty())
       files.push_back(m_options.report);
     return files;
-  }
-
-  template <typename Result>
-  void print_defects(const Result& result) const
-  {
-    const std::size_t n = result.number_of_defects, listed = result.defects.size();
-    const std::size_t shown = (std::min)(listed, std::size_t(10));
-    std::cerr << m_name << ": invalid input, " << (n > listed ? "at least " : "") << n
-              << (n == 1 ? " defect" : " defects") << '\n';
-    for(std::size_t i = 0; i < shown; ++i)
-      std::cerr << "  " << result.defects[i] << '\n';
-    if(n > shown)
-    {
-      std::cerr << "  and " << n - shown << " more: --report lists ";
-      if(n > listed)
-        std::cerr << "the first " << listed << '\n';
-      else
-        std::cerr << "all of them\n";
-    }
   }
 };
 

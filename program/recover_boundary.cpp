@@ -75,6 +75,8 @@ int run(const Recovery_options& options, Program<Point>& program)
   if(result.status != Status::invalid_input)
     domain = make_recovered_domain(tr, result, options.keep_exterior);
   const Mesh_quality quality = measure_quality(domain);
+  if(result || result.status == Status::invalid_input)
+    program.find_open_surface(domain);
   program.use_numbers_of_file(result, domain);
 
   if(! program.write_report([&](Json_writer& json)
@@ -90,6 +92,10 @@ int run(const Recovery_options& options, Program<Point>& program)
   if(! options.quiet)
   {
     print_summary(std::cout, result, domain, quality, seconds);
+    if(domain.is_convex_hull)
+      program.explain_open_surface();
+    else
+      program.warn_of_idle_faces();
     if(options.outputs.empty())
       std::cout << "no mesh is written; -o OUTPUT does that" << std::endl;
   }

@@ -2,15 +2,16 @@
 #define BOUNDARY_RECOVERY_3_PROGRAM_REPAIR_SURFACE_H
 
 #include "close_gaps.h"
-#include "count_intersections.h"
 #include "dissolve_degenerate_triangles.h"
+#include "drop_dust_regions.h"
+#include "find_intersections.h"
+#include "fuse_bodies.h"
 #include "merge_close_points.h"
 #include "orient_triangles.h"
 #include "resolve_intersections.h"
 #include "surface.h"
 #include "triangle_soup.h"
-
-#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
+#include "unfold_triangles.h"
 
 #include <algorithm>
 #include <array>
@@ -19,6 +20,7 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -34,9 +36,15 @@ struct Repair_changes
   std::vector<std::size_t> duplicate_faces;                 // that are gone
   std::vector<std::size_t> reversed_faces;
   std::size_t number_of_stitched_edges = 0; // that were divided at points close to them
+  std::vector<std::size_t> unfolded_faces;                  // that made way for others with the same border
+  std::vector<std::size_t> unfolded_vertices;               // that are gone, inside of such a border
   std::vector<std::size_t> divided_faces;
   std::size_t number_of_parts = 0;          // of the divided faces
   std::size_t number_of_new_points = 0;     // where triangles intersected
+  bool is_fusion_wanted = false, is_fused = false;
+  std::vector<std::size_t> inner_faces;                     // that are gone, by the fusion
+  std::size_t number_of_dust_regions = 0;   // that became a part of what is beside them
+  std::vector<std::size_t> dust_faces;                      // that are gone with them
   std::array<std::size_t, 2> open_edges = {{ 0, 0 }};       // before and after
   std::array<std::size_t, 2> intersections = {{ 0, 0 }};    // before and after
 };
@@ -44,8 +52,9 @@ struct Repair_changes
 // Repairs a triangle soup, step by step; what is good already stays as it is. Triangles without area or that are there
 // twice go, and neighbors are turned alike. If the surface is open or intersects itself then, the same is tried with
 // points merged that are closer than the tolerance, and then with triangles divided at points that are as close to
-// their edges; each is kept if fewer intersections or open edges are left. What still intersects is divided. Nothing
-// is promised: the recovery judges what comes out as it judges any surface.
+// their edges, and with triangles replaced that are folded flat; each is kept if fewer intersections or open edges are
+// left. What still intersects is divided, and regions of dust that come of it are none. Nothing is promised: the
+// recovery judges what comes out as it judges any surface.
 template <typename Point>
 class Surface_repairer
 {
@@ -77,8 +86,8 @@ class Surface_repairer
 public:
   explicit Surface_repairer(Surface<Point>& surface) : m_surface(surface) { }
 
-  // `tolerance` is that of the default if it is negative
-  Repair_changes operator()(const double tolerance)
+  // `tolerance` is that of the default if it is negative; `fuses` tells whether bodies that overlap become one
+  Repair_changes operator()(const double tolerance, const bool fuses)
   {
     Repair_changes& changes = m_state.changes;
     changes.tolerance = tolerance < 0 ? default_tolerance(m_surface.points) : tolerance;
@@ -87,14 +96,21 @@ public:
       return changes;
 
     load();
-    changes.open_edges[0] = open_edges(m_state.soup).size();
+    changes.open_edges[0] = open_edges(m_state.soup.triangles).size();
     clean(m_state);
     changes.intersections[0] = m_state.intersections;
     if(! m_state.is_good() && changes.tolerance > 0)
       try_change([this](State& state) { merge_points(state); });
     if(m_state.open_edges > 0 && changes.tolerance > 0)
       try_change([](State& state) { stitch(state); });
-    refine();
+    if(m_state.intersections > 0 && changes.tolerance > 0)
+      try_change([this](State& state) { unfold(state); });
+    const bool is_refined = refine();
+    changes.is_fusion_wanted = fuses;
+    if(fuses && m_state.intersections == 0)
+      fuse();
+    if(is_refined && m_state.intersections == 0)
+      drop_dust();
     store();
     return changes;
   }
@@ -134,8 +150,8 @@ private:
 
   static void judge(State& state)
   {
-    state.intersections = number_of_intersections(state.soup);
-    state.open_edges = open_edges(state.soup).size();
+    state.intersections = Intersection_finder<Point>(state.soup).number_of_pairs();
+    state.open_edges = open_edges(state.soup.triangles).size();
   }
 
   // returns the sources of those that are gone
@@ -149,9 +165,9 @@ private:
       return count;
     };
     const auto before = count_sources();
-    CGAL::Polygon_mesh_processing::merge_duplicate_polygons_in_polygon_soup(soup.points, soup.triangles);
-    std::stable_sort(soup.triangles.begin(), soup.triangles.end(), // the others took the places of those
-                     [](const Sourced_triangle& s, const Sourced_triangle& t) { return s.source < t.source; });
+    unite_equal_triangles(soup);
+    for(Sourced_triangle& t : soup.triangles)
+      t.is_odd = true; // a sheet with a front and a back is one
     auto after = count_sources();
     std::vector<std::size_t> dropped;
     for(const auto& source : before)
@@ -174,6 +190,27 @@ private:
   static void stitch(State& state)
   {
     state.changes.number_of_stitched_edges = Gap_closer<Point>(state.soup, state.changes.tolerance)();
+  }
+
+  // The order of the faces stays.
+  void unfold(State& state) const
+  {
+    const std::set<std::size_t> before = used_vertices(state.soup);
+    state.changes.unfolded_faces = Triangle_unfolder<Point>(state.soup, state.changes.tolerance)();
+    std::stable_sort(state.soup.triangles.begin(), state.soup.triangles.end(),
+                     [](const Sourced_triangle& s, const Sourced_triangle& t) { return s.source < t.source; });
+    const std::set<std::size_t> after = used_vertices(state.soup);
+    for(const std::size_t v : before)
+      if(after.count(v) == 0)
+        state.changes.unfolded_vertices.push_back(m_surface.file_vertex(v));
+  }
+
+  static std::set<std::size_t> used_vertices(const Soup& soup)
+  {
+    std::set<std::size_t> vertices;
+    for(const Sourced_triangle& t : soup.triangles)
+      vertices.insert(t.begin(), t.end());
+    return vertices;
   }
 
   // The points stay in their places; merged ones are no longer used.
@@ -203,8 +240,10 @@ private:
         v = names[v];
   }
 
-  void refine()
+  // returns whether there was anything to do, and a way to do it
+  bool refine()
   {
+    const bool is_needed = can_resolve_intersections && m_state.intersections > 0;
     for(int i = 0; can_resolve_intersections && i < max_number_of_refinements && m_state.intersections > 0; ++i)
     {
       State refined = m_state;
@@ -212,10 +251,48 @@ private:
       rename_vertices(refined.soup, first_at_same_point(refined.soup.points));
       Degenerate_triangle_dissolver<Point> dissolve(refined.soup);
       dissolve();
-      drop_duplicate_triangles(refined.soup);
+      unite_equal_triangles(refined.soup);
       judge(refined);
       m_state = std::move(refined);
     }
+    return is_needed;
+  }
+
+  std::map<std::size_t, std::size_t> number_of_parts() const
+  {
+    std::map<std::size_t, std::size_t> number;
+    for(const Sourced_triangle& t : m_state.soup.triangles)
+      ++number[t.source];
+    return number;
+  }
+
+  // the sources of which no part is left
+  std::vector<std::size_t> sources_gone(const std::map<std::size_t, std::size_t>& before) const
+  {
+    const std::map<std::size_t, std::size_t> after = number_of_parts();
+    std::vector<std::size_t> gone;
+    for(const auto& source : before)
+      if(after.count(source.first) == 0)
+        gone.push_back(source.first);
+    return gone;
+  }
+
+  void fuse()
+  {
+    const auto before = number_of_parts();
+    m_state.changes.is_fused = Body_fuser<Point>(m_state.soup)();
+    m_state.changes.inner_faces = sources_gone(before);
+  }
+
+  void drop_dust()
+  {
+    const auto before = number_of_parts();
+    std::vector<bool> is_part;
+    for(const Sourced_triangle& t : m_state.soup.triangles)
+      is_part.push_back(before.at(t.source) > 1);
+    m_state.changes.number_of_dust_regions = Dust_dropper<Point>(m_state.soup)(is_part, m_state.changes.tolerance);
+    m_state.changes.dust_faces = sources_gone(before);
+    m_state.open_edges = open_edges(m_state.soup.triangles).size();
   }
 
   // makes the surface of the soup
@@ -250,10 +327,8 @@ private:
   void list_faces()
   {
     Repair_changes& changes = m_state.changes;
-    std::map<std::size_t, std::size_t> number_of_parts;
-    for(const Sourced_triangle& t : m_state.soup.triangles)
-      ++number_of_parts[t.source];
-    for(const auto& face : number_of_parts)
+    const std::map<std::size_t, std::size_t> parts = number_of_parts();
+    for(const auto& face : parts)
       if(face.second > 1)
       {
         changes.divided_faces.push_back(face.first);
@@ -263,11 +338,11 @@ private:
     {
       std::sort(list->begin(), list->end());
       const auto end = std::remove_if(list->begin(), std::unique(list->begin(), list->end()),
-                                      [&](const std::size_t f) { return number_of_parts.count(f) > 0; });
+                                      [&](const std::size_t f) { return parts.count(f) > 0; });
       list->erase(end, list->end());
     }
     for(auto* list : { &changes.degenerate_faces, &changes.duplicate_faces, &changes.reversed_faces,
-                       &changes.divided_faces })
+                       &changes.unfolded_faces, &changes.divided_faces, &changes.inner_faces, &changes.dust_faces })
       for(std::size_t& f : *list)
         f = m_surface.file_face(f);
   }

@@ -33,8 +33,16 @@ inline void print_repair(std::ostream& os, const Repair_changes& changes)
   print(changes.duplicate_faces.size(), "triangle", "dropped that was there twice");
   print(changes.reversed_faces.size(), "triangle", "turned over");
   print(changes.number_of_stitched_edges, "edge", "stitched to points beside");
+  print(changes.unfolded_faces.size(), "triangle", "folded flat replaced by others with the same border");
+  print(changes.unfolded_vertices.size(), "point", "inside of these dropped");
   print(changes.divided_faces.size(), "triangle", "divided, into " + count(changes.number_of_parts, "part"));
   print(changes.number_of_new_points, "point", "added where triangles intersect");
+  if(changes.is_fusion_wanted)
+    os << (changes.is_fused ? "  bodies that overlap are fused\n"
+                            : "  bodies are not fused: triangles intersect, or do not tell what is inside\n");
+  print(changes.inner_faces.size(), "triangle", "inside of a body dropped");
+  print(changes.number_of_dust_regions, "region", "of dust joined with what is beside: too small or too thin");
+  print(changes.dust_faces.size(), "triangle", "beside dust or in a fold dropped");
   os << "  open edges: " << changes.open_edges[0] << " before, " << changes.open_edges[1] << " after\n"
      << "  intersections: " << changes.intersections[0] << " before, " << changes.intersections[1] << " after\n";
   if(changes.intersections[1] > 0 && ! can_resolve_intersections)
@@ -71,14 +79,20 @@ void write_repair(Json_writer& json, const Repair_changes& changes, const Surfac
   list("degenerate_facets", changes.degenerate_faces);
   list("duplicate_facets", changes.duplicate_faces);
   list("reversed_facets", changes.reversed_faces);
+  list("unfolded_facets", changes.unfolded_faces);
+  list("unfolded_vertices", changes.unfolded_vertices);
   list("divided_facets", changes.divided_faces);
+  list("inner_facets", changes.inner_faces);
+  list("dust_facets", changes.dust_faces);
+  json.entry("is_fused", changes.is_fused);
+  json.entry("number_of_dust_regions", changes.number_of_dust_regions);
   json.entry("number_of_stitched_edges", changes.number_of_stitched_edges);
   json.entry("number_of_parts_of_divided_facets", changes.number_of_parts);
   json.entry("number_of_new_points", changes.number_of_new_points);
   before_and_after("number_of_open_edges", changes.open_edges);
   before_and_after("number_of_intersections", changes.intersections);
   json.key("source_facets"); // of each triangle that was recovered
-  json.list(surface.file_faces, value);
+  json.list(surface.file_faces, [&](const std::size_t f) { json.number_or_null(f); });
   json.end('}');
 }
 

@@ -5,6 +5,7 @@
 
 #include <CGAL/version.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -46,7 +47,10 @@ void resolve_intersections(Triangle_soup<Point>& soup)
 
   std::vector<Sourced_triangle> refined;
   for(std::size_t i = 0; i < triangles.size(); ++i)
-    refined.push_back(Sourced_triangle(triangles[i], soup.triangles[origins[i]].source));
+  {
+    refined.push_back(soup.triangles[origins[i]]);
+    std::copy(triangles[i].begin(), triangles[i].end(), refined.back().begin());
+  }
   soup.triangles.swap(refined);
 }
 

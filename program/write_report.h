@@ -61,6 +61,16 @@ public:
 
   void value(const std::size_t n) { m_os << n; }
   void value(const int n) { m_os << n; }
+
+  // the largest number there is stands for none
+  void number_or_null(const std::size_t n)
+  {
+    if(n != static_cast<std::size_t>(-1))
+      value(n);
+    else
+      m_os << "null";
+  }
+
   void value(const bool b) { m_os << (b ? "true" : "false"); }
   void value(const char* text) { value(std::string(text)); }
 
