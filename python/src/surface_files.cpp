@@ -61,7 +61,7 @@ Surface_arrays repair_surface(const Point_rows& points, const Index_rows& triang
 {
   const Points p = as_points(points);
   Surface<Point_3> surface = make_surface(std::vector<Point_3>(p.begin(), p.end()), as_rows<3>(triangles));
-  const Repair_changes changes = Surface_repairer<Point_3>(surface)(tolerance);
+  const Repair_changes changes = Surface_repairer<Point_3>(surface)(tolerance, false);
   Surface_arrays arrays = plain_surface(surface);
   if(! changes.is_possible)
     arrays.message = "the surface cannot be repaired: a triangle names a point that does not exist, or a point has no "
