@@ -35,6 +35,12 @@ public:
     return result;
   }
 
+  // only the value: what an option needs is told in words
+  std::string make_option_opts(const CLI::Option* option) const override
+  {
+    return option->get_option_text().empty() ? std::string() : ' ' + option->get_option_text();
+  }
+
   std::string make_group(const std::string group, bool, const std::vector<const CLI::Option*> options) const override
   {
     const auto text = m_texts.find(group);
