@@ -42,8 +42,8 @@ struct Common_options
 
 // what the help of each program says of its input
 constexpr const char* input_text =
-  "INPUT is a surface in an .off, .ply, .stl or .obj file, of triangles or polygons; without it, the program takes a\n"
-  "surface of its own.";
+  "INPUT is a surface of triangles or polygons: .off, .ply, .stl, .obj, .msh, .mesh, .poly or .smesh; without it, the\n"
+  "program takes a surface of its own.";
 
 // Reads the arguments of a program by CLI11. What only one program has is in a derived class.
 class Command_line
@@ -199,6 +199,7 @@ protected:
                "write a report with sizes, times, the quality of the mesh, the tetrahedra with small\n"
                "angles and their reasons, and all that is wrong or missing");
     add_flag("--timing", m_options.timing, timing_text());
+    add_own_message_options();
     add_flag("--quiet", m_options.quiet,
              "print errors and limits that ended the work only, and what --timing asks for");
     const std::string version = m_app.get_name() + " " BOUNDARY_RECOVERY_3_VERSION " with CGAL " CGAL_VERSION_STR;
@@ -210,6 +211,9 @@ protected:
   {
     add_number("--time-limit", "SECONDS", m_options.time_limit, Number_kind::not_negative, description);
   }
+
+  // adds what only this program tells
+  virtual void add_own_message_options() { }
 
 private:
   // A number after --close-holes may be left out. CLI11 would take what comes next for it.

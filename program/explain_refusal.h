@@ -60,7 +60,9 @@ template <typename Result>
 void print_remedy(std::ostream& os, const Result& result, const Common_options& options)
 {
   const std::map<Defect_kind, std::size_t> numbers = count_defects(result);
-  if(! std::all_of(numbers.begin(), numbers.end(), [](const auto& kind) { return is_repairable(kind.first); }))
+  if(numbers.count(Defect_kind::not_a_triangle) > 0 && ! options.repair)
+    os << "--repair divides polygons that are not flat\n";
+  else if(! std::all_of(numbers.begin(), numbers.end(), [](const auto& kind) { return is_repairable(kind.first); }))
     os << "the file has to be corrected: no option does that\n";
   else if(numbers.count(Defect_kind::intersecting_constraints) > 0 && ! can_resolve_intersections)
     os << "--repair resolves intersections if the program is compiled with CGAL 6.0 or later; this one is with CGAL "

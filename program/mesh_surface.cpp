@@ -12,6 +12,7 @@
 #include "mesh_surface_options.h"
 #include "named_regions.h"
 #include "print_mesh.h"
+#include "print_result.h"
 #include "program.h"
 #include "progress_bar.h"
 #include "thread_limit.h"
@@ -204,10 +205,9 @@ int finish(const Meshing_options& options, Program<Point>& program, const Result
     program.fail(unfinished);
   if(! options.quiet)
   {
-    print_mesh(std::cout, result, domain, measured.quality, measured.edges, measured.bad_tetrahedra,
-               measured.seconds_total);
-    if(options.outputs.empty())
-      std::cout << "no mesh is written; -o OUTPUT does that" << std::endl;
+    const auto print = options.verbose ? print_mesh<Result, Domain<Point> > : print_result<Result, Domain<Point> >;
+    print(std::cout, result, domain, measured.quality, measured.edges, measured.bad_tetrahedra, measured.seconds_total);
+    program.print_outputs();
     program.warn_of_idle_faces();
   }
   return result ? success : incomplete_or_stopped;

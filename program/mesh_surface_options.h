@@ -24,6 +24,7 @@ struct Meshing_options
   bool has_grading = false;
   bool insert_field_points = true;
   double min_angle = 25;            // in degrees, that of the library
+  bool verbose = false;
   std::vector<std::tuple<std::string, double, double, double> > regions; // names, and places in them
   std::vector<std::tuple<double, double, double> > voids;                // places in regions that are to be empty
   Improvement_effort effort = Improvement_effort::normal;
@@ -94,6 +95,11 @@ private:
     return "print seconds: @@rec, of the recovery without the insertion of the surface's points,\n"
            "@@fill, of the field points, @@improve, of the quality, and @@tmesh, of all that makes\n"
            "the mesh";
+  }
+
+  void add_own_message_options() override
+  {
+    add_flag("--verbose", m_options.verbose, "print tables of all phases and of angles, and the worst tetrahedra");
   }
 
   void add_size_options()

@@ -114,7 +114,10 @@ inline void print_levels(std::ostream& os,
 // a number and what it counts
 inline std::string count(const std::size_t n, const std::string& noun)
 {
-  return std::to_string(n) + ' ' + noun + (n == 1 ? "" : "s");
+  if(n != 1 && noun == "tetrahedron")
+    return std::to_string(n) + " tetrahedra";
+  const bool is_sibilant = noun.size() > 2 && noun.compare(noun.size() - 2, 2, "ch") == 0; // as in patches
+  return std::to_string(n) + ' ' + noun + (n == 1 ? "" : is_sibilant ? "es" : "s");
 }
 
 // prints the table at the end of the program

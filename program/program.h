@@ -8,6 +8,7 @@
 #include "explain_refusal.h"
 #include "open_surface.h"
 #include "patches_by_angle.h"
+#include "print_result.h"
 #include "read_surface.h"
 #include "repair_surface.h"
 #include "report_repair.h"
@@ -112,6 +113,19 @@ public:
       repair_surface();
     if(m_options.max_hole_length >= 0 && is_triangle_soup(m_surface))
       close_holes();
+    if(! m_options.quiet)
+      print_surface(std::cout, m_options.input.empty() ? "default surface" : m_options.input, m_surface);
+  }
+
+  // tells where the mesh is
+  void print_outputs() const
+  {
+    if(m_options.outputs.empty())
+      std::cout << "no mesh is written; -o OUTPUT does that" << std::endl;
+    for(const std::string& file : m_options.outputs)
+      std::cout << (&file == &m_options.outputs.front() ? "written: " : ", ") << file;
+    if(! m_options.outputs.empty())
+      std::cout << std::endl;
   }
 
   // divides the surface into patches unless it has some

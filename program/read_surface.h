@@ -83,7 +83,7 @@ bool read_soup(const std::string& extension, const std::string& text, PointRange
 
 } // namespace read_surface_internal
 
-constexpr const char* known_input_formats = ".off, .ply, .stl, .obj, .msh, .mesh, .poly, .smesh";
+constexpr const char* known_input_formats = ".off, .ply, .stl, .obj, .msh, .msh2, .mesh, .poly, .smesh";
 
 inline bool is_format_of_cgal(const std::string& extension)
 {
@@ -92,7 +92,8 @@ inline bool is_format_of_cgal(const std::string& extension)
 
 inline bool is_input_format(const std::string& extension)
 {
-  return is_format_of_cgal(extension) || extension == ".msh" || extension == ".mesh" || extension == ".poly" ||
+  return is_format_of_cgal(extension) || extension == ".msh" || extension == ".msh2" || extension == ".mesh" ||
+         extension == ".poly" ||
          extension == ".smesh";
 }
 
@@ -125,7 +126,7 @@ bool read_soup_with_names(const std::string& extension, std::string& text, Polyg
 template <typename Point>
 Polygon_soup<Point> read_soup_of_mesher(const std::string& extension, const std::string& file, const std::string& text)
 {
-  if(extension == ".msh")
+  if(extension == ".msh" || extension == ".msh2")
     return Gmsh_reader<Point>(text)();
   if(extension == ".mesh")
     return Medit_reader<Point>(text)();

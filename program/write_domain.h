@@ -10,11 +10,12 @@
 #include <string>
 #include <vector>
 
-constexpr const char* known_output_formats = ".mesh, .msh, .vtu, .vtk";
+constexpr const char* known_output_formats = ".mesh, .msh (Gmsh 4.1), .msh2 (Gmsh 2.2), .vtu, .vtk";
 
 inline bool is_output_format(const std::string& extension)
 {
-  return extension == ".mesh" || extension == ".msh" || extension == ".vtu" || extension == ".vtk";
+  return extension == ".mesh" || extension == ".msh" || extension == ".msh2" || extension == ".vtu" ||
+         extension == ".vtk";
 }
 
 // writes the domain in the format that the extension names; returns `false` if that fails. The parts of the tetrahedra,
@@ -28,6 +29,8 @@ bool write_domain(const std::string& file, const std::string& extension, const D
     write_medit(os, domain);
   else if(extension == ".msh")
     Gmsh_writer<Point>(os, domain, parts)();
+  else if(extension == ".msh2")
+    Gmsh_writer<Point>(os, domain).write_version_2();
   else if(extension == ".vtu")
     Vtu_writer<Point>(os, domain)();
   else

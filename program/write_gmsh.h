@@ -15,12 +15,11 @@
 #include <utility>
 #include <vector>
 
-// Writes Gmsh's format 4.1, as text. Each region is a volume, and all the triangles of a patch with the same regions on
-// both sides are a surface. Regions and patches are physical groups with names, so that a solver can put its conditions
-// there. The number of a triangle in the input is data.
-//
-// If the parts of a mesh are given, the entities are divided by them, as Gmsh does it: what has the tetrahedra or the
-// triangles is an entity for each part, or for each two parts that meet; it has the whole one as its parent.
+// Writes Gmsh's formats 4.1 and 2.2, as text. Each region is a volume, and all the triangles of a patch with the same
+// regions on both sides are a surface. Regions and patches are physical groups with names, so that a solver can put its
+// conditions there. The number of a triangle in the input is data.  If the parts of a mesh are given, the entities are
+// divided by them, as Gmsh does it: what has the tetrahedra or the triangles is an entity for each part, or for each
+// two parts that meet; it has the whole one as its parent.
 template <typename Point>
 class Gmsh_writer
 {
@@ -66,7 +65,19 @@ public:
       write_partitioned_entities();
     write_nodes();
     write_elements();
-    write_numbers();
+    write_data();
+  }
+
+  // the same in version 2.2, which MFEM and OpenFOAM read, and which does not divide entities
+  void write_version_2()
+  {
+    add_surfaces();
+    add_volumes();
+    m_os << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
+    write_names();
+    write_nodes_2();
+    write_elements_2();
+    write_data();
   }
 
 private:
@@ -283,15 +294,59 @@ private:
     }
   }
 
-  // -1 for what has none, as meshio wants data of all elements
-  void write_numbers()
+  // Data of all elements, as meshio wants it: first the regions, which Gmsh shows; that of a triangle is the one beside
+  // it, the smaller one of two. Tetrahedra have no number in the input, -1.
+  void write_data()
+  {
+    const std::size_t n = m_domain.triangles.size();
+    write_data("region", [&](const std::size_t i)
+               { return std::int64_t(i >= n ? m_domain.regions[i - n] : m_sides[i][m_sides[i][0] == 0]); });
+    write_data("triangle", [&](const std::size_t i)
+               { return i < n ? static_cast<std::int64_t>(m_domain.triangle_numbers[i]) : -1; });
+  }
+
+  template <typename Value>
+  void write_data(const std::string& name, const Value& value)
   {
     const std::size_t n = m_domain.triangles.size() + m_domain.tetrahedra.size();
-    m_os << "$ElementData\n1\n\"triangle\"\n1\n0\n3\n0\n1\n" << n << '\n';
+    m_os << "$ElementData\n1\n\"" << name << "\"\n1\n0\n3\n0\n1\n" << n << '\n';
     for(std::size_t i = 0; i < n; ++i)
-      m_os << i + 1 << ' '
-           << (i < m_domain.triangles.size() ? static_cast<std::int64_t>(m_domain.triangle_numbers[i]) : -1) << '\n';
+      m_os << i + 1 << ' ' << value(i) << '\n';
     m_os << "$EndElementData\n";
+  }
+
+  void write_nodes_2()
+  {
+    m_os << "$Nodes\n" << m_domain.points.size() << '\n';
+    for(std::size_t v = 0; v < m_domain.points.size(); ++v)
+      m_os << v + 1 << ' ' << m_domain.points[v].x() << ' ' << m_domain.points[v].y() << ' ' << m_domain.points[v].z()
+           << '\n';
+    m_os << "$EndNodes\n";
+  }
+
+  // Each element tells its group and its entity.
+  void write_elements_2()
+  {
+    m_os << "$Elements\n" << m_domain.triangles.size() + m_domain.tetrahedra.size() << '\n';
+    for(const Entity& entity : m_entities)
+      if(entity.dimension == 2)
+        write_elements_2(entity, " 2 2 ", m_domain.triangles, 1);
+      else
+        write_elements_2(entity, " 4 2 ", m_domain.tetrahedra, m_domain.triangles.size() + 1);
+    m_os << "$EndElements\n";
+  }
+
+  template <typename Simplices>
+  void write_elements_2(const Entity& entity, const char* type, const Simplices& simplices,
+                        const std::size_t first_number)
+  {
+    for(const std::size_t i : entity.simplices)
+    {
+      m_os << first_number + i << type << entity.group << ' ' << entity.tag;
+      for(const Point_number v : simplices[i])
+        m_os << ' ' << std::size_t(v) + 1;
+      m_os << '\n';
+    }
   }
 };
 

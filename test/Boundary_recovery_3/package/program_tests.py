@@ -318,7 +318,8 @@ def read_msh_sections(name):
         keyword, _, data = data.lstrip().partition(b'\n')
         content, mark, data = data.partition(b'\n$End' + keyword[1:] + b'\n')
         assert keyword.startswith(b'$') and mark, keyword
-        sections[keyword[1:].decode()] = content
+        name = keyword[1:].decode()
+        sections[name if name not in sections else name + ' 2'] = content
     version, is_binary, size = sections.pop('MeshFormat').split()[:3]
     assert version == b'4.1' and size == b'8'
     return sections, is_binary == b'1'
@@ -385,6 +386,11 @@ def read_msh(name):
     if not is_binary:
         assert order == sorted(order)
         text = sections.pop('ElementData').decode().split('\n')
+        assert text[:8] == ['1', '"region"', '1', '0', '3', '0', '1', str(m)]
+        regions = {int(tag): int(region) for tag, region in map(str.split, text[8:])}
+        assert all(names[3, group_of[elements[t][:2]]] == 'outside' if regions[t] == 0 else regions[t] == elements[t][1]
+                   for t in tetrahedra)
+        text = sections.pop('ElementData 2').decode().split('\n')
         assert text[:8] == ['1', '"triangle"', '1', '0', '3', '0', '1', str(m)]
         values = [tuple(map(int, line.split())) for line in text[8:]]
         assert [tag for tag, _ in values] == triangles + tetrahedra
@@ -434,7 +440,7 @@ def run(*arguments, status=None):
     process = subprocess.run([PROGRAM, *arguments], capture_output=True, timeout=300, stdin=subprocess.DEVNULL)
     if status is not None:
         assert process.returncode == status, (arguments, process)
-    process.out = process.stdout.decode()
+    process.out = process.stdout.decode(errors='replace')
     process.err = process.stderr.decode(errors='replace')
     return process
 
@@ -468,7 +474,7 @@ def report_of(*arguments, status):
 def check_invalid(name, kind):
     """status 2, the kind of defect in the message and in the report; no mesh is written"""
     process = run(name, '-o', 'never.mesh', status=INVALID_INPUT)
-    assert all(line.startswith('note: ') for line in process.out.splitlines()), process
+    assert all(re.match(r'note: |[\w.]+: \d+ triangles?, \d+ points?', line) for line in process.out.splitlines()), process
     assert kind in process.err and not os.path.exists('never.mesh'), process
     report = report_of(name, status=INVALID_INPUT)
     assert report['status'] == 'invalid_input' and report['number_of_tetrahedra'] == 0

@@ -136,7 +136,7 @@ def test_gmsh_reads_the_mesh():
     gmsh('two.msh', '-save', '-format', 'msh41', '-bin', '-o', 'again.msh')
     theirs = read_msh('again.msh')
     assert theirs.mesh[:4] == ours.mesh[:4] and theirs[1:] == ours[1:]
-    write('patches.geo', 'Merge "two.msh";\nSave View[0] "patches.msh";\n')
+    write('patches.geo', 'Merge "two.msh";\nSave View[1] "patches.msh";\n')
     gmsh('patches.geo', '-')
     lines = read('patches.msh').decode().split('$ElementData\n')[1].split('\n')
     begin = 0
@@ -613,7 +613,16 @@ def test_printing():
     process = run(surface, '--quiet', '--size', '1', '-o', 'printing.mesh', status=MESHED)
     assert process.out == '' and process.err == ''
     process = run(surface, '--size', '1', status=MESHED)
-    assert 'no mesh is written' in process.out and process.err == '' and '@@' not in process.out and '\r' not in process.out
+    assert process.err == '' and '@@' not in process.out and '\r' not in process.out
+    lines = process.out.splitlines()
+    for line, words in itertools.zip_longest(lines, (
+            r'printing\.off: 12 triangles, 8 points', r'about [\d.]+ tetrahedra are to be expected',
+            r'mesh: \d+ tetrahedra in 1 region, \d+ points: \d+ added inside', r'dihedral angles: from [\d.]+ to [\d.]+ degrees',
+            r'below 25 degrees: \d+.*', r'the worst one:  [\d.]+ degrees at .*',
+            r'edges inside: \d+ % are as long as was asked for, within a factor of 1\.41', r'meshed in [\d.e-]+ seconds',
+            r'no mesh is written; -o OUTPUT does that')):
+        assert re.fullmatch(words, line), (words, line)
+    process = run(surface, '--size', '1', '--verbose', status=MESHED)
     for words in (r'^search ', r'^field_point_insertion +\d+ +\d+ ', r'^quality_improvement +\d+ +\d+ ', r'^ *60 to +70 +[\d.]+ %', r'^edges inside: \d+, [\d.]+ %',
                   r'below 5: \d+, 10: \d+, 15: \d+, 20: \d+; above 150: \d+, 160: \d+, 170: \d+',
                   r'^improved from [\d.e-]+ and [\d.]+ degrees: \d+ edges? and \d+ facets? removed, ',
@@ -621,7 +630,8 @@ def test_printing():
                   r'^meshed: \d+ points, \d+ field points? and 0 Steiner points among them, and \d+ tetrahedra in 1 region'):
         assert re.search(words, process.out, re.M), (words, process.out)
     assert 'no mesh is written' not in run(surface, '-o', 'printing.mesh', status=MESHED).out
-    process = run(write('wedge.off', off_text(*wedge(8))), status=MESHED)
+    assert 'written: printing.mesh, printing.vtu\n' in run(surface, '-o', 'printing.mesh', '-o', 'printing.vtu').out
+    process = run(write('wedge.off', off_text(*wedge(8))), '--verbose', status=MESHED)
     words = r'^  [\d.]+ degrees at \(([-\d.e]+ ){2}[-\d.e]+\), forced: triangles of the surface meet at 8 degrees$'
     assert re.search(words, process.out, re.M), process.out
     process = run(surface, '--quiet', '--timing', status=MESHED)
@@ -662,7 +672,7 @@ def test_progress_on_a_terminal():
 def check_no_mesh(*arguments, reason, status):
     """status 3, a reason on stderr, no file, and the status in the report"""
     process = run(*arguments, '-o', 'never.mesh', status=INCOMPLETE)
-    assert re.fullmatch(r'(about [^\n]+ tetrahedra are to be expected\n)?', process.out), process
+    assert re.fullmatch(r'[\w.]+: [^\n]+ points[^\n]*\n(about [^\n]+ tetrahedra are to be expected\n)?', process.out), process
     assert process.err.startswith('mesh_surface: there is no mesh: '), process
     assert reason in process.err and not os.path.exists('never.mesh'), process
     report = report_of(*arguments, '-o', 'never.mesh', status=INCOMPLETE)

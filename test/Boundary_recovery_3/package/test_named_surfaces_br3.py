@@ -160,16 +160,21 @@ def test_groups_of_msh():
 def test_what_is_written_is_read():
     """the surfaces of meshes that were written"""
     expected = triangles()[1]
-    read_all(write('groups.obj', obj_with(lambda name: 'g %s\n' % name)))
+    read_all(write('groups.obj', obj_with(lambda name: 'g %s\n' % name)), '-o', 'again.msh2')
     shutil.copy('out.msh', 'again.msh')
     shutil.copy('out.mesh', 'again.mesh')
     mesh, names, out = read_all('again.msh')
     assert names == [n.replace('"', "'") for n in expected] and 'tetrahedra and other cells' in out
     assert read_all('again.mesh')[0].patches == mesh.patches
+    other, names, _ = read_all('again.msh2')
+    assert other.patches == mesh.patches and names == [n.replace('"', "'") for n in expected]
     if shutil.which('gmsh'):
         subprocess.run(['gmsh', '-v', '0', 'again.msh', '-save', '-format', 'msh22', '-o', 'old.msh'], check=True,
                        stdin=subprocess.DEVNULL)
         assert set(read_all('old.msh')[1]) == set(n.replace('"', "'") for n in expected)
+        subprocess.run(['gmsh', '-v', '0', 'again.msh2', '-save', '-format', 'msh41', '-o', 'new.msh'], check=True,
+                       stdin=subprocess.DEVNULL)
+        assert set(read_all('new.msh')[1]) == set(n.replace('"', "'") for n in expected)
 
 
 def test_references_of_mesh():
