@@ -32,6 +32,7 @@ class Grouped_trees
   std::vector<std::size_t> m_numbers;
   std::vector<Object> m_objects;
   std::vector<std::unique_ptr<Tree> > m_trees;
+  mutable std::vector<std::size_t> m_last; // the object that was found last: questions come close to each other
 
 public:
   struct Closest
@@ -42,7 +43,7 @@ public:
 
   // the numbers of the objects are those of their groups in `groups`
   Grouped_trees(const std::vector<Object>& objects, const std::vector<std::size_t>& groups, const std::size_t n)
-    : m_numbers(objects.size()), m_trees(n)
+    : m_numbers(objects.size()), m_trees(n), m_last(n)
   {
     std::iota(m_numbers.begin(), m_numbers.end(), std::size_t(0));
     std::stable_sort(m_numbers.begin(), m_numbers.end(),
@@ -55,13 +56,23 @@ public:
       while(end < m_numbers.size() && groups[m_numbers[end]] == group)
         ++end;
       m_trees[group].reset(new Tree(m_objects.begin() + begin, m_objects.begin() + end));
+      m_last[group] = begin;
     }
   }
 
   Closest operator()(const Point& p, const std::size_t group) const
   {
-    const auto found = m_trees[group]->closest_point_and_primitive(p);
-    return Closest{ found.first, m_numbers[found.second - m_objects.begin()] };
+    typename Tree::Point_and_primitive_id found(last(p, group), m_objects.begin() + m_last[group]);
+    if(found.first != p)
+      found = m_trees[group]->closest_point_and_primitive(p, found);
+    m_last[group] = found.second - m_objects.begin();
+    return Closest{ found.first, m_numbers[m_last[group]] };
+  }
+
+  // a point that is not closer than that
+  Point last(const Point& p, const std::size_t group) const
+  {
+    return Remeshing_kernel().construct_projected_point_3_object()(m_objects[m_last[group]], p);
   }
 };
 
@@ -118,6 +129,7 @@ private:
   const double m_tolerance;         // where nothing went wrong yet
   std::vector<double> m_sizes;      // at the vertices
   std::vector<double> m_tolerances; // of the faces
+  bool m_is_tightened = false;
 
 public:
   // `numbers` are those of patches and curves
@@ -158,6 +170,12 @@ public:
   Point closest_on_curve(const Point& p, const Index curve) const { return m_curves(p, curve).point; }
 
   // whether a point is as close to a patch as it has to be
+  bool is_close(const Point& p, const Index patch) const
+  {
+    return (! m_is_tightened && CGAL::squared_distance(p, m_patches.last(p, patch)) <= squared_tolerance()) ||
+           is_close(p, closest_in_patch(p, patch));
+  }
+
   bool is_close(const Point& p, const Closest& closest) const
   {
     const double d = m_tolerances[closest.number];
@@ -174,6 +192,8 @@ public:
   double squared_tolerance() const { return m_tolerance * m_tolerance; }
 
   bool is_frozen(const Index f) const { return m_tolerances[f] == 0; }
+
+  bool is_tightened() const { return m_is_tightened; }
 
   std::size_t number_of_frozen_faces() const { return std::count(m_tolerances.begin(), m_tolerances.end(), 0.); }
 
@@ -197,6 +217,7 @@ public:
   void tighten(const std::vector<Index>& faces)
   {
     static constexpr double factor = 1. / 8;
+    m_is_tightened = true;
     std::vector<Index> around;
     for(const Index f : faces)
       for(const Index v : m_complex.faces[f].vertices)

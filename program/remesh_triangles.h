@@ -37,12 +37,14 @@ class Triangle_remesher
   const Reference_surface& m_reference;
   const double m_largest_size, m_smallest_size;
   std::vector<double> m_sizes;
+  std::size_t m_clock = 0, m_last_flips = 0, m_last_moves = 0; // one tick for each sweep
+  std::vector<std::size_t> m_changes; // when something around a vertex changed last
 
 public:
   Triangle_remesher(Complex& complex, const Reference_surface& reference, const double largest_edge,
                     const double smallest_size)
     : m_complex(complex), m_reference(reference), m_largest_size(largest_edge / too_long),
-      m_smallest_size(smallest_size)
+      m_smallest_size(smallest_size), m_changes(complex.points.size(), 0)
   { }
 
   void operator()()
@@ -65,6 +67,17 @@ private:
   double length(const Index v, const Index w) const { return std::sqrt(CGAL::squared_distance(point(v), point(w))); }
 
   double edge_size(const Edge& e) const { return (std::min)(m_sizes[e[0]], m_sizes[e[1]]); }
+
+  // notes that something around the vertices of a star changed
+  void note_change(const Index v)
+  {
+    m_changes.resize(m_complex.points.size(), m_clock);
+    for(const Index f : m_complex.stars[v])
+      for(const Index w : m_complex.faces[f].vertices)
+        m_changes[w] = m_clock;
+  }
+
+  bool has_changed(const Index v, const std::size_t since) const { return m_changes[v] >= since; }
 
   bool is_curve(const Index v, const Index w) const
   {
@@ -161,7 +174,8 @@ private:
 
   bool is_any_frozen(const Indices& faces) const
   {
-    return std::any_of(faces.begin(), faces.end(), [&](const Index f) { return is_frozen(f); });
+    return m_reference.is_tightened() &&
+           std::any_of(faces.begin(), faces.end(), [&](const Index f) { return is_frozen(f); });
   }
 
   static Vector normal(const std::array<Point, 3>& t) { return CGAL::normal(t[0], t[1], t[2]); }
@@ -192,11 +206,8 @@ private:
   {
     static constexpr int n = 4;
     for(int i = 1; i < n; ++i)
-    {
-      const Point x = p + (double(i) / n) * (q - p);
-      if(! m_reference.is_close(x, closest(x, patch)))
+      if(! m_reference.is_close(p + (double(i) / n) * (q - p), patch))
         return false;
-    }
     return true;
   }
 
@@ -207,31 +218,54 @@ private:
     const auto below = closest(c, patch);
     const Vector n = normal(t), m = m_reference.normal(below.number);
     return n * m > smallest_cosine * std::sqrt(n.squared_length() * m.squared_length()) &&
-           ! m_reference.is_frozen(below.number) && m_reference.is_close(c, below) &&
-           is_segment_close(t[0], t[1], patch) && is_segment_close(t[1], t[2], patch) &&
-           is_segment_close(t[2], t[0], patch);
+           ! m_reference.is_frozen(below.number) && m_reference.is_close(c, below);
+  }
+
+  // The same for a triangle with a vertex in another place, and one of its edges there: the other one is that of the
+  // next triangle, or of a curve.
+  bool is_move_allowed(const Index f, const Index v, const Point& p) const
+  {
+    const auto& face = m_complex.faces[f];
+    const Index next = face.vertices[(face.position(v) + 1) % 3];
+    return is_allowed(moved_triangle(f, v, p), face.patch) &&
+           (face.curve(v, next) != Complex::none || is_segment_close(p, point(next), face.patch));
   }
 
   // ---- joining
 
   void collapse_short_edges()
   {
+    std::vector<Edge> refused; // in ascending order
+    std::size_t since = 0;
     for(int i = 0; i < max_number_of_sweeps; ++i)
-      if(collapse_sweep() == 0)
+    {
+      const std::size_t begin = ++m_clock;
+      if(collapse_sweep(since, refused) == 0)
         break;
+      since = begin;
+    }
   }
 
-  std::size_t collapse_sweep()
+  // what was refused is tried again only where something changed
+  std::size_t collapse_sweep(const std::size_t since, std::vector<Edge>& refused)
   {
     std::vector<std::pair<double, Edge> > short_edges;
     for(const Edge& e : edges())
-      if(length(e[0], e[1]) < too_short * edge_size(e))
+      if(length(e[0], e[1]) < too_short * edge_size(e) &&
+         (has_changed(e[0], since) || has_changed(e[1], since) ||
+          ! std::binary_search(refused.begin(), refused.end(), e)))
         short_edges.emplace_back(length(e[0], e[1]), e);
     std::sort(short_edges.begin(), short_edges.end());
     std::size_t n = 0;
     for(const auto& entry : short_edges)
-      n += m_complex.has_edge(entry.second[0], entry.second[1]) &&
-           (try_collapse(entry.second[0], entry.second[1]) || try_collapse(entry.second[1], entry.second[0]));
+    {
+      const Edge& e = entry.second;
+      if(m_complex.has_edge(e[0], e[1]) && (try_collapse(e[0], e[1]) || try_collapse(e[1], e[0])))
+        ++n;
+      else
+        refused.push_back(e);
+    }
+    std::sort(refused.begin(), refused.end());
     return n;
   }
 
@@ -241,6 +275,7 @@ private:
        ! keeps_shapes(a, b))
       return false;
     m_complex.collapse(a, b);
+    note_change(b);
     return true;
   }
 
@@ -287,7 +322,7 @@ private:
       return false;
     return std::all_of(m_complex.stars[a].begin(), m_complex.stars[a].end(), [&](const Index f)
     {
-      return m_complex.faces[f].has(b) || is_allowed(moved_triangle(f, a, point(b)), m_complex.faces[f].patch);
+      return m_complex.faces[f].has(b) || is_move_allowed(f, a, point(b));
     });
   }
 
@@ -328,13 +363,14 @@ private:
     m_sizes.push_back((m_sizes[e[0]] + m_sizes[e[1]]) / 2);
     if(is_move_allowed(m, target))
       m_complex.points[m] = target;
+    note_change(m);
     return m;
   }
 
   bool is_move_allowed(const Index v, const Point& p) const
   {
     return std::all_of(m_complex.stars[v].begin(), m_complex.stars[v].end(), [&](const Index f)
-                       { return is_allowed(moved_triangle(f, v, p), m_complex.faces[f].patch); });
+                       { return is_move_allowed(f, v, p); });
   }
 
   // ---- flipping
@@ -343,9 +379,11 @@ private:
   {
     for(int i = 0; i < max_number_of_sweeps; ++i)
     {
+      const std::size_t since = std::exchange(m_last_flips, ++m_clock);
       std::size_t n = 0;
       for(const Edge& e : edges())
-        n += m_complex.has_edge(e[0], e[1]) && try_flip(e[0], e[1]);
+        n += (has_changed(e[0], since) || has_changed(e[1], since)) && m_complex.has_edge(e[0], e[1]) &&
+             try_flip(e[0], e[1]);
       if(n == 0)
         break;
     }
@@ -363,9 +401,11 @@ private:
     const Index patch = m_complex.faces[f].patch;
     const double worst = (std::min)(shape(triangle(f)), shape(triangle(g)));
     if((std::min)(shape(t), shape(u)) <= worst || m_complex.has_edge(c, d) || is_any_frozen(faces) ||
-       ! is_allowed(t, patch) || ! is_allowed(u, patch))
+       ! is_allowed(t, patch) || ! is_allowed(u, patch) || ! is_segment_close(point(c), point(d), patch))
       return false;
     m_complex.flip(a, b);
+    note_change(c);
+    note_change(d);
     return true;
   }
 
@@ -374,9 +414,12 @@ private:
   void move_vertices()
   {
     for(int i = 0; i < max_number_of_sweeps; ++i)
+    {
+      const std::size_t since = std::exchange(m_last_moves, ++m_clock);
       for(Index v = 0; v < m_complex.points.size(); ++v)
-        if(m_complex.kinds[v] == Kind::free && ! m_complex.stars[v].empty())
+        if(m_complex.kinds[v] == Kind::free && ! m_complex.stars[v].empty() && has_changed(v, since))
           try_move(v);
+    }
   }
 
   // to the middle of its neighbors, within its patch, if the worst of its triangles becomes better
@@ -395,7 +438,10 @@ private:
       new_worst = (std::min)(new_worst, shape(moved_triangle(f, v, p)));
     }
     if(new_worst > worst && ! is_any_frozen(star) && is_move_allowed(v, p))
+    {
       m_complex.points[v] = p;
+      note_change(v);
+    }
   }
 };
 
