@@ -128,20 +128,24 @@ private:
   const Curves m_curves;
   const double m_tolerance;         // where nothing went wrong yet
   std::vector<double> m_sizes;      // at the vertices
-  std::vector<double> m_tolerances; // of the faces
-  bool m_is_tightened = false;
+  const std::vector<double> m_tolerances; // of the faces; 0 where nothing is to be changed
+  const bool m_is_tightened;
+  std::vector<Index> m_flat_faces;  // the largest face of each patch that is flat
 
 public:
-  // `numbers` are those of patches and curves
-  Reference_surface(const Complex& complex, const std::array<std::size_t, 2>& numbers, const double tolerance)
+  // `numbers` are those of patches and curves; the tolerances of the faces are at most `tolerance`
+  Reference_surface(const Complex& complex, const std::array<std::size_t, 2>& numbers, const double tolerance,
+                    const std::vector<double>& tolerances)
     : m_complex(complex), m_curve_edges(complex),
       m_patches(triangles(complex), groups(complex), numbers[0]),
       m_curves(m_curve_edges.segments, m_curve_edges.curves, numbers[1]),
       m_tolerance(tolerance), m_sizes(complex.points.size(), (std::numeric_limits<double>::infinity)()),
-      m_tolerances(complex.faces.size(), tolerance)
+      m_tolerances(tolerances),
+      m_is_tightened(std::any_of(tolerances.begin(), tolerances.end(), [=](const double x) { return x < tolerance; }))
   {
     for(Index v = 0; v < complex.points.size(); ++v)
-      set_size(v, tolerance / 2);
+      set_size(v);
+    find_flat_patches(numbers[0]);
   }
 
   static std::vector<Triangle> triangles(const Complex& complex)
@@ -172,7 +176,8 @@ public:
   // whether a point is as close to a patch as it has to be
   bool is_close(const Point& p, const Index patch) const
   {
-    return (! m_is_tightened && CGAL::squared_distance(p, m_patches.last(p, patch)) <= squared_tolerance()) ||
+    return is_flat(patch) ||
+           (! m_is_tightened && CGAL::squared_distance(p, m_patches.last(p, patch)) <= squared_tolerance()) ||
            is_close(p, closest_in_patch(p, patch));
   }
 
@@ -191,11 +196,13 @@ public:
 
   double squared_tolerance() const { return m_tolerance * m_tolerance; }
 
+  // whether nothing that turns as the patch and keeps within its curves can leave it; one of its faces
+  bool is_flat(const Index patch) const { return ! m_is_tightened && m_flat_faces[patch] != Complex::none; }
+  Index flat_face(const Index patch) const { return m_flat_faces[patch]; }
+
   bool is_frozen(const Index f) const { return m_tolerances[f] == 0; }
 
   bool is_tightened() const { return m_is_tightened; }
-
-  std::size_t number_of_frozen_faces() const { return std::count(m_tolerances.begin(), m_tolerances.end(), 0.); }
 
   Vector normal(const Index f) const
   {
@@ -212,25 +219,6 @@ public:
     return result;
   }
 
-  // Makes tolerances smaller: those of the faces, of which each is there once, and of the faces around them. Where that
-  // was done already, nothing is to be changed at all.
-  void tighten(const std::vector<Index>& faces)
-  {
-    static constexpr double factor = 1. / 8;
-    m_is_tightened = true;
-    std::vector<Index> around;
-    for(const Index f : faces)
-      for(const Index v : m_complex.faces[f].vertices)
-        around.insert(around.end(), m_complex.stars[v].begin(), m_complex.stars[v].end());
-    std::sort(around.begin(), around.end());
-    around.erase(std::unique(around.begin(), around.end()), around.end());
-    for(const Index f : around)
-      m_tolerances[f] = m_tolerances[f] == m_tolerance ? factor * m_tolerance : 0;
-    for(const Index f : around)
-      for(const Index v : m_complex.faces[f].vertices)
-        set_size(v, factor * m_tolerance / 2);
-  }
-
 private:
   // Where edges turn by an angle, a chord of that length is as far away as `distance`. Edges turn little by little where
   // they stand for a round surface, and the chord is long; or at once, and then the chord ends beside that edge.
@@ -240,8 +228,12 @@ private:
                       : (std::max)(4 * distance / angle, std::sqrt(6 * distance * width / angle));
   }
 
-  void set_size(const Index v, const double distance)
+  void set_size(const Index v)
   {
+    double distance = m_tolerance / 2;
+    for(const Index f : m_complex.stars[v])
+      if(m_tolerances[f] > 0)
+        distance = (std::min)(distance, m_tolerances[f] / 2);
     for(const Index w : m_complex.neighbors(v))
     {
       const auto faces = m_complex.faces_of_edge(v, w);
@@ -250,6 +242,28 @@ private:
     }
     if(m_complex.kinds[v] == Complex::Kind::on_curve)
       m_sizes[v] = (std::min)(m_sizes[v], size_on_curve(v, distance));
+  }
+
+  void find_flat_patches(const std::size_t n)
+  {
+    static constexpr double share = 1e-3; // of the tolerance
+    m_flat_faces.assign(n, Complex::none);
+    for(Index f = 0; f < m_complex.faces.size(); ++f)
+    {
+      Index& largest = m_flat_faces[m_complex.faces[f].patch];
+      if(largest == Complex::none || normal(f).squared_length() > normal(largest).squared_length())
+        largest = f;
+    }
+    const std::vector<Index> largest = m_flat_faces;
+    for(const auto& face : m_complex.faces)
+    {
+      const Index f = largest[face.patch];
+      const Vector n = normal(f);
+      const Point& origin = m_complex.points[m_complex.faces[f].vertices[0]];
+      for(const Index v : face.vertices)
+        if(std::abs((m_complex.points[v] - origin) * n) > share * m_tolerance * std::sqrt(n.squared_length()))
+          m_flat_faces[face.patch] = Complex::none;
+    }
   }
 
   static double radians(const double degrees) { return degrees * std::acos(-1.) / 180; }

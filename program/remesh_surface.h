@@ -4,6 +4,7 @@
 #include "find_intersections.h"
 #include "reference_surface.h"
 #include "remesh_triangles.h"
+#include "remove_details.h"
 #include "surface.h"
 #include "surface_features.h"
 #include "triangle_complex.h"
@@ -43,12 +44,16 @@ class Surface_remesher
 
   static constexpr std::size_t max_number_of_attempts = 8;
   static constexpr double share_of_diagonal = 1e-3; // of the bounding box: the tolerance
-  static constexpr double margin = 0.7;             // what is aimed at, in terms of the tolerance
+  static constexpr double detail = 0.25;            // what is too small to be kept, in terms of the tolerance
+  static constexpr double margin = 0.6;             // what is aimed at after that
+  static constexpr double tighter = 1. / 8;         // the share of that where it was not enough
+  static constexpr double smallest_size = 0.5;      // of edges, in terms of the tolerance
   static constexpr double largest_share = 0.1;      // of the diagonal: the edges, if nobody says how long they may be
 
   Surface<Point>& m_surface;
   Remeshing_changes m_changes;
-  double m_diagonal = 0;
+  Complex m_original;
+  std::vector<double> m_tolerances;                 // of the faces
 
 public:
   explicit Surface_remesher(Surface<Point>& surface) : m_surface(surface) { }
@@ -61,15 +66,14 @@ public:
                             diagnose(m_surface.points, m_surface.faces).number_of_defects == 0;
     if(! m_changes.is_possible)
       return m_changes;
-    Complex complex = make_complex();
-    m_diagonal = diagonal(complex.points);
-    m_changes.tolerance = share_of_diagonal * m_diagonal;
-    m_changes.largest_edge = largest_edge > 0 ? largest_edge : largest_share * m_diagonal;
-    m_changes.smallest_angle.fill(smallest_angle(complex));
-    const auto numbers = Feature_marker<Complex>(complex, m_surface.patches, angle)();
-    Reference_surface reference(complex, numbers, margin * m_changes.tolerance);
+    m_original = make_complex();
+    const double length = diagonal(m_original.points);
+    m_changes.tolerance = share_of_diagonal * length;
+    m_changes.largest_edge = largest_edge > 0 ? largest_edge : largest_share * length;
+    m_changes.smallest_angle.fill(smallest_angle(m_original));
+    m_tolerances.assign(m_original.faces.size(), margin * m_changes.tolerance);
     while(! m_changes.is_remeshed && m_changes.number_of_attempts < max_number_of_attempts)
-      attempt(reference, numbers[0]);
+      attempt(angle);
     return m_changes;
   }
 
@@ -83,6 +87,7 @@ private:
     {
       typename Complex::Face face;
       face.vertices = {{ f[0], f[1], f[2] }};
+      face.source = complex.faces.size();
       complex.add_face(face);
     }
     return complex;
@@ -103,41 +108,103 @@ private:
     return angle;
   }
 
-  void attempt(Reference_surface& reference, const std::size_t number_of_patches)
+  void attempt(const double angle)
   {
     ++m_changes.number_of_attempts;
-    Complex complex = reference.complex();
-    Triangle_remesher(complex, reference, m_changes.largest_edge, margin * m_changes.tolerance)();
-    const Surface<Point> remeshed = make_surface_of(complex, reference);
-    std::vector<Index> bad = intersecting_faces(remeshed, complex, reference);
-    const Patches patches(Reference_surface::triangles(complex), Reference_surface::groups(complex), number_of_patches);
+    const Complex complex = remesh(angle);
+    const Surface<Point> remeshed = make_surface_of(complex);
+    std::vector<Index> bad = intersecting_faces(remeshed, complex);
     m_changes.distances = {{ 0, 0 }};
-    measure_to_reference(complex, reference, bad);
-    measure_from_reference(patches, reference, bad);
+    measure(complex, m_original, 0, bad);
+    measure(m_original, complex, 1, bad);
     if(! bad.empty())
-    {
-      std::sort(bad.begin(), bad.end());
-      bad.erase(std::unique(bad.begin(), bad.end()), bad.end());
-      reference.tighten(bad);
-      return;
-    }
+      return tighten(bad);
     m_changes.is_remeshed = true;
     m_changes.number_of_triangles[1] = remeshed.faces.size();
     m_changes.smallest_angle[1] = smallest_angle(complex);
-    m_changes.number_of_kept_triangles = reference.number_of_frozen_faces();
+    m_changes.number_of_kept_triangles = std::count(m_tolerances.begin(), m_tolerances.end(), 0.);
     store(remeshed);
   }
 
+  // the triangles know what they come from
+  Complex remesh(const double angle) const
+  {
+    Complex complex = m_original;
+    remove_details(complex, angle);
+    const auto numbers = mark_features(complex, angle);
+    std::vector<double> tolerances;
+    for(const auto& face : complex.faces)
+      tolerances.push_back(m_tolerances[face.source]);
+    const Reference_surface reference(complex, numbers, margin * m_changes.tolerance, tolerances);
+    Triangle_remesher(complex, reference, m_changes.largest_edge, smallest_size * m_changes.tolerance)();
+    for(auto& face : complex.faces)
+      face.source = reference.complex().faces[face_below(complex, face, reference)].source;
+    complex.drop_removed_faces();
+    return complex;
+  }
+
+  std::array<std::size_t, 2> mark_features(Complex& complex, const double angle) const
+  {
+    std::vector<int> labels;
+    for(const auto& face : complex.faces)
+      labels.push_back(m_surface.patches[face.source]);
+    return Feature_marker<Complex>(complex, labels, angle)();
+  }
+
+  // only what is not sharp alone has to stay where it is
+  void remove_details(Complex& complex, const double angle) const
+  {
+    static constexpr double any_angle = 180;
+    std::vector<bool> is_sharp, is_kept;
+    mark_features(complex, angle);
+    for(const auto kind : complex.kinds)
+      is_sharp.push_back(kind != Complex::Kind::free);
+    clear_features(complex);
+    mark_features(complex, any_angle);
+    for(const double tolerance : m_tolerances)
+      is_kept.push_back(tolerance < margin * m_changes.tolerance);
+    Detail_remover<Complex>(complex, is_kept, is_sharp, detail * m_changes.tolerance, angle)();
+    clear_features(complex);
+  }
+
+  static void clear_features(Complex& complex)
+  {
+    for(auto& face : complex.faces)
+      face.curves.fill(Complex::none);
+  }
+
+  static Index face_below(const Complex& complex, const typename Complex::Face& face,
+                          const Reference_surface& reference)
+  {
+    const auto& v = face.vertices;
+    const auto& p = complex.points;
+    return reference.closest_in_patch(CGAL::centroid(p[v[0]], p[v[1]], p[v[2]]), face.patch).number;
+  }
+
+  // Makes the tolerances of faces, and of those around them, smaller. Where that was done already, nothing is to be
+  // changed at all.
+  void tighten(const std::vector<Index>& faces)
+  {
+    std::vector<bool> is_near(m_tolerances.size(), false);
+    for(const Index f : faces)
+      for(const Index v : m_original.faces[f].vertices)
+        for(const Index g : m_original.stars[v])
+          is_near[g] = true;
+    const double first = margin * m_changes.tolerance;
+    for(Index f = 0; f < is_near.size(); ++f)
+      if(is_near[f])
+        m_tolerances[f] = m_tolerances[f] == first ? tighter * first : 0;
+  }
+
   // The vertices that are where they were keep their numbers in the file.
-  Surface<Point> make_surface_of(const Complex& complex, const Reference_surface& reference) const
+  Surface<Point> make_surface_of(const Complex& complex) const
   {
     std::vector<Point> points;
     std::vector<std::array<std::size_t, 3> > faces;
     for(const auto& p : complex.points)
       points.emplace_back(p.x(), p.y(), p.z());
     for(const auto& face : complex.faces)
-      if(! face.is_removed)
-        faces.push_back(face.vertices);
+      faces.push_back(face.vertices);
     Surface<Point> result = make_surface(points, faces);
     const std::size_t n = m_surface.points.size();
     std::size_t number_of_new_vertices = 0;
@@ -148,41 +215,21 @@ private:
                                   ? m_surface.file_vertex(v)
                                   : m_surface.file_vertex(n + number_of_new_vertices++);
     }
-    const std::vector<Index> sources = sources_of(complex, reference);
-    for(std::size_t i = 0; i < sources.size(); ++i)
+    for(std::size_t i = 0; i < complex.faces.size(); ++i)
     {
-      result.file_faces[i] = m_surface.file_face(sources[i]);
-      result.patches[i] = m_surface.patches[sources[i]];
+      result.file_faces[i] = m_surface.file_face(complex.faces[i].source);
+      result.patches[i] = m_surface.patches[complex.faces[i].source];
     }
     return result;
   }
 
-  // the face below the middle of each triangle
-  static std::vector<Index> sources_of(const Complex& complex, const Reference_surface& reference)
+  static std::vector<Index> intersecting_faces(const Surface<Point>& surface, const Complex& complex)
   {
-    std::vector<Index> result;
-    for(const auto& face : complex.faces)
-      if(! face.is_removed)
-      {
-        const auto& v = face.vertices;
-        const auto& p = complex.points;
-        result.push_back(reference.closest_in_patch(CGAL::centroid(p[v[0]], p[v[1]], p[v[2]]), face.patch).number);
-      }
-    return result;
-  }
-
-  static std::vector<Index> intersecting_faces(const Surface<Point>& surface, const Complex& complex,
-                                               const Reference_surface& reference)
-  {
-    const auto result = diagnose(surface.points, surface.faces);
     std::vector<Index> faces;
-    if(result.number_of_defects == 0)
-      return faces;
-    const std::vector<Index> sources = sources_of(complex, reference);
-    for(const auto& defect : result.defects)
+    for(const auto& defect : diagnose(surface.points, surface.faces).defects)
       for(const auto& simplex : defect.simplices)
-        if(simplex.dimension == 2 && simplex.index < sources.size())
-          faces.push_back(sources[simplex.index]);
+        if(simplex.dimension == 2 && simplex.index < complex.faces.size())
+          faces.push_back(complex.faces[simplex.index].source);
     return faces;
   }
 
@@ -199,41 +246,20 @@ private:
         f(t[0] + (double(i) / n) * (t[1] - t[0]) + (double(j) / n) * (t[2] - t[0]));
   }
 
-  double spacing() const { return 5 * m_changes.tolerance; }
-
-  void measure_to_reference(const Complex& complex, const Reference_surface& reference, std::vector<Index>& bad)
+  // measures the distance from one surface to the other, and adds the sources of what is too far away
+  void measure(const Complex& from, const Complex& to, const int direction, std::vector<Index>& bad)
   {
-    for(const auto& face : complex.faces)
-    {
-      if(face.is_removed)
-        continue;
-      const auto& v = face.vertices;
-      for_samples(Triangle(complex.points[v[0]], complex.points[v[1]], complex.points[v[2]]), spacing(),
-                  [&](const Reference_surface::Point& p)
-      {
-        const auto below = reference.closest_in_patch(p, face.patch);
-        note_distance(p, below.point, below.number, 0, bad);
-      });
-    }
-  }
-
-  void measure_from_reference(const Patches& patches, const Reference_surface& reference, std::vector<Index>& bad)
-  {
-    const std::vector<Triangle> triangles = Reference_surface::triangles(reference.complex());
+    static constexpr double spacing = 5; // of samples, in terms of the tolerance
+    const std::vector<Triangle> triangles = Reference_surface::triangles(from);
+    const Patches all(Reference_surface::triangles(to), std::vector<Index>(to.faces.size(), 0), 1);
     for(Index f = 0; f < triangles.size(); ++f)
-      for_samples(triangles[f], spacing(), [&](const Reference_surface::Point& p)
+      for_samples(triangles[f], spacing * m_changes.tolerance, [&](const Reference_surface::Point& p)
       {
-        note_distance(p, patches(p, reference.complex().faces[f].patch).point, f, 1, bad);
+        const double d = std::sqrt(CGAL::squared_distance(p, all(p, 0).point));
+        m_changes.distances[direction] = (std::max)(m_changes.distances[direction], d);
+        if(d > m_changes.tolerance)
+          bad.push_back(from.faces[f].source);
       });
-  }
-
-  void note_distance(const Reference_surface::Point& p, const Reference_surface::Point& q, const Index face,
-                     const int direction, std::vector<Index>& bad)
-  {
-    const double d = std::sqrt(CGAL::squared_distance(p, q));
-    m_changes.distances[direction] = (std::max)(m_changes.distances[direction], d);
-    if(d > m_changes.tolerance)
-      bad.push_back(face);
   }
 
   void store(const Surface<Point>& remeshed)

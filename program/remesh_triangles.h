@@ -12,6 +12,9 @@
 #include <queue>
 #include <utility>
 #include <vector>
+#include <iostream>
+#include <cstdlib>
+#include <ctime>
 
 // Gives the triangles of a complex angles that are not small, and edges of the sizes that its reference surface and its
 // own narrow parts ask for: joins vertices, divides and flips edges, and moves vertices within patches, in turns.
@@ -27,7 +30,7 @@ class Triangle_remesher
   typedef std::array<Index, 3>        Vertices;
   typedef std::array<Index, 2>        Edge;
 
-  static constexpr int number_of_rounds = 8, max_number_of_sweeps = 5;
+  static constexpr int number_of_rounds = 5, max_number_of_sweeps = 5;
   static constexpr double growth = 0.3;            // of sizes, per length
   static constexpr double too_short = 4. / 5, too_long = 4. / 3; // in terms of the size
   static constexpr double smallest_cosine = 0.3;   // between a triangle and what it stands for
@@ -58,6 +61,7 @@ public:
       flip_edges();
       move_vertices();
       flip_edges();
+      if(getenv("RM")) { std::vector<double> q; for(auto& f : m_complex.faces) if(! f.is_removed) q.push_back(shape({{ point(f.vertices[0]), point(f.vertices[1]), point(f.vertices[2]) }})); std::sort(q.begin(), q.end()); double sum=0; for(double x : q) sum+=x; std::cerr << i << " " << q.size() << " worst " << q[0] << " 1% " << q[q.size()/100] << " 10% " << q[q.size()/10] << " mean " << sum/q.size() << " clock " << m_clock << " " << clock()/1e6 << "\n"; }
     }
   }
 
@@ -211,14 +215,20 @@ private:
     return true;
   }
 
+  bool is_turned_alike(const std::array<Point, 3>& t, const Index reference_face) const
+  {
+    const Vector n = normal(t), m = m_reference.normal(reference_face);
+    return n * m > smallest_cosine * std::sqrt(n.squared_length() * m.squared_length());
+  }
+
   // whether a triangle may stand for the part of a patch that is below it
   bool is_allowed(const std::array<Point, 3>& t, const Index patch) const
   {
+    if(m_reference.is_flat(patch))
+      return is_turned_alike(t, m_reference.flat_face(patch));
     const Point c = CGAL::centroid(t[0], t[1], t[2]);
     const auto below = closest(c, patch);
-    const Vector n = normal(t), m = m_reference.normal(below.number);
-    return n * m > smallest_cosine * std::sqrt(n.squared_length() * m.squared_length()) &&
-           ! m_reference.is_frozen(below.number) && m_reference.is_close(c, below);
+    return is_turned_alike(t, below.number) && ! m_reference.is_frozen(below.number) && m_reference.is_close(c, below);
   }
 
   // The same for a triangle with a vertex in another place, and one of its edges there: the other one is that of the

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
+#include <utility>
 #include <vector>
 
 // Triangles that are divided, joined and flipped one after the other. An edge may have any number of triangles: where
@@ -28,6 +29,7 @@ public:
     std::array<Index, 3> vertices;
     std::array<Index, 3> curves = {{ none, none, none }}; // the curves that the edges are parts of
     Index patch = 0;                                      // the part of the surface that the curves bound
+    Index source = 0;                                     // a face of the surface that is remeshed
     bool is_removed = false;
 
     int position(const Index v) const
@@ -60,6 +62,17 @@ public:
     for(const Index v : face.vertices)
       stars[v].push_back(faces.size());
     faces.push_back(face);
+  }
+
+  // gives the faces that are left new numbers
+  void drop_removed_faces()
+  {
+    const std::vector<Face> old = std::move(faces);
+    faces.clear();
+    stars.assign(points.size(), Indices());
+    for(const Face& face : old)
+      if(! face.is_removed)
+        add_face(face);
   }
 
   Indices faces_of_edge(const Index a, const Index b) const
