@@ -30,7 +30,8 @@ class Triangle_remesher
   typedef std::array<Index, 3>        Vertices;
   typedef std::array<Index, 2>        Edge;
 
-  static constexpr int number_of_rounds = 5, max_number_of_sweeps = 5;
+  static constexpr int number_of_rounds = 6, max_number_of_sweeps = 5;
+  static constexpr double first_factor = 8;        // of the smallest size: what is narrow is divided little by little
   static constexpr double growth = 0.3;            // of sizes, per length
   static constexpr double too_short = 4. / 5, too_long = 4. / 3; // in terms of the size
   static constexpr double smallest_cosine = 0.3;   // between a triangle and what it stands for
@@ -38,7 +39,8 @@ class Triangle_remesher
 
   Complex& m_complex;
   const Reference_surface& m_reference;
-  const double m_largest_size, m_smallest_size;
+  const double m_largest_size;
+  double m_smallest_size;
   std::vector<double> m_sizes;
   std::size_t m_clock = 0, m_last_flips = 0, m_last_moves = 0; // one tick for each sweep
   std::vector<std::size_t> m_changes; // when something around a vertex changed last
@@ -47,13 +49,15 @@ public:
   Triangle_remesher(Complex& complex, const Reference_surface& reference, const double largest_edge,
                     const double smallest_size)
     : m_complex(complex), m_reference(reference), m_largest_size(largest_edge / too_long),
-      m_smallest_size(smallest_size), m_changes(complex.points.size(), 0)
+      m_smallest_size(smallest_size * first_factor), m_changes(complex.points.size(), 0)
   { }
 
   void operator()()
   {
+    const double smallest_size = m_smallest_size / first_factor;
     for(int i = 0; i < number_of_rounds; ++i)
     {
+      m_smallest_size = (std::max)(smallest_size, std::ldexp(first_factor * smallest_size, -i));
       set_sizes();
       collapse_short_edges();
       set_sizes();
