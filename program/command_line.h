@@ -35,6 +35,8 @@ struct Common_options
   bool fuse = false;                // as a part of the repair
   double patch_angle = 40;          // in degrees
   double max_hole_length = -1;      // of loops that are closed; negative: none is
+  bool remesh_surface = false;
+  double largest_edge = 0;          // of the surface that is remeshed; 0: as its shape allows
   bool list_defects = false;
   bool quiet = false;
   bool timing = false;
@@ -162,6 +164,21 @@ protected:
       result = choice->second;
     };
     return m_app.add_option_function<std::string>(option, set, description)->option_text(names);
+  }
+
+  // a flag that may have a number behind it
+  void add_flag_with_number(const std::string& option, const std::string& value, bool& is_set, double& number,
+                            const std::string& description)
+  {
+    const auto set = [&is_set, &number](const std::vector<std::string>& values)
+    {
+      is_set = true;
+      if(! values.empty() && ! values[0].empty())
+        number = std::strtod(values[0].c_str(), nullptr);
+    };
+    CLI::Validator check = is_number(Number_kind::positive, (std::numeric_limits<double>::max)());
+    m_app.add_option_function<std::vector<std::string> >(option, set, description)
+      ->option_text('[' + value + ']')->expected(0, 1)->check(check);
   }
 
   // what all programs write

@@ -9,7 +9,9 @@
 #include "open_surface.h"
 #include "patches_by_angle.h"
 #include "read_surface.h"
+#include "remesh_surface.h"
 #include "repair_surface.h"
+#include "report_remeshing.h"
 #include "report_repair.h"
 #include "write_domain.h"
 #include "write_report.h"
@@ -50,6 +52,7 @@ class Program
   Repair_changes m_changes;
   std::vector<Hole> m_holes;
   Open_surface m_open;
+  Remeshing_changes m_remeshing;
   std::string m_message;
 
 public:
@@ -119,6 +122,8 @@ public:
   {
     if(! m_surface.has_patches())
       set_patches_by_angle(m_surface, m_options.patch_angle);
+    if(m_options.remesh_surface)
+      remesh_surface();
   }
 
   // places in regions with names, and in those that are to be empty, beside those of the file
@@ -193,6 +198,8 @@ public:
       write_holes(json, m_holes, m_surface);
     if(m_open.number_of_faces > 0)
       write_open_surface(json, m_open, m_surface);
+    if(m_options.remesh_surface)
+      write_remeshing(json, m_remeshing);
   }
 
   template <typename Result>
@@ -243,6 +250,13 @@ private:
     m_holes = Hole_closer<Point>(m_surface)(m_options.max_hole_length);
     if(! m_options.quiet)
       print_holes(std::cout, m_holes);
+  }
+
+  void remesh_surface()
+  {
+    m_remeshing = Surface_remesher<Point>(m_surface)(m_options.patch_angle, m_options.largest_edge);
+    if(! m_options.quiet)
+      print_remeshing(std::cout, m_remeshing);
   }
 
   bool refuse(const std::string& message)

@@ -21,6 +21,7 @@
 struct Remeshing_changes
 {
   bool is_possible = false;       // the surface is valid
+  bool is_too_fine = false;       // what is asked for
   bool is_remeshed = false;       // and so is the new one
   double tolerance = 0;           // how far from each other the surfaces may be
   double largest_edge = 0;        // how long edges may be
@@ -42,7 +43,7 @@ class Surface_remesher
   typedef Complex::Index              Index;
   typedef Reference_surface::Patches  Patches;
 
-  static constexpr std::size_t max_number_of_attempts = 8;
+  static constexpr std::size_t max_number_of_attempts = 8, max_number_of_triangles = 10000000;
   static constexpr double share_of_diagonal = 1e-3; // of the bounding box: the tolerance
   static constexpr double detail = 0.25;            // what is too small to be kept, in terms of the tolerance
   static constexpr double margin = 0.6;             // what is aimed at after that
@@ -71,6 +72,9 @@ public:
     m_changes.tolerance = share_of_diagonal * length;
     m_changes.largest_edge = largest_edge > 0 ? largest_edge : largest_share * length;
     m_changes.smallest_angle.fill(smallest_angle(m_original));
+    m_changes.is_too_fine = area() > m_changes.largest_edge * m_changes.largest_edge * double(max_number_of_triangles) / 4;
+    if(m_changes.is_too_fine)
+      return m_changes;
     m_tolerances.assign(m_original.faces.size(), margin * m_changes.tolerance);
     while(! m_changes.is_remeshed && m_changes.number_of_attempts < max_number_of_attempts)
       attempt(angle);
@@ -97,6 +101,14 @@ private:
   {
     const CGAL::Bbox_3 box = CGAL::bbox_3(points.begin(), points.end());
     return std::hypot(box.x_span(), box.y_span(), box.z_span());
+  }
+
+  double area() const
+  {
+    double sum = 0;
+    for(const Triangle& t : Reference_surface::triangles(m_original))
+      sum += std::sqrt(t.squared_area());
+    return sum;
   }
 
   static double smallest_angle(const Complex& complex)

@@ -12,9 +12,6 @@
 #include <queue>
 #include <utility>
 #include <vector>
-#include <iostream>
-#include <cstdlib>
-#include <ctime>
 
 // Gives the triangles of a complex angles that are not small, and edges of the sizes that its reference surface and its
 // own narrow parts ask for: joins vertices, divides and flips edges, and moves vertices within patches, in turns.
@@ -65,7 +62,6 @@ public:
       flip_edges();
       move_vertices();
       flip_edges();
-      if(getenv("RM")) { std::vector<double> q; for(auto& f : m_complex.faces) if(! f.is_removed) q.push_back(shape({{ point(f.vertices[0]), point(f.vertices[1]), point(f.vertices[2]) }})); std::sort(q.begin(), q.end()); double sum=0; for(double x : q) sum+=x; std::cerr << i << " " << q.size() << " worst " << q[0] << " 1% " << q[q.size()/100] << " 10% " << q[q.size()/10] << " mean " << sum/q.size() << " clock " << m_clock << " " << clock()/1e6 << "\n"; }
     }
   }
 
