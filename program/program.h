@@ -103,7 +103,8 @@ public:
     return true;
   }
 
-  // divides polygons, tells what the user has to know of the surface, and repairs it if that is asked for
+  // divides polygons, tells what the user has to know of the surface, repairs it, closes holes and replaces triangles, if
+  // that is asked for
   void prepare_surface()
   {
     Polygon_divider<Point> divide(m_surface);
@@ -115,6 +116,8 @@ public:
       repair_surface();
     if(m_options.max_hole_length >= 0 && is_triangle_soup(m_surface))
       close_holes();
+    if(m_options.remesh_surface)
+      remesh_surface();
   }
 
   // divides the surface into patches unless it has some
@@ -122,8 +125,6 @@ public:
   {
     if(! m_surface.has_patches())
       set_patches_by_angle(m_surface, m_options.patch_angle);
-    if(m_options.remesh_surface)
-      remesh_surface();
   }
 
   // places in regions with names, and in those that are to be empty, beside those of the file

@@ -76,8 +76,8 @@ public:
   }
 };
 
-// A surface that another one has to stay close to: where its patches and curves are, how far from them the other one may
-// be, and how long its edges may be for that.
+// A surface that another one has to stay close to: where its patches and curves are, how far from them the other one
+// may be, and how long its edges may be for that.
 class Reference_surface
 {
 public:
@@ -220,8 +220,8 @@ public:
   }
 
 private:
-  // Where edges turn by an angle, a chord of that length is as far away as `distance`. Edges turn little by little where
-  // they stand for a round surface, and the chord is long; or at once, and then the chord ends beside that edge.
+  // Where edges turn by an angle, a chord of that length is as far away as `distance`. Edges turn little by little
+  // where they stand for a round surface, and the chord is long; or at once, and then the chord ends beside that edge.
   static double chord(const double angle, const double width, const double distance)
   {
     return angle == 0 ? (std::numeric_limits<double>::infinity)()

@@ -33,8 +33,8 @@ struct Remeshing_changes
 };
 
 // Replaces the triangles of a surface by those of `Triangle_remesher`. The new surface is judged as a whole: where it
-// intersects itself or is too far from the old one, the remeshing begins anew with a smaller tolerance, and with none in
-// the end, by which the old triangles stay there.
+// intersects itself or is too far from the old one, the remeshing begins anew with a smaller tolerance, and with none
+// in the end, by which the old triangles stay there.
 template <typename Point>
 class Surface_remesher
 {
@@ -72,7 +72,8 @@ public:
     m_changes.tolerance = share_of_diagonal * length;
     m_changes.largest_edge = largest_edge > 0 ? largest_edge : largest_share * length;
     m_changes.smallest_angle.fill(smallest_angle(m_original));
-    m_changes.is_too_fine = area() > m_changes.largest_edge * m_changes.largest_edge * double(max_number_of_triangles) / 4;
+    const double smallest_area = m_changes.largest_edge * m_changes.largest_edge / 4;
+    m_changes.is_too_fine = area() > smallest_area * double(max_number_of_triangles);
     if(m_changes.is_too_fine)
       return m_changes;
     m_tolerances.assign(m_original.faces.size(), margin * m_changes.tolerance);

@@ -117,7 +117,7 @@ private:
         for(const Index v : e)
           m_sizes[v] = (std::min)(m_sizes[v], length(e[0], e[1]));
     for(double& size : m_sizes)
-      size = (std::max)(size, m_smallest_size);
+      size = (std::max)(size, (std::min)(m_smallest_size, m_largest_size));
     grade_sizes();
   }
 
@@ -410,7 +410,8 @@ private:
     const std::array<Point, 3> t = {{ point(a), point(d), point(c) }}, u = {{ point(d), point(b), point(c) }};
     const Index patch = m_complex.faces[f].patch;
     const double worst = (std::min)(shape(triangle(f)), shape(triangle(g)));
-    if((std::min)(shape(t), shape(u)) <= worst || m_complex.has_edge(c, d) || is_any_frozen(faces) ||
+    if((std::min)(shape(t), shape(u)) <= worst || length(c, d) > (std::max)(length(a, b), too_long * m_largest_size) ||
+       m_complex.has_edge(c, d) || is_any_frozen(faces) ||
        ! is_allowed(t, patch) || ! is_allowed(u, patch) || ! is_segment_close(point(c), point(d), patch))
       return false;
     m_complex.flip(a, b);
@@ -441,13 +442,18 @@ private:
     for(const Index w : neighbors)
       sum = sum + (point(w) - point(v));
     const Point p = closest(point(v) + sum / double(neighbors.size()), m_complex.faces[star[0]].patch).point;
-    double worst = 1, new_worst = 1;
+    double longest = too_long * m_largest_size, new_longest = 0, worst = 1, new_worst = 1;
+    for(const Index w : neighbors)
+    {
+      longest = (std::max)(longest, length(v, w));
+      new_longest = (std::max)(new_longest, std::sqrt(CGAL::squared_distance(p, point(w))));
+    }
     for(const Index f : star)
     {
       worst = (std::min)(worst, shape(triangle(f)));
       new_worst = (std::min)(new_worst, shape(moved_triangle(f, v, p)));
     }
-    if(new_worst > worst && ! is_any_frozen(star) && is_move_allowed(v, p))
+    if(new_worst > worst && new_longest <= longest && ! is_any_frozen(star) && is_move_allowed(v, p))
     {
       m_complex.points[v] = p;
       note_change(v);

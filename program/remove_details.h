@@ -13,9 +13,9 @@
 #include <utility>
 #include <vector>
 
-// Takes out of a complex what is smaller than a distance: joins vertices of sharp edges that are closer to each other, and
-// vertices and edges, so that steps and strips which nobody would mesh are gone before features are looked for. No vertex
-// goes farther than twice the distance.
+// Takes out of a complex what is smaller than a distance: joins vertices of sharp edges that are closer to each other,
+// and vertices and edges, so that steps and strips which nobody would mesh are gone before features are looked for. No
+// vertex goes farther than twice the distance.
 template <typename Complex>
 class Detail_remover
 {
@@ -34,9 +34,11 @@ class Detail_remover
   std::vector<double> m_moves;        // how far the vertices that went to the place of a vertex did go
 
 public:
+  // `is_sharp` is of the vertices, and `angle` that above which edges are sharp, in degrees
   Detail_remover(Complex& complex, const std::vector<bool>& is_kept, const std::vector<bool>& is_sharp,
                  const double distance, const double angle)
-    : m_complex(complex), m_is_kept(is_kept), m_distance(distance), m_angle(angle), m_is_sharp(is_sharp), m_moves(complex.points.size(), 0)
+    : m_complex(complex), m_is_kept(is_kept), m_distance(distance), m_angle(angle), m_is_sharp(is_sharp),
+      m_moves(complex.points.size(), 0)
   { }
 
   void operator()()
@@ -117,7 +119,8 @@ private:
     {
       const Triangle t = triangle(f);
       if(! is_thin(t))
-        result = (std::max)(result, std::abs((point(b) - point(a)) * normal(t)) / std::sqrt(normal(t).squared_length()));
+        result = (std::max)(result, std::abs((point(b) - point(a)) * normal(t)) /
+                                    std::sqrt(normal(t).squared_length()));
     }
     return result;
   }
@@ -183,7 +186,8 @@ private:
     const auto faces = m_complex.faces_of_edge(v, w);
     const bool is_sharp = faces.size() != 2 ||
                           angle_between(normal(triangle(faces[0])), normal(triangle(faces[1]))) > m_angle;
-    return is_sharp && std::none_of(faces.begin(), faces.end(), [&](const Index f) { return m_is_kept[m_complex.faces[f].source]; });
+    return is_sharp && std::none_of(faces.begin(), faces.end(),
+                                    [&](const Index f) { return m_is_kept[m_complex.faces[f].source]; });
   }
 };
 

@@ -19,7 +19,8 @@ inline void print_remeshing(std::ostream& os, const Remeshing_changes& changes)
   else if(changes.is_too_fine)
     os << "nothing is done, as edges of " << changes.largest_edge << " would be too many" << std::endl;
   else if(! changes.is_remeshed)
-    os << "nothing is done, as what came out was not valid in " << count(changes.number_of_attempts, "attempt") << std::endl;
+    os << "nothing is done, as what came out was not valid in " << count(changes.number_of_attempts, "attempt")
+       << std::endl;
   if(! changes.is_remeshed)
     return;
   os << count(changes.number_of_triangles[0], "triangle") << " with angles of at least " << changes.smallest_angle[0]

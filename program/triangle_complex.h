@@ -118,8 +118,8 @@ public:
     return m;
   }
 
-  // Whether the complex stays what it is if `a` goes to the place of `b`: no two triangles become one, no edge gets more
-  // of them, and curves stay.
+  // Whether the complex stays what it is if `a` goes to the place of `b`: no two triangles become one, no edge gets
+  // more of them, and curves stay.
   bool can_collapse(const Index a, const Index b) const
   {
     const Indices dying = faces_of_edge(a, b);
