@@ -29,6 +29,7 @@ class Triangle_remesher
 
   static constexpr int number_of_rounds = 6, max_number_of_sweeps = 5;
   static constexpr double first_factor = 8;        // of the smallest size: what is narrow is divided little by little
+  static constexpr std::size_t largest_ratio = 5, always_allowed = 100000; // of triangles: as long as there are fewer
   static constexpr double growth = 0.3;            // of sizes, per length
   static constexpr double too_short = 4. / 5, too_long = 4. / 3; // in terms of the size
   static constexpr double smallest_cosine = 0.3;   // between a triangle and what it stands for
@@ -52,9 +53,11 @@ public:
   void operator()()
   {
     const double smallest_size = m_smallest_size / first_factor;
+    const std::size_t bound = number_of_faces() * largest_ratio + always_allowed;
     for(int i = 0; i < number_of_rounds; ++i)
     {
-      m_smallest_size = (std::max)(smallest_size, std::ldexp(first_factor * smallest_size, -i));
+      if(i > 0 && number_of_faces() < bound)
+        m_smallest_size = (std::max)(smallest_size, m_smallest_size / 2);
       set_sizes();
       collapse_short_edges();
       set_sizes();
@@ -66,6 +69,11 @@ public:
   }
 
 private:
+  std::size_t number_of_faces() const
+  {
+    return std::count_if(m_complex.faces.begin(), m_complex.faces.end(), [](const auto& f) { return ! f.is_removed; });
+  }
+
   const Point& point(const Index v) const { return m_complex.points[v]; }
 
   double length(const Index v, const Index w) const { return std::sqrt(CGAL::squared_distance(point(v), point(w))); }
