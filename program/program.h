@@ -103,8 +103,8 @@ public:
     return true;
   }
 
-  // divides polygons, tells what the user has to know of the surface, repairs it, closes holes and replaces triangles, if
-  // that is asked for
+  // divides polygons, tells what the user has to know of the surface, repairs it, closes holes and replaces triangles
+  // if that is asked for
   void prepare_surface()
   {
     Polygon_divider<Point> divide(m_surface);
