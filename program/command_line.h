@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <limits>
+#include <map>
 #include <memory>
 #include <string>
 #include <utility>
@@ -35,6 +36,7 @@ struct Common_options
   bool fuse = false;                // as a part of the repair
   double patch_angle = 40;          // in degrees
   double max_hole_length = -1;      // of loops that are closed; negative: none is
+  double largest_edge = -1;         // of the surface that is remeshed; 0: as its shape allows; negative: it stays
   bool list_defects = false;
   bool quiet = false;
   bool timing = false;
@@ -216,21 +218,27 @@ protected:
   virtual void add_own_message_options() { }
 
 private:
-  // A number after --close-holes may be left out. CLI11 would take what comes next for it.
+  // The number after some options may be left out. CLI11 would take what comes next for it.
   static std::vector<std::string> reversed(const int argc, const char* const argv[])
   {
     std::vector<std::string> arguments;
     for(int i = 1; i < argc; ++i)
     {
       arguments.push_back(argv[i]);
-      if(arguments.back() == "--close-holes" && ! (i + 1 < argc && is_like_number(argv[i + 1])))
-        arguments.push_back(any_length);
+      const auto number = default_numbers().find(arguments.back());
+      if(number != default_numbers().end() && ! (i + 1 < argc && is_like_number(argv[i + 1])))
+        arguments.push_back(number->second);
     }
     std::reverse(arguments.begin(), arguments.end());
     return arguments;
   }
 
-  static constexpr const char* any_length = "1e308";
+  static const std::map<std::string, std::string>& default_numbers()
+  {
+    static const std::map<std::string, std::string> numbers = { { "--close-holes", "1e308" },
+                                                                { "--remesh-surface", "0" } };
+    return numbers;
+  }
 
   static bool is_like_number(const std::string& text)
   {

@@ -25,25 +25,28 @@ struct Diagnosis_visitor
   bool go_further() const { return ! is_diagnosed; }
 };
 
+// what makes `recover_boundary()` refuse points and triangles
+template <typename Point, typename TriangleRange>
+auto diagnose(const std::vector<Point>& points, const TriangleRange& triangles)
+{
+  // that of `mesh_surface`, which has its recovery anyway
+  typedef typename CGAL::Kernel_traits<Point>::Kernel                            Kernel;
+  typedef typename CGAL::Boundary_constrained_mesh_triangulation_3<Kernel>::type Triangulation;
+  Triangulation tr;
+  Diagnosis_visitor visitor;
+  return CGAL::recover_boundary(tr, points, triangles, CGAL::parameters::visitor(std::ref(visitor)),
+                                CGAL::parameters::list_defects(true));
+}
+
 // finds the pairs of triangles that intersect elsewhere than in a common vertex or edge: those that would make
 // `recover_boundary()` refuse the soup, which must be free of other defects
 template <typename Point>
 class Intersection_finder
 {
-  // that of `mesh_surface`, which has its recovery anyway
-  typedef typename CGAL::Kernel_traits<Point>::Kernel                            Kernel;
-  typedef typename CGAL::Boundary_constrained_mesh_triangulation_3<Kernel>::type Triangulation;
-
-  CGAL::Boundary_recovery_result_3<Triangulation> m_result;
+  decltype(diagnose(std::vector<Point>(), std::vector<Sourced_triangle>())) m_result;
 
 public:
-  explicit Intersection_finder(const Triangle_soup<Point>& soup)
-  {
-    Triangulation tr;
-    Diagnosis_visitor visitor;
-    m_result = CGAL::recover_boundary(tr, soup.points, soup.triangles, CGAL::parameters::visitor(std::ref(visitor)),
-                                      CGAL::parameters::list_defects(true));
-  }
+  explicit Intersection_finder(const Triangle_soup<Point>& soup) : m_result(diagnose(soup.points, soup.triangles)) { }
 
   // a lower bound if it is larger than the number of defects that are listed by default
   std::size_t number_of_pairs() const { return m_result.number_of_defects; }

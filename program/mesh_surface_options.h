@@ -58,6 +58,7 @@ protected:
     add_quality_options();
     add_limit_options();
     add_surface_options();
+    add_remeshing_options();
     add_name_options();
     add_message_options();
     set_notes(
@@ -158,6 +159,16 @@ private:
     add_number("--threads", "T", m_options.number_of_threads, Number_kind::positive,
                "use at most T threads for the parts; default: as many as the machine has", largest_number_of_threads)
       ->needs(subdomains);
+  }
+
+  void add_remeshing_options()
+  {
+    begin_group("surfaces of needles");
+    add_number("--remesh-surface", "[H]", m_options.largest_edge, Number_kind::not_negative,
+               "replace the triangles of the surface by others with better angles, and with edges of at\n"
+               "most H; without H, of at most a tenth of the diagonal of the bounding box. The new surface\n"
+               "is within a thousandth of the diagonal. Edges sharper than --patch-angle, borders and\n"
+               "patches stay; steps smaller than a quarter of that distance do not");
   }
 
   void add_name_options()

@@ -6,6 +6,7 @@
 
 #include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <ostream>
 #include <vector>
@@ -32,6 +33,16 @@ void print_bad_tetrahedron(std::ostream& os, const Bad_tetrahedron& bad, const D
   else if(! bad.facets.empty())
     os << ", not improved: a triangle beside it has an angle of " << bad.surface_angle << " degrees";
   os << '\n';
+}
+
+// whether a needle is the reason of an angle that few solvers like
+inline bool needles_matter(const std::vector<Bad_tetrahedron>& bad_tetrahedra)
+{
+  static constexpr double small_angle = 10;
+  return std::any_of(bad_tetrahedra.begin(), bad_tetrahedra.end(), [](const Bad_tetrahedron& bad)
+  {
+    return bad.reason == CGAL::Boundary_recovery_3::Bad_cell_reason::needle && bad.min_dihedral_angle < small_angle;
+  });
 }
 
 // prints what was done, how many tetrahedra are below the target for which reason, and the worst ones
@@ -66,6 +77,8 @@ void print_improvement(std::ostream& os, const Improvement& improvement,
     print_bad_tetrahedron(os, bad_tetrahedra[i], domain);
   if(bad_tetrahedra.size() > number_of_shown)
     os << "  and " << bad_tetrahedra.size() - number_of_shown << " more: --report lists them\n";
+  if(needles_matter(bad_tetrahedra))
+    os << "  needles of the surface are what stays bad: --remesh-surface replaces its triangles\n";
 }
 
 #endif // BOUNDARY_RECOVERY_3_PROGRAM_PRINT_IMPROVEMENT_H

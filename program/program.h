@@ -10,7 +10,9 @@
 #include "patches_by_angle.h"
 #include "print_result.h"
 #include "read_surface.h"
+#include "remesh_surface.h"
 #include "repair_surface.h"
+#include "report_remeshing.h"
 #include "report_repair.h"
 #include "write_domain.h"
 #include "write_report.h"
@@ -51,6 +53,7 @@ class Program
   Repair_changes m_changes;
   std::vector<Hole> m_holes;
   Open_surface m_open;
+  Remeshing_changes m_remeshing;
   std::string m_message;
 
 public:
@@ -101,7 +104,8 @@ public:
     return true;
   }
 
-  // divides polygons, tells what the user has to know of the surface, and repairs it if that is asked for
+  // divides polygons, tells what the user has to know of the surface, repairs it, closes holes and replaces triangles
+  // if that is asked for
   void prepare_surface()
   {
     Polygon_divider<Point> divide(m_surface);
@@ -113,6 +117,8 @@ public:
       repair_surface();
     if(m_options.max_hole_length >= 0 && is_triangle_soup(m_surface))
       close_holes();
+    if(m_options.largest_edge >= 0)
+      remesh_surface();
     if(! m_options.quiet)
       print_surface(std::cout, m_options.input.empty() ? "default surface" : m_options.input, m_surface);
   }
@@ -207,6 +213,8 @@ public:
       write_holes(json, m_holes, m_surface);
     if(m_open.number_of_faces > 0)
       write_open_surface(json, m_open, m_surface);
+    if(m_options.largest_edge >= 0)
+      write_remeshing(json, m_remeshing);
   }
 
   template <typename Result>
@@ -257,6 +265,13 @@ private:
     m_holes = Hole_closer<Point>(m_surface)(m_options.max_hole_length);
     if(! m_options.quiet)
       print_holes(std::cout, m_holes);
+  }
+
+  void remesh_surface()
+  {
+    m_remeshing = Surface_remesher<Point>(m_surface)(m_options.patch_angle, m_options.largest_edge);
+    if(! m_options.quiet)
+      print_remeshing(std::cout, m_remeshing);
   }
 
   bool refuse(const std::string& message)
