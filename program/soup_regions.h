@@ -73,7 +73,7 @@ private:
   Facet facet_of(const Triple& t) const
   {
     Cell_handle c;
-    int i, j, k;
+    int i = 0, j = 0, k = 0; // it is a facet
     m_tr.is_facet(t[0], t[1], t[2], c, i, j, k);
     const Facet facet(c, 6 - i - j - k);
     const int first = c->index(t[0]);
