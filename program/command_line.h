@@ -185,11 +185,12 @@ protected:
                "without this option, X is four units in the last place of the largest coordinate\n"
                "in single precision; 0 merges none")->needs(repair);
     add_flag("--fuse", m_options.fuse,
-             "repair: make one body of bodies that overlap: what is inside of any of them is inside")->needs(repair);
+             "repair: make one body of bodies that overlap: what is inside of any of them is inside,\n"
+             "so bodies inside of others disappear")->needs(repair);
     add_number("--close-holes", "[LENGTH]", m_options.max_hole_length, Number_kind::not_negative,
-               "close loops of open edges, all of them or only those that are at most so long, by\n"
-               "triangles between their vertices; loops stay open whose triangles would cross the\n"
-               "surface");
+               "close loops of open edges by triangles between their vertices: all loops, or only those\n"
+               "whose edges are together at most so long; loops stay open whose triangles would cross\n"
+               "the surface");
     add_flag("--list-defects", m_options.list_defects,
              "look for intersections before anything else, and mesh nothing if there are any");
   }

@@ -83,14 +83,14 @@ class Page:
 
     @staticmethod
     def without_heading(description, blocks):
-        """The description, and the lines at its end that are about the first group of options; INPUT is one of these."""
+        """The description, and the lines at its end that are about the first group of options."""
         for i, line in enumerate(description):
-            if re.match(r"INPUT |\w[\w ]*:", line) and blocks:
+            if re.match(r"[a-z][\w ,]*:", line) and blocks:
                 return description[:i], description[i:]
         return description, []
 
     def add_group(self, lines):
-        heading = re.match(r"(\w[\w ]*): *(.*)$", lines[0])
+        heading = re.match(r"(\w[\w ,]*): *(.*)$", lines[0])
         if heading:
             self.page += [".SS " + escape(capital(heading.group(1)))]
             lines = [heading.group(2)] * bool(heading.group(2)) + lines[1:]

@@ -22,6 +22,8 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Real_timer.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <iostream>
@@ -160,8 +162,8 @@ int refuse(const Result& result, const Program<Point>& program)
   for(const std::size_t v : result.invalid_void_points)
   {
     std::ostringstream message;
-    message << "the place (" << program.surface().voids[v]
-            << ") is in no region that could be empty: it is outside, or on the surface";
+    message << "no region has the place (" << program.surface().voids[v]
+            << ") that is to be empty: it is outside, or on the surface";
     program.fail(message.str());
   }
   for(const auto& invalid : result.filling.invalid_sizes)
@@ -172,6 +174,22 @@ int refuse(const Result& result, const Program<Point>& program)
     program.fail(message.str());
   }
   return invalid_input;
+}
+
+// The surface stays as it is, whatever the size is: beside large triangles, cells are large, and flat.
+void print_large_triangles(std::ostream& os, const Surface<Point>& surface, const Meshing_options& options)
+{
+  const auto is_large = [&](const std::vector<std::size_t>& face)
+  {
+    const auto length = [&](const std::size_t i, const std::size_t j)
+    { return std::sqrt(CGAL::squared_distance(surface.points[face[i]], surface.points[face[j]])); };
+    return (std::max)({ length(0, 1), length(1, 2), length(2, 0) }) > 2 * options.size;
+  };
+  const auto n = std::count_if(surface.faces.begin(), surface.faces.end(), is_large);
+  if(options.size > 0 && n > 0)
+    os << "note: " << count(static_cast<std::size_t>(n), "triangle") << " of the surface with edges longer than "
+                                                                        "twice the "
+       << "size; --remesh-surface " << options.size << " divides them" << std::endl;
 }
 
 // writes the files, and tells how it went; returns the exit status
@@ -185,6 +203,7 @@ int finish(const Meshing_options& options, Program<Point>& program, const Result
   if(! regions.message().empty())
   {
     program.fail(regions.message());
+    program.explain_open_surface();
     return invalid_input;
   }
 
@@ -208,6 +227,7 @@ int finish(const Meshing_options& options, Program<Point>& program, const Result
     const auto print = options.verbose ? print_mesh<Result, Domain<Point> > : print_result<Result, Domain<Point> >;
     print(std::cout, result, domain, measured.quality, measured.edges, measured.bad_tetrahedra, measured.seconds_total);
     program.print_outputs();
+    print_large_triangles(std::cout, program.surface(), options);
     program.warn_of_idle_faces();
   }
   return result ? success : incomplete_or_stopped;

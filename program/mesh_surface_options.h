@@ -163,7 +163,7 @@ private:
 
   void add_remeshing_options()
   {
-    begin_group("surfaces of needles");
+    begin_group("surfaces of needles, or of triangles that are larger than the size");
     add_number("--remesh-surface", "[H]", m_options.largest_edge, Number_kind::not_negative,
                "replace the triangles of the surface by others with better angles, and with edges of at\n"
                "most H; without H, of at most a tenth of the diagonal of the bounding box. The new surface\n"

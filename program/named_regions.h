@@ -27,7 +27,7 @@ public:
       const int region = CGAL::Boundary_recovery_3::internal::region_at(tr, place).value_or(0);
       const auto inserted = m_names.emplace(region, name);
       if(region == 0)
-        set_message(name, place, "is in no region: it is outside, or on the surface");
+        set_message(name, place, "is in no region: it is outside, on the surface, or in a void");
       else if(inserted.first->second != name)
         set_message(name, place, "is in a region that has the name " + inserted.first->second);
     }

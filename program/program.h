@@ -119,6 +119,7 @@ public:
       close_holes();
     if(m_options.largest_edge >= 0)
       remesh_surface();
+    note_lost_patches();
     if(! m_options.quiet)
       print_surface(std::cout, m_options.input.empty() ? "default surface" : m_options.input, m_surface);
   }
@@ -272,6 +273,18 @@ private:
     m_remeshing = Surface_remesher<Point>(m_surface)(m_options.patch_angle, m_options.largest_edge);
     if(! m_options.quiet)
       print_remeshing(std::cout, m_remeshing);
+  }
+
+  // A condition on a name that is nowhere would be lost silently.
+  void note_lost_patches()
+  {
+    for(const auto& [number, name] : m_surface.patch_names)
+      if(std::find(m_surface.patches.begin(), m_surface.patches.end(), number) == m_surface.patches.end())
+      {
+        m_surface.notes.push_back("the patch " + name + " has no triangles left");
+        if(! m_options.quiet)
+          std::cout << "note: " << m_surface.notes.back() << std::endl;
+      }
   }
 
   bool refuse(const std::string& message)

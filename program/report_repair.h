@@ -30,7 +30,7 @@ inline void print_repair(std::ostream& os, const Repair_changes& changes)
   print(changes.merged_vertices.size(), "point", "merged with another one");
   print(changes.flattened_vertices.size(), "point", "with a coordinate that became 0");
   print(changes.degenerate_faces.size(), "triangle", "without area dropped");
-  print(changes.duplicate_faces.size(), "triangle", "dropped that was there twice");
+  print(changes.duplicate_faces.size(), "triangle", "dropped, there twice");
   print(changes.reversed_faces.size(), "triangle", "turned over");
   print(changes.number_of_stitched_edges, "edge", "stitched to points beside");
   print(changes.unfolded_faces.size(), "triangle", "folded flat replaced by others with the same border");
@@ -39,7 +39,8 @@ inline void print_repair(std::ostream& os, const Repair_changes& changes)
   print(changes.number_of_new_points, "point", "added where triangles intersect");
   if(changes.is_fusion_wanted)
     os << (changes.is_fused ? "  bodies that overlap are fused\n"
-                            : "  bodies are not fused: triangles intersect, or do not tell what is inside\n");
+                            : "  bodies are not fused: their triangles still intersect, or do not tell what is "
+                              "inside\n");
   print(changes.inner_faces.size(), "triangle", "inside of a body dropped");
   print(changes.number_of_dust_regions, "region", "of dust joined with what is beside: too small or too thin");
   print(changes.dust_faces.size(), "triangle", "beside dust or in a fold dropped");

@@ -68,7 +68,8 @@ public:
     write_data();
   }
 
-  // the same in version 2.2, which MFEM and OpenFOAM read, and which does not divide entities
+  // The same in version 2.2, which MFEM and OpenFOAM read. Entities are not divided, and there are no data, which
+  // meshio would take for those of other elements.
   void write_version_2()
   {
     add_surfaces();
@@ -77,7 +78,6 @@ public:
     write_names();
     write_nodes_2();
     write_elements_2();
-    write_data();
   }
 
 private:
@@ -109,7 +109,12 @@ private:
                  m_domain.tetrahedra, [&](const int region)
     {
       const int tag = region == 0 ? m_domain.number_of_regions + 1 : region;
-      m_groups[1].emplace(tag, region == 0 ? "outside" : name_of(m_domain.region_names, region, "region_"));
+      const std::string name = region == 0 ? "outside" : name_of(m_domain.region_names, region, "region_");
+      const auto known = std::find_if(m_groups[1].begin(), m_groups[1].end(),
+                                      [&](const auto& group) { return group.second == name; });
+      if(known != m_groups[1].end()) // regions of one name are one group
+        return std::make_pair(tag, known->first);
+      m_groups[1].emplace(tag, name);
       return std::make_pair(tag, tag);
     });
   }

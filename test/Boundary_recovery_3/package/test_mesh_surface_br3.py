@@ -620,7 +620,8 @@ def test_printing():
             r'mesh: \d+ tetrahedra in 1 region, \d+ points: \d+ added inside', r'dihedral angles: from [\d.]+ to [\d.]+ degrees',
             r'below 25 degrees: \d+.*', r'the worst one:  [\d.]+ degrees at .*',
             r'edges inside: \d+ % are as long as was asked for, within a factor of 1\.41', r'meshed in [\d.e-]+ seconds',
-            r'no mesh is written; -o OUTPUT does that')):
+            r'no mesh is written; -o OUTPUT does that',
+            r'note: 12 triangles of the surface with edges longer than twice the size; --remesh-surface 1 divides them')):
         assert re.fullmatch(words, line), (words, line)
     process = run(surface, '--size', '1', '--verbose', status=MESHED)
     for words in (r'^search ', r'^field_point_insertion +\d+ +\d+ ', r'^quality_improvement +\d+ +\d+ ', r'^ *60 to +70 +[\d.]+ %', r'^edges inside: \d+, [\d.]+ %',

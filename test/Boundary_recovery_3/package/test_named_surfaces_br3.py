@@ -294,6 +294,7 @@ def test_regions_and_voids():
     assert set(read_msh('out.msh').volumes) == {'the core', 'shell'}
     assert volume_of_regions(mesh) == {1: 6, 2: 6 * 26}
     assert read_all(name, '--region', 'both', *inner, '--region', 'both', *outer)[0].names == {'both': [(1, 3), (2, 3)]}
+    assert set(read_msh('out.msh').volumes) == {'both'}  # one group
     mesh = read_all(name, '--void', *inner)[0]
     assert volume_of_regions(mesh) == {1: 6 * 26} and len(mesh.triangles) == 24
     mesh = read_all(name, '--void', *outer, '--region', 'core', *inner)[0]
@@ -302,7 +303,7 @@ def test_regions_and_voids():
                             (['--region', 'wall', '1', '1.5', '1.5'], 'of wall is in no region'),
                             (['--region', 'a', *inner, '--region', 'b', *inner], 'has the name a'),
                             (['--void', *inner, '--region', 'core', *inner], 'of core is in no region'),
-                            (['--void', '9', '9', '9'], 'in no region that could be empty')):
+                            (['--void', '9', '9', '9'], 'no region has the place (9 9 9)')):
         process = run(name, '-o', 'never.msh', *arguments, status=INVALID_INPUT)
         assert word in process.err, process
     assert 'no region' in run(name, '--void', *inner, '--void', *outer).err

@@ -555,7 +555,7 @@ def repair(points, faces, *arguments, status=RECOVERED):
     report = report_of(name, '--repair', *arguments, status=status)
     changes = report['repair']
     for key, words in (('merged_vertices', 'merged with another one'), ('degenerate_facets', 'without area dropped'),
-                       ('duplicate_facets', 'dropped that'), ('reversed_facets', 'turned over'),
+                       ('duplicate_facets', 'dropped, there twice'), ('reversed_facets', 'turned over'),
                        ('divided_facets', 'divided, into')):
         number = re.search(r'^  (\d+) \w+ ' + words, process.out, re.M)
         assert changes['number_of_' + key] == len(changes[key]) == (int(number.group(1)) if number else 0), (key, process.out)
