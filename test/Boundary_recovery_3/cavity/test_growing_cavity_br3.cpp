@@ -3,6 +3,7 @@
 
 #undef NDEBUG // the checks are assertions, also in a Release build
 
+#include "recovery_of_oracles_br3.h"
 #include "stopping_visitor_br3.h"
 #include "tetrahedralizations_br3.h"
 

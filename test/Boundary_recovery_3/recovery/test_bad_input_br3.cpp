@@ -14,6 +14,7 @@
                     // exact constructions cannot be infinite
 
 #include "mesh_validity_br3.h"
+#include "recovery_of_oracles_br3.h"
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>

@@ -4,6 +4,7 @@
 #undef NDEBUG
 
 #include "mesh_validity_br3.h"
+#include "recovery_of_oracles_br3.h"
 
 #include <CGAL/Boundary_recovery_3/internal/input/Recover_indexed_boundary.h>
 #include <CGAL/Boundary_recovery_3/internal/input/input_conversion.h>

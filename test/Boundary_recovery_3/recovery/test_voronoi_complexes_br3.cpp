@@ -6,6 +6,7 @@
 
 #include "exact_mesh_checker_br3.h"
 #include "recovered_mesh_br3.h"
+#include "recovery_of_oracles_br3.h"
 #include "steiner_inputs_br3.h"
 
 #include <CGAL/Boundary_recovery_3/label_regions.h>

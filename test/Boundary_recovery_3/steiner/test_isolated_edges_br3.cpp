@@ -12,10 +12,6 @@
 
 #undef NDEBUG
 
-#ifndef BR3_TEST_EPICK_ONLY
-#define BR3_TEST_EPICK_ONLY
-#endif
-
 #include "recover_and_judge_br3.h"
 #include "steiner_scene_br3.h"
 

@@ -28,6 +28,7 @@
 #include "cell_mirror_br3.h"
 #include "constraint_parts_checker_br3.h"
 #include "mesh_validity_br3.h"
+#include "recovery_of_oracles_br3.h"
 #include "steiner_inputs_br3.h"
 
 #include <CGAL/Boundary_recovery_3/internal/steiner/Conforming_recovery_3.h>
