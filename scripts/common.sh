@@ -2,6 +2,9 @@
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 jobs=${JOBS:-$(nproc)} # each compiler takes up to 2 GB of memory
+# Compiles the programs before the library that they are linked to is there, and starts at once where all is done. Folders
+# that were made for something else stay so.
+export CMAKE_GENERATOR=${CMAKE_GENERATOR:-Ninja}
 # For CMake: where CGAL is, or that the place used last is to be forgotten.
 cgal_option=-UCGAL_DIR
 if [[ -n ${CGAL_DIR:-} ]]; then
@@ -32,7 +35,7 @@ install_missing()
 }
 
 # What compiling the package takes.
-build_packages=(g++ make cmake libcgal-dev libboost-dev libeigen3-dev libgmp-dev libmpfr-dev)
+build_packages=(g++ make ninja-build cmake libcgal-dev libboost-dev libeigen3-dev libgmp-dev libmpfr-dev)
 # What sub-domains are divided by, and meshed at the same time with; what mesh_surface_mpi takes.
 subdomain_packages=(libtbb-dev libmetis-dev)
 mpi_packages=(libboost-mpi-dev openmpi-bin libopenmpi-dev)
