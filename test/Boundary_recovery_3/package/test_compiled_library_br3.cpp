@@ -1,5 +1,5 @@
-// What is compiled once, in Boundary_recovery_3::compiled, does what the headers do. This program is linked to it, by way
-// of oracles_br3, where there is one.
+// What is compiled once, in Boundary_recovery_3::compiled, does what the headers do. This program is linked to it, by
+// way of oracles_br3, where there is one.
 
 #include <CGAL/Boundary_constrained_mesh_triangulation_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/standard_types.h>
