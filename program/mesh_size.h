@@ -2,7 +2,7 @@
 #define BOUNDARY_RECOVERY_3_PROGRAM_MESH_SIZE_H
 
 #include "mesh_surface_options.h"
-#include "read_surface.h"
+#include "surface.h"
 
 #include <CGAL/Boundary_recovery_3/Background_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/Background_mesh_sizing_field_3.h>

@@ -2,8 +2,9 @@
 #define BOUNDARY_RECOVERY_3_PROGRAM_MESH_SURFACE_MPI_OPTIONS_H
 
 #include "byte_string.h"
+#include "lower_case.h"
 #include "mesh_surface_options.h"
-#include "read_surface.h"
+#include "surface.h"
 
 #include <cstddef>
 #include <cstdint>

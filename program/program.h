@@ -1,19 +1,15 @@
 #ifndef BOUNDARY_RECOVERY_3_PROGRAM_PROGRAM_H
 #define BOUNDARY_RECOVERY_3_PROGRAM_PROGRAM_H
 
-#include "close_holes.h"
 #include "command_line.h"
-#include "divide_polygons.h"
 #include "domain.h"
 #include "explain_refusal.h"
+#include "lower_case.h"
 #include "open_surface.h"
-#include "patches_by_angle.h"
 #include "print_result.h"
-#include "read_surface.h"
-#include "remesh_surface.h"
-#include "repair_surface.h"
 #include "report_remeshing.h"
 #include "report_repair.h"
+#include "surface_tools.h"
 #include "write_domain.h"
 #include "write_report.h"
 
@@ -90,7 +86,7 @@ public:
   bool read_surface(const DefaultSurface& default_surface)
   {
     if(! m_options.input.empty())
-      return ::read_surface(m_options.input, m_surface, m_message);
+      return read_input_surface(m_options.input, m_surface, m_message);
     m_surface = default_surface();
     return true;
   }
@@ -108,8 +104,7 @@ public:
   // if that is asked for
   void prepare_surface()
   {
-    Polygon_divider<Point> divide(m_surface);
-    divide(m_options.repair);
+    divide_polygons(m_surface, m_options.repair);
     if(! m_options.quiet)
       for(const std::string& note : m_surface.notes)
         std::cout << "note: " << note << std::endl;
@@ -139,7 +134,7 @@ public:
   void set_patches()
   {
     if(! m_surface.has_patches())
-      set_patches_by_angle(m_surface, m_options.patch_angle);
+      divide_into_patches(m_surface, m_options.patch_angle);
   }
 
   // places in regions with names, and in those that are to be empty, beside those of the file
@@ -256,21 +251,21 @@ public:
 private:
   void repair_surface()
   {
-    m_changes = Surface_repairer<Point>(m_surface)(m_options.tolerance, m_options.fuse);
+    m_changes = repair(m_surface, m_options.tolerance, m_options.fuse);
     if(! m_options.quiet)
       print_repair(std::cout, m_changes);
   }
 
   void close_holes()
   {
-    m_holes = Hole_closer<Point>(m_surface)(m_options.max_hole_length);
+    m_holes = ::close_holes(m_surface, m_options.max_hole_length);
     if(! m_options.quiet)
       print_holes(std::cout, m_holes);
   }
 
   void remesh_surface()
   {
-    m_remeshing = Surface_remesher<Point>(m_surface)(m_options.patch_angle, m_options.largest_edge);
+    m_remeshing = remesh(m_surface, m_options.patch_angle, m_options.largest_edge);
     if(! m_options.quiet)
       print_remeshing(std::cout, m_remeshing);
   }

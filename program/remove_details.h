@@ -5,6 +5,7 @@
 #include "triangle_complex.h"
 
 #include <CGAL/Kernel/global_functions.h>
+#include <CGAL/squared_distance_3.h>
 
 #include <algorithm>
 #include <array>

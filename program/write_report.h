@@ -4,6 +4,7 @@
 #include "utf8.h"
 
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
+#include <CGAL/number_utils.h>
 #include <CGAL/version.h>
 
 #include <cmath>

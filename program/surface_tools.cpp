@@ -1,0 +1,47 @@
+// What is done to surfaces before they are meshed.
+
+#include "surface_tools.h"
+
+#include "divide_polygons.h"
+#include "patches_by_angle.h"
+#include "read_surface.h"
+
+#include <string>
+#include <vector>
+
+namespace {
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Point;
+
+} // namespace
+
+bool read_input_surface(const std::string& file, Input_surface& surface, std::string& message)
+{
+  return read_surface(file, surface, message);
+}
+
+void divide_polygons(Input_surface& surface, const bool are_bent_allowed)
+{
+  Polygon_divider<Point> divide(surface);
+  divide(are_bent_allowed);
+}
+
+Repair_changes repair(Input_surface& surface, const double tolerance, const bool fuses)
+{
+  return Surface_repairer<Point>(surface)(tolerance, fuses);
+}
+
+std::vector<Hole> close_holes(Input_surface& surface, const double max_length)
+{
+  return Hole_closer<Point>(surface)(max_length);
+}
+
+Remeshing_changes remesh(Input_surface& surface, const double angle, const double largest_edge)
+{
+  return Surface_remesher<Point>(surface)(angle, largest_edge);
+}
+
+void divide_into_patches(Input_surface& surface, const double angle)
+{
+  set_patches_by_angle(surface, angle);
+}
