@@ -227,7 +227,8 @@ int finish(const Meshing_options& options, Program<Point>& program, const Result
     const auto print = options.verbose ? print_mesh<Result, Domain<Point> > : print_result<Result, Domain<Point> >;
     print(std::cout, result, domain, measured.quality, measured.edges, measured.bad_tetrahedra, measured.seconds_total);
     program.print_outputs();
-    print_large_triangles(std::cout, program.surface(), options);
+    if(! needles_matter(measured.bad_tetrahedra)) // for which the remedy is the same
+      print_large_triangles(std::cout, program.surface(), options);
     program.warn_of_idle_faces();
   }
   return result ? success : incomplete_or_stopped;

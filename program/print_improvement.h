@@ -45,6 +45,12 @@ inline bool needles_matter(const std::vector<Bad_tetrahedron>& bad_tetrahedra)
   });
 }
 
+inline void print_remedy_for_needles(std::ostream& os, const std::vector<Bad_tetrahedron>& bad_tetrahedra)
+{
+  if(needles_matter(bad_tetrahedra))
+    os << "needles of the surface are what stays bad: --remesh-surface replaces its triangles\n";
+}
+
 // prints what was done, how many tetrahedra are below the target for which reason, and the worst ones
 template <typename Improvement, typename Domain>
 void print_improvement(std::ostream& os, const Improvement& improvement,
@@ -77,8 +83,7 @@ void print_improvement(std::ostream& os, const Improvement& improvement,
     print_bad_tetrahedron(os, bad_tetrahedra[i], domain);
   if(bad_tetrahedra.size() > number_of_shown)
     os << "  and " << bad_tetrahedra.size() - number_of_shown << " more: --report lists them\n";
-  if(needles_matter(bad_tetrahedra))
-    os << "  needles of the surface are what stays bad: --remesh-surface replaces its triangles\n";
+  print_remedy_for_needles(os, bad_tetrahedra);
 }
 
 #endif // BOUNDARY_RECOVERY_3_PROGRAM_PRINT_IMPROVEMENT_H

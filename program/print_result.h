@@ -58,6 +58,7 @@ void print_bad_tetrahedra(std::ostream& os, const Improvement& improvement, cons
     return;
   os << "the worst one:";
   print_bad_tetrahedron(os, bad[0], domain);
+  print_remedy_for_needles(os, bad);
 }
 
 // prints a mesh, its angles, lengths and what stays bad, and how long it took
