@@ -6,6 +6,7 @@
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 
 #include <boost/pending/disjoint_sets.hpp>
+#include <boost/property_map/vector_property_map.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -35,8 +36,9 @@ std::vector<std::size_t> orient_triangles(Triangle_soup<Point>& soup)
     oriented.points, oriented.triangles, CGAL::parameters::visitor(Orientation_visitor(is_reversed)));
 
   const std::size_t n = oriented.points.size();
-  std::vector<std::size_t> rank(n), parent(n), size(n, 0), number_of_reversed(n, 0), sources;
-  boost::disjoint_sets<std::size_t*, std::size_t*> pieces(rank.data(), parent.data());
+  std::vector<std::size_t> size(n, 0), number_of_reversed(n, 0), sources;
+  typedef boost::vector_property_map<std::size_t> Map; // for a pointer, get() is hidden by some headers of Boost.Graph
+  boost::disjoint_sets<Map, Map> pieces((Map(n)), Map(n));
   for(std::size_t v = 0; v < n; ++v)
     pieces.make_set(v);
   for(const Sourced_triangle& t : oriented.triangles)

@@ -39,9 +39,8 @@ void print_bad_tetrahedra(std::ostream& os, const Improvement& improvement, cons
                           const Domain& domain)
 {
   using CGAL::Boundary_recovery_3::Bad_cell_reason;
-  static constexpr const char* words[] = { "forced by the surface", "in gaps of the surface", "at needles of the "
-                                                                                              "surface",
-                                           "not improved" };
+  static constexpr const char* words[] = { "forced by the surface", "in gaps of the surface",
+                                           "at needles of the surface", "not improved" };
   const auto& certificate = improvement.certificate;
   if(! certificate.is_complete)
     return print_improvement(os, improvement, bad, domain);

@@ -1,13 +1,10 @@
 #ifndef BOUNDARY_RECOVERY_3_PROGRAM_REFERENCE_SURFACE_H
 #define BOUNDARY_RECOVERY_3_PROGRAM_REFERENCE_SURFACE_H
 
+#include "aabb_trees.h"
 #include "surface_features.h"
 #include "triangle_complex.h"
 
-#include <CGAL/AABB_segment_primitive.h>
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
@@ -26,7 +23,7 @@ template <typename Primitive, typename Object>
 class Grouped_trees
 {
   typedef Remeshing_kernel::Point_3                   Point;
-  typedef CGAL::AABB_traits<Remeshing_kernel, Primitive> Traits;
+  typedef Aabb_traits<Remeshing_kernel, Primitive> Traits;
   typedef CGAL::AABB_tree<Traits>                     Tree;
 
   std::vector<std::size_t> m_numbers;
@@ -91,8 +88,8 @@ public:
 private:
   typedef std::vector<Triangle>::const_iterator                                   Triangle_iterator;
   typedef std::vector<Segment>::const_iterator                                    Segment_iterator;
-  typedef CGAL::AABB_triangle_primitive<Remeshing_kernel, Triangle_iterator>      Triangle_primitive;
-  typedef CGAL::AABB_segment_primitive<Remeshing_kernel, Segment_iterator>        Segment_primitive;
+  typedef Aabb_triangle_primitive<Remeshing_kernel, Triangle_iterator>      Triangle_primitive;
+  typedef Aabb_segment_primitive<Remeshing_kernel, Segment_iterator>        Segment_primitive;
 
 public:
   typedef Grouped_trees<Triangle_primitive, Triangle> Patches;

@@ -9,6 +9,7 @@
 #include <CGAL/Kernel_traits.h>
 
 #include <boost/pending/disjoint_sets.hpp>
+#include <boost/property_map/vector_property_map.hpp>
 
 #include <algorithm>
 #include <array>
@@ -26,7 +27,8 @@ class Triangle_unfolder
 {
   typedef typename CGAL::Kernel_traits<Point>::Kernel      Kernel;
   typedef typename Kernel::Vector_3                        Vector;
-  typedef boost::disjoint_sets<std::size_t*, std::size_t*> Sets;
+  typedef boost::vector_property_map<std::size_t> Map; // for a pointer, get() is hidden by some headers of Boost.Graph
+  typedef boost::disjoint_sets<Map, Map>          Sets;
 
   // triangles of the soup, and those in their place
   struct Fold
@@ -67,8 +69,7 @@ private:
   std::vector<std::vector<std::size_t> > find_folds() const
   {
     const std::size_t n = m_soup.triangles.size();
-    std::vector<std::size_t> rank(n), parent(n);
-    Sets sets(rank.data(), parent.data());
+    Sets sets((Map(n)), Map(n));
     for(std::size_t t = 0; t < n; ++t)
       sets.make_set(t);
     std::vector<bool> is_folded(n, false), has_intersection(n, false);

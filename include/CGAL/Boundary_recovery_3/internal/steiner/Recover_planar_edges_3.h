@@ -30,6 +30,7 @@
 #include <CGAL/enum.h>
 
 #include <boost/pending/disjoint_sets.hpp>
+#include <boost/property_map/vector_property_map.hpp>
 
 #include <algorithm>
 #include <array>
@@ -123,7 +124,10 @@ private:
   // What crosses what is not kept: all edges of a fan may cross all mesh edges. Empty if the context says stop.
   std::vector<Edges> find_groups(const Indices& lost)
   {
-    boost::disjoint_sets_with_storage<> sets(lost.size());
+    typedef boost::vector_property_map<std::size_t> Map; // for a pointer, some headers of Boost.Graph hide get()
+    boost::disjoint_sets<Map, Map> sets((Map(lost.size())), Map(lost.size()));
+    for(std::size_t k = 0; k < lost.size(); ++k)
+      sets.make_set(k);
     Simplex_index_3<Vertex_handle, 2> crossed;
     Indices first_crossing; // by number of a crossed mesh edge, the position of the first lost edge that does
     Edges edges;
