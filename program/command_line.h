@@ -3,6 +3,7 @@
 
 #include "help_formatter.h"
 #include "lower_case.h"
+#include "surface.h"
 #include "write_domain.h"
 
 #include <CGAL/version.h>
@@ -34,7 +35,7 @@ struct Common_options
   bool repair = false;
   double tolerance = -1;            // for the repair; -1: that of single precision
   bool fuse = false;                // as a part of the repair
-  double patch_angle = 40;          // in degrees
+  double patch_angle = default_patch_angle; // in degrees
   double max_hole_length = -1;      // of loops that are closed; negative: none is
   double largest_edge = -1;         // of the surface that is remeshed; 0: as its shape allows; negative: it stays
   bool list_defects = false;
@@ -59,9 +60,8 @@ public:
   // `before_name` is what stands before the name of the program in a command
   Command_line(const std::string& name, const std::string& description, Common_options& options,
                const std::string& before_name = "")
-    : m_app(description, name), m_formatter(std::make_shared<Help_formatter>(before_name + name + " [INPUT] "
-                                                                                                  "[options]")),
-      m_options(options)
+    : m_app(description, name),
+      m_formatter(std::make_shared<Help_formatter>(before_name + name + " [INPUT] [options]")), m_options(options)
   {
     m_app.formatter(m_formatter);
     m_app.add_option("INPUT", m_options.input)->check(is_not_empty());

@@ -11,6 +11,9 @@
 // The regions on both sides of a triangle, the smaller one first; 0 is the outside.
 typedef std::array<int, 2> Sides;
 
+// the region beside a triangle, the smaller one of two; 0 if there is none
+inline int region_beside(const Sides& sides) { return sides[0] != 0 ? sides[0] : sides[1]; }
+
 // Finds the tetrahedra beside each triangle of a domain. Triangles are looked up by their vertex with the smallest
 // number, in a table as large as the mesh has points: no hashing, no sorting.
 template <typename Point>

@@ -108,6 +108,8 @@ double seconds_of_recovery(const Result& result)
   return seconds;
 }
 
+bool is_anybody_told(const Meshing_options& options) { return ! options.quiet || ! options.report.empty(); }
+
 // The quality of millions of tetrahedra takes a while: it is measured only if anybody is told.
 Measurements measure(const Triangulation& tr, const Domain<Point>& domain, const Size& size, const Result& result,
                      const double seconds, const Meshing_options& options)
@@ -115,7 +117,7 @@ Measurements measure(const Triangulation& tr, const Domain<Point>& domain, const
   Measurements measured;
   measured.seconds_total = seconds;
   measured.seconds_recovery = seconds_of_recovery(result);
-  if(! options.quiet || ! options.report.empty())
+  if(is_anybody_told(options))
   {
     measured.quality = measure_quality(domain);
     measured.edges = Edge_meter<Point>(domain)(size);
@@ -177,19 +179,19 @@ int refuse(const Result& result, const Program<Point>& program)
 }
 
 // The surface stays as it is, whatever the size is: beside large triangles, cells are large, and flat.
-void print_large_triangles(std::ostream& os, const Surface<Point>& surface, const Meshing_options& options)
+void print_large_triangles(std::ostream& os, const Surface<Point>& surface, const double size)
 {
   const auto is_large = [&](const std::vector<std::size_t>& face)
   {
     const auto length = [&](const std::size_t i, const std::size_t j)
     { return std::sqrt(CGAL::squared_distance(surface.points[face[i]], surface.points[face[j]])); };
-    return (std::max)({ length(0, 1), length(1, 2), length(2, 0) }) > 2 * options.size;
+    return (std::max)({ length(0, 1), length(1, 2), length(2, 0) }) > 2 * size;
   };
   const auto n = std::count_if(surface.faces.begin(), surface.faces.end(), is_large);
-  if(options.size > 0 && n > 0)
-    os << "note: " << count(static_cast<std::size_t>(n), "triangle") << " of the surface with edges longer than "
-                                                                        "twice the "
-       << "size; --remesh-surface " << options.size << " divides them" << std::endl;
+  if(n > 0)
+    os << "note: " << count(static_cast<std::size_t>(n), "triangle")
+       << " of the surface with edges longer than twice the size; --remesh-surface " << size << " divides them"
+       << std::endl;
 }
 
 // writes the files, and tells how it went; returns the exit status
@@ -227,8 +229,8 @@ int finish(const Meshing_options& options, Program<Point>& program, const Result
     const auto print = options.verbose ? print_mesh<Result, Domain<Point> > : print_result<Result, Domain<Point> >;
     print(std::cout, result, domain, measured.quality, measured.edges, measured.bad_tetrahedra, measured.seconds_total);
     program.print_outputs();
-    if(! needles_matter(measured.bad_tetrahedra)) // for which the remedy is the same
-      print_large_triangles(std::cout, program.surface(), options);
+    if(options.size > 0 && ! needles_matter(measured.bad_tetrahedra)) // for which the remedy is the same
+      print_large_triangles(std::cout, program.surface(), options.size);
     program.warn_of_idle_faces();
   }
   return result ? success : incomplete_or_stopped;
@@ -256,7 +258,9 @@ int run(const Meshing_options& options, Program<Point>& program)
   timer.stop();
 
   Domain<Point> domain = make_domain(tr, result, options);
-  if(domain.number_of_regions > 0 || result.status == Status::no_region || result.status == Status::invalid_input)
+  const bool is_refused = ! progress.regions().message().empty() || result.status == Status::no_region ||
+                          result.status == Status::invalid_input;
+  if(is_refused || (domain.number_of_regions > 0 && is_anybody_told(options)))
     program.find_open_surface(domain);
   program.use_numbers_of_file(result.recovery, domain);
   domain.region_names = progress.regions().names();

@@ -29,11 +29,10 @@ class Mpi_command_line
 public:
   explicit Mpi_command_line(Mpi_options& options)
     : Meshing_command_line("mesh_surface_mpi",
-        "Meshes what a triangulated surface bounds in sub-domains, with several processes on one or more machines. "
-        "The\n"
-        "mesh depends on the number of sub-domains, which is 16 by default, but not on that of the ranks, bit for "
-        "bit; it\n"
-        "is that of mesh_surface with as many sub-domains. All ranks read INPUT, and all the files that options name.\n"
+        "Meshes what a triangulated surface bounds in sub-domains, with several processes on one or more machines.\n"
+        "The mesh depends on the number of sub-domains, which is 16 by default, but not on that of the ranks, bit for\n"
+        "bit; it is that of mesh_surface with as many sub-domains. All ranks read INPUT, and all the files that\n"
+        "options name.\n"
         + std::string(input_text), options, "mpirun -n RANKS ")
   {
     for(const char* option : { "--time-limit", "--threads" }) // the mesh may not depend on the speed of ranks
@@ -44,10 +43,10 @@ public:
                "next one with the same input and options does only what is missing. By default, it is a\n"
                "temporary folder, enough on one machine. Rank 0 removes it at the end, after a failure\n"
                "as well, unless it was killed itself");
-    add_flag("--pieces", options.pieces, "in .msh files, tell Gmsh which tetrahedra are of which sub-domain. With\n"
-                                         "-o OUTPUT.pvtu, the mesh is written in pieces, one for each sub-domain, "
-                                         "beside a\n"
-                                         "file that names them; each rank writes some, and no rank has all in memory");
+    add_flag("--pieces", options.pieces,
+             "in .msh files, tell Gmsh which tetrahedra are of which sub-domain. With -o OUTPUT.pvtu, the\n"
+             "mesh is written in pieces, one for each sub-domain, beside a file that names them; each rank\n"
+             "writes some, and no rank has all in memory");
   }
 
 private:

@@ -42,10 +42,10 @@ class Meshing_command_line
 public:
   explicit Meshing_command_line(Meshing_options& options)
     : Meshing_command_line("mesh_surface",
-        "Meshes the inside of a triangulated surface with tetrahedra of the sizes that are asked for. Every triangle "
-        "of\n"
-        "the surface is a face of the mesh, exactly as it is. The tetrahedra are improved; for those that have small\n"
-        "angles nevertheless, it is told whether the surface forces them.\n" + std::string(input_text), options)
+        "Meshes the inside of a triangulated surface with tetrahedra of the sizes that are asked for. Every\n"
+        "triangle of the surface is a face of the mesh, exactly as it is. The tetrahedra are improved; for those\n"
+        "that have small angles nevertheless, it is told whether the surface forces them.\n"
+        + std::string(input_text), options)
   { }
 
 protected:
@@ -62,19 +62,14 @@ protected:
     add_name_options();
     add_message_options();
     set_notes(
-      "The vertices of INPUT come first in the mesh, in their order; left out are those that no triangle has, and "
-      "all but\n"
-      "the first of equal ones. Its triangles are in all formats, with their patches and, but for .mesh, their "
-      "numbers,\n"
-      "counted as INPUT does. Tetrahedra have the numbers of their regions, from 1. Of what is outside, only "
-      "triangles are\n"
-      "written that bound nothing. In .msh files, patches, regions, and triangles with the same regions on both "
-      "sides are\n"
-      "physical groups.\n"
-      "exit status: 0 meshed; 1 usage or file error; 2 invalid surface, or a size or place that is none; 3 "
-      "incomplete,\n"
-      "stopped, too large, or no region found. There is a mesh if it is 0, or if the work was stopped after the "
-      "recovery.");
+      "The vertices of INPUT come first in the mesh, in their order; left out are those that no triangle has, and\n"
+      "all but the first of equal ones. Its triangles are in all formats, with their patches and, but for .mesh and\n"
+      ".msh2, their numbers, counted as INPUT does. Tetrahedra have the numbers of their regions, from 1. Of what is\n"
+      "outside, only triangles are written that bound nothing. In .msh files, patches and regions are physical\n"
+      "groups.\n"
+      "exit status: 0 meshed; 1 usage or file error; 2 invalid surface, or a size or place that is none;\n"
+      "3 incomplete, stopped, too large, or no region found. There is a mesh if it is 0, or if the work was stopped\n"
+      "after the recovery.");
   }
 
   void check_combination() override
@@ -105,10 +100,10 @@ private:
 
   void add_size_options()
   {
-    begin_group("sizes", "how long edges shall be. Of those that are given, the smallest one counts at each point; "
-                         "without\n"
-                         "--size, sizes from the surface are among them. Beside triangles that are smaller, edges "
-                         "are shorter.");
+    begin_group("sizes",
+                "how long edges shall be. Of those that are given, the smallest one counts at each point;\n"
+                "without --size, sizes from the surface are among them. Beside triangles that are smaller, edges are\n"
+                "shorter.");
     add_number("--size", "H", m_options.size, Number_kind::positive, "the same size everywhere");
     add_option("--sources", "FILE", m_options.sources,
                "sizes around points, segments, triangles and boxes, one a line:\n"
@@ -139,8 +134,8 @@ private:
     add_choice<Improvement_effort>("--effort", { { "low", Improvement_effort::low },
                                                  { "normal", Improvement_effort::normal },
                                                  { "high", Improvement_effort::high } }, m_options.effort,
-                                   "how much work the improvement is worth, default: normal; high takes some times "
-                                   "as long");
+                                   "how much work the improvement is worth, default: normal; high takes some\n"
+                                   "times as long");
     add_negative_flag("--no-improvement", m_options.improve_quality,
                       "leave the tetrahedra as the field points make them");
   }
@@ -173,13 +168,13 @@ private:
 
   void add_name_options()
   {
-    begin_group("names", "solids of .stl, o, g and usemtl of .obj, physical groups of .msh, references of .mesh, "
-                         "markers of\n"
-                         ".poly and .smesh and an integer property of the faces in .ply are patches of the surface.");
+    begin_group("names",
+                "solids of .stl, o, g and usemtl of .obj, physical groups of .msh, references of .mesh, markers\n"
+                "of .poly and .smesh and an integer property of the faces in .ply are patches of the surface.");
     add_number("--patch-angle", "DEGREES", m_options.patch_angle, Number_kind::not_negative,
                "where there are no names, patches end at edges sharper than that, default: 40", 180);
-    add_option("--region", "NAME X Y Z", m_options.regions, "the name of the region that has this place; may be "
-                                                            "repeated");
+    add_option("--region", "NAME X Y Z", m_options.regions,
+               "the name of the region that has this place; may be repeated");
     add_option("--void", "X Y Z", m_options.voids,
                "the region that has this place is to be empty; may be repeated. .poly and .smesh files have\n"
                "such places, too: holes, and the attributes of regions as names");

@@ -127,7 +127,7 @@ private:
       for(std::size_t i = 0; i < 4; ++i)
         if(part.vertices[t[i]].number == expected[k])
           corners[k] = t[i];
-    const int region = sides[0] != 0 ? sides[0] : sides[1];
+    const int region = region_beside(sides);
     if(sides[0] == sides[1] ? ! is_in_front(t, index, corners) : part.cell_indices[cell].subdomain != region)
       return;
     piece.triangles.push_back(corners);

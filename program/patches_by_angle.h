@@ -30,8 +30,6 @@ void set_patches_by_angle(Surface<Point>& surface, const double angle)
   std::vector<Point> points = surface.points;
   std::vector<std::vector<std::size_t> > faces = surface.faces;
   PMP::orient_polygon_soup(points, faces);
-  if(! PMP::is_polygon_soup_a_polygon_mesh(faces)) // no surface either
-    return;
   Mesh mesh;
   PMP::polygon_soup_to_polygon_mesh(points, faces, mesh);
 

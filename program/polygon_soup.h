@@ -30,18 +30,14 @@ struct Bounded_vector
 // What readers of files make: points and polygons, and what the file tells about them.
 template <typename Point>
 struct Polygon_soup
+  : public Surface_notes<Point>
 {
   typedef Bounded_vector<std::size_t> Polygon;
 
   Bounded_vector<Point> points;
   Bounded_vector<Polygon> polygons;
-  std::size_t first_number = 0;             // of points and polygons in the file
   std::vector<std::size_t> positions;       // of polygons, in the file; empty: they are in the order of the file
   std::vector<int> patches;                 // of the polygons, 0 for those in none; empty: there are none
-  std::map<int, std::string> patch_names;
-  std::vector<Named_place<Point> > regions; // places in regions that have names
-  std::vector<Point> voids;                 // places in regions that are to be empty
-  std::vector<std::string> notes;           // what the user has to know about the file
 
   // takes names, in the order of the polygons, as patches; those without a name are in none
   void set_patches_by_names(const std::vector<std::string>& names)
@@ -52,7 +48,7 @@ struct Polygon_soup
     {
       const int number = name.empty() ? 0 : numbers.emplace(name, static_cast<int>(numbers.size()) + 1).first->second;
       if(number != 0)
-        patch_names.emplace(number, as_utf8(name));
+        this->patch_names.emplace(number, as_utf8(name));
       patches.push_back(number);
     }
   }
@@ -76,7 +72,7 @@ struct Polygon_soup
   void leave_out(const std::size_t number, const std::string& what)
   {
     if(number > 0)
-      notes.push_back(what + " of the file that are left out: " + std::to_string(number));
+      this->notes.push_back(what + " of the file that are left out: " + std::to_string(number));
   }
 };
 

@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 // Prints what a user wants to know, each in a line: what came in, and what came out. What developers want to know is in
@@ -29,7 +30,8 @@ void print_surface(std::ostream& os, const std::string& name, const Surface<Poin
   std::size_t shown = 0;
   for(const auto& [number, patch] : surface.patch_names)
     if(shown++ < number_of_shown)
-      os << (shown == 1 ? "; " + count(surface.patch_names.size(), "named patch") + ": " : ", ") << patch;
+      os << (shown == 1 ? "; " + count(surface.patch_names.size(), "named patch", "named patches") + ": " : ", ")
+         << patch;
   os << (shown > number_of_shown ? ", ..." : "") << std::endl;
 }
 
@@ -39,20 +41,16 @@ void print_bad_tetrahedra(std::ostream& os, const Improvement& improvement, cons
                           const Domain& domain)
 {
   using CGAL::Boundary_recovery_3::Bad_cell_reason;
-  static constexpr const char* words[] = { "forced by the surface", "in gaps of the surface",
-                                           "at needles of the surface", "not improved" };
+  static constexpr std::pair<Bad_cell_reason, const char*> reasons[] = {
+    { Bad_cell_reason::forced, "forced by the surface" }, { Bad_cell_reason::gap, "in gaps of the surface" },
+    { Bad_cell_reason::needle, "at needles of the surface" }, { Bad_cell_reason::not_improved, "not improved" } };
   const auto& certificate = improvement.certificate;
   if(! certificate.is_complete)
     return print_improvement(os, improvement, bad, domain);
   os << "below " << certificate.min_dihedral_angle << " degrees: " << certificate.cells.size();
-  int i = 0;
-  for(const auto reason : { Bad_cell_reason::forced, Bad_cell_reason::gap, Bad_cell_reason::needle,
-                            Bad_cell_reason::not_improved })
-  {
-    const char* const word = words[i++];
+  for(const auto& [reason, words] : reasons)
     if(certificate.number_of_cells(reason) > 0)
-      os << ", " << certificate.number_of_cells(reason) << ' ' << word;
-  }
+      os << ", " << certificate.number_of_cells(reason) << ' ' << words;
   os << '\n';
   if(bad.empty())
     return;
@@ -67,7 +65,7 @@ void print_result(std::ostream& os, const Result& result, const Domain& domain, 
                   const Edge_lengths& edges, const std::vector<Bad_tetrahedron>& bad, const double seconds)
 {
   const std::streamsize precision = os.precision(3);
-  os << "mesh: " << count(domain.tetrahedra.size(), "tetrahedron") << " in "
+  os << "mesh: " << count(domain.tetrahedra.size(), "tetrahedron", "tetrahedra") << " in "
      << count(static_cast<std::size_t>(domain.number_of_regions), "region") << ", "
      << count(domain.points.size(), "point") << ": "
      << domain.number_of_field_points + domain.number_of_steiner_points << " added inside";

@@ -112,13 +112,12 @@ inline void print_levels(std::ostream& os,
 }
 
 // a number and what it counts
-inline std::string count(const std::size_t n, const std::string& noun)
+inline std::string count(const std::size_t n, const std::string& noun, const std::string& plural)
 {
-  if(n != 1 && noun == "tetrahedron")
-    return std::to_string(n) + " tetrahedra";
-  const bool is_sibilant = noun.size() > 2 && noun.compare(noun.size() - 2, 2, "ch") == 0; // as in patches
-  return std::to_string(n) + ' ' + noun + (n == 1 ? "" : is_sibilant ? "es" : "s");
+  return std::to_string(n) + ' ' + (n == 1 ? noun : plural);
 }
+
+inline std::string count(const std::size_t n, const std::string& noun) { return count(n, noun, noun + 's'); }
 
 // prints the table at the end of the program
 template <typename Result, typename Domain>

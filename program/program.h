@@ -21,6 +21,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <set>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -130,10 +131,10 @@ public:
       std::cout << std::endl;
   }
 
-  // divides the surface into patches unless it has some
+  // divides the surface into patches unless it has some, or nobody will see them
   void set_patches()
   {
-    if(! m_surface.has_patches())
+    if(! m_options.outputs.empty() && ! m_surface.has_patches())
       divide_into_patches(m_surface, m_options.patch_angle);
   }
 
@@ -273,8 +274,9 @@ private:
   // A condition on a name that is nowhere would be lost silently.
   void note_lost_patches()
   {
+    const std::set<int> left(m_surface.patches.begin(), m_surface.patches.end());
     for(const auto& [number, name] : m_surface.patch_names)
-      if(std::find(m_surface.patches.begin(), m_surface.patches.end(), number) == m_surface.patches.end())
+      if(left.count(number) == 0)
       {
         m_surface.notes.push_back("the patch " + name + " has no triangles left");
         if(! m_options.quiet)

@@ -23,6 +23,7 @@
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace read_surface_internal {
@@ -93,8 +94,7 @@ inline bool is_format_of_cgal(const std::string& extension)
 inline bool is_input_format(const std::string& extension)
 {
   return is_format_of_cgal(extension) || extension == ".msh" || extension == ".msh2" || extension == ".mesh" ||
-         extension == ".poly" ||
-         extension == ".smesh";
+         extension == ".poly" || extension == ".smesh";
 }
 
 // reads what CGAL reads, and the names of faces; returns `false` if that fails
@@ -144,11 +144,7 @@ Surface<Point> make_surface(Polygon_soup<Point>& soup)
     surface.file_faces.swap(soup.positions);
   if(! soup.patches.empty())
     surface.patches.swap(soup.patches);
-  surface.first_number = soup.first_number;
-  surface.patch_names.swap(soup.patch_names);
-  surface.regions.swap(soup.regions);
-  surface.voids.swap(soup.voids);
-  surface.notes.swap(soup.notes);
+  static_cast<Surface_notes<Point>&>(surface) = std::move(soup);
   return surface;
 }
 

@@ -37,11 +37,6 @@ inline void print_remeshing(std::ostream& os, const Remeshing_changes& changes)
 // writes the same
 inline void write_remeshing(Json_writer& json, const Remeshing_changes& changes)
 {
-  const auto before_and_after = [&](const std::string& name, const auto& numbers)
-  {
-    json.entry(name + "_before", numbers[0]);
-    json.entry(name + "_after", numbers[1]);
-  };
   json.key("remeshing");
   json.begin('{');
   json.entry("is_possible", changes.is_possible);
@@ -50,8 +45,8 @@ inline void write_remeshing(Json_writer& json, const Remeshing_changes& changes)
   json.entry("tolerance", changes.tolerance);
   json.entry("largest_edge", changes.largest_edge);
   json.entry("number_of_attempts", changes.number_of_attempts);
-  before_and_after("number_of_triangles", changes.number_of_triangles);
-  before_and_after("smallest_angle_of_triangles", changes.smallest_angle);
+  json.before_and_after("number_of_triangles", changes.number_of_triangles);
+  json.before_and_after("smallest_angle_of_triangles", changes.smallest_angle);
   json.entry("distance_to_input", changes.distances[0]);
   json.entry("distance_from_input", changes.distances[1]);
   json.entry("number_of_kept_triangles", changes.number_of_kept_triangles);

@@ -62,11 +62,6 @@ void write_repair(Json_writer& json, const Repair_changes& changes, const Surfac
     json.key(name);
     json.list(numbers, value);
   };
-  const auto before_and_after = [&](const std::string& name, const std::array<std::size_t, 2>& numbers)
-  {
-    json.entry(name + "_before", numbers[0]);
-    json.entry(name + "_after", numbers[1]);
-  };
   json.key("repair");
   json.begin('{');
   json.entry("is_possible", changes.is_possible);
@@ -90,8 +85,8 @@ void write_repair(Json_writer& json, const Repair_changes& changes, const Surfac
   json.entry("number_of_stitched_edges", changes.number_of_stitched_edges);
   json.entry("number_of_parts_of_divided_facets", changes.number_of_parts);
   json.entry("number_of_new_points", changes.number_of_new_points);
-  before_and_after("number_of_open_edges", changes.open_edges);
-  before_and_after("number_of_intersections", changes.intersections);
+  json.before_and_after("number_of_open_edges", changes.open_edges);
+  json.before_and_after("number_of_intersections", changes.intersections);
   json.key("source_facets"); // of each triangle that was recovered
   json.list(surface.file_faces, [&](const std::size_t f) { json.number_or_null(f); });
   json.end('}');

@@ -17,12 +17,24 @@ struct Named_place
   Point place;
 };
 
+// What a file tells of its surface, beside points and faces.
+template <typename Point>
+struct Surface_notes
+{
+  std::size_t first_number = 0;             // of vertices and faces, as the format counts
+  std::map<int, std::string> patch_names;   // of those patches that have one
+  std::vector<Named_place<Point> > regions; // places in regions that have names
+  std::vector<Point> voids;                 // places in regions that are to be empty
+  std::vector<std::string> notes;           // what the user has to know about the file
+};
+
 // A triangulated surface: the vertices that its faces use, each point once, and the faces as triples of indices.
 // The faces keep the order of the file; the vertices too, but their numbers change, so the old ones are kept.
 //
 // Patches are sets of faces that have a name or a number of their own, from 1; 0 is for faces that are in none.
 template <typename Point>
 struct Surface
+  : public Surface_notes<Point>
 {
   static constexpr std::size_t no_face = static_cast<std::size_t>(-1); // of a triangle that is not from the file
 
@@ -32,12 +44,7 @@ struct Surface
                                                // or `no_face`
   std::vector<std::size_t> file_vertices;      // the position in the file of each point, the first one of equal points
   std::size_t number_of_vertices_in_file = 0;
-  std::size_t first_number = 0;                // of vertices and faces, as the format counts
   std::vector<int> patches;                    // of each face
-  std::map<int, std::string> patch_names;      // of those that have one
-  std::vector<Named_place<Point> > regions;    // places in regions that have names, or numbers, in the file
-  std::vector<Point> voids;                    // places in regions that are to be empty
-  std::vector<std::string> notes;              // what the user has to know about the file
 
   // the position in the file of a face; of a face that does not exist there is none
   std::size_t file_face(const std::size_t f) const { return f < file_faces.size() ? file_faces[f] : f; }
@@ -60,7 +67,7 @@ struct Surface
 private:
   std::size_t number(const std::size_t position) const
   {
-    return position == no_face ? no_face : position + first_number;
+    return position == no_face ? no_face : position + this->first_number;
   }
 };
 
@@ -142,6 +149,9 @@ bool is_triangle_soup(const Surface<Point>& surface)
          std::all_of(surface.faces.begin(), surface.faces.end(), [&](const auto& face)
                      { return face.size() == 3 && *std::max_element(face.begin(), face.end()) < n; });
 }
+
+// The angle in degrees that sharp edges differ from 180 by, at least, if nobody says another one.
+constexpr double default_patch_angle = 40;
 
 // four units in the last place that single precision has for the largest coordinate
 template <typename Point>

@@ -2,6 +2,7 @@
 #define BOUNDARY_RECOVERY_3_PROGRAM_SURFACE_FEATURES_H
 
 #include "triangle_complex.h"
+#include "triangle_soup.h"
 
 #include <CGAL/Kernel/global_functions.h>
 
@@ -31,17 +32,6 @@ class Feature_marker
   typedef typename Complex::Indices Indices;
   typedef typename Complex::Kind    Kind;
 
-  struct Edge
-  {
-    std::array<Index, 2> vertices;
-    Index face;
-
-    bool operator<(const Edge& other) const
-    {
-      return vertices != other.vertices ? vertices < other.vertices : face < other.face;
-    }
-  };
-
   Complex& m_complex;
   const std::vector<int>& m_labels; // of the faces
   const double m_angle;             // in degrees
@@ -65,37 +55,27 @@ public:
 private:
   void find_curve_edges()
   {
-    std::vector<Edge> edges;
-    for(Index f = 0; f < m_complex.faces.size(); ++f)
-      for(int i = 0; i < 3; ++i)
-      {
-        const auto& v = m_complex.faces[f].vertices;
-        const auto ends = std::minmax(v[(i + 1) % 3], v[(i + 2) % 3]);
-        edges.push_back(Edge{ {{ ends.first, ends.second }}, f });
-      }
-    std::sort(edges.begin(), edges.end());
-    for(auto begin = edges.begin(); begin != edges.end();)
+    std::vector<std::array<Index, 3> > triangles;
+    for(const auto& face : m_complex.faces)
+      triangles.push_back(face.vertices);
+    visit_edges(triangles, [&](const auto edge, const std::size_t number)
     {
-      const auto end = std::find_if(begin, edges.end(),
-                                    [&](const Edge& e) { return e.vertices != begin->vertices; });
-      if(end - begin != 2 || is_feature(*begin, begin[1].face))
-      {
-        const Index v = begin->vertices[0], w = begin->vertices[1];
-        set_curve(v, w, 0);
-        m_curve_neighbors[v].push_back(w);
-        m_curve_neighbors[w].push_back(v);
-      }
-      begin = end;
-    }
+      if(number == 2 && ! is_feature(*edge, (edge + 1)->triangle))
+        return;
+      const Index v = edge->vertices.first, w = edge->vertices.second;
+      set_curve(v, w, 0);
+      m_curve_neighbors[v].push_back(w);
+      m_curve_neighbors[w].push_back(v);
+    });
   }
 
-  bool is_feature(const Edge& edge, const Index g) const
+  bool is_feature(const Triangle_edge& edge, const Index g) const
   {
-    const auto& face = m_complex.faces[edge.face];
+    const auto& face = m_complex.faces[edge.triangle];
     const auto& other = m_complex.faces[g];
-    const auto& v = edge.vertices;
-    return m_labels[edge.face] != m_labels[g] || face.runs(v[0], v[1]) == other.runs(v[0], v[1]) ||
-           angle_between(normal(edge.face), normal(g)) > m_angle;
+    const auto& [v, w] = edge.vertices;
+    return m_labels[edge.triangle] != m_labels[g] || face.runs(v, w) == other.runs(v, w) ||
+           angle_between(normal(edge.triangle), normal(g)) > m_angle;
   }
 
   auto normal(const Index f) const
@@ -186,33 +166,30 @@ private:
 
   std::size_t number_curves()
   {
-    std::vector<Edge> edges; // with the numbers of the curves in the place of the faces
     std::vector<Indices> next = m_curve_neighbors;
     std::size_t n = 0;
     const auto follow = [&](const Index v)
     {
       while(! next[v].empty())
-        follow_curve(v, n++, next, edges);
+        follow_curve(v, n++, next);
     };
     for(Index v = 0; v < next.size(); ++v)
       if(m_complex.kinds[v] == Kind::fixed)
         follow(v);
     for(Index v = 0; v < next.size(); ++v) // curves that are closed
       follow(v);
-    for(const Edge& e : edges)
-      set_curve(e.vertices[0], e.vertices[1], e.face);
     return n;
   }
 
-  // takes the edges of the curve that begins with one of a vertex
-  void follow_curve(Index v, const Index curve, std::vector<Indices>& next, std::vector<Edge>& edges) const
+  // gives its number to the curve that begins with one of the edges of a vertex
+  void follow_curve(Index v, const Index curve, std::vector<Indices>& next)
   {
     do
     {
       const Index w = next[v].front();
       next[v].erase(next[v].begin());
       next[w].erase(std::find(next[w].begin(), next[w].end(), v));
-      edges.push_back(Edge{ {{ v, w }}, curve });
+      set_curve(v, w, curve);
       v = w;
     }
     while(m_complex.kinds[v] != Kind::fixed && ! next[v].empty());

@@ -39,7 +39,8 @@ struct Triangle_soup
 
 typedef std::pair<std::size_t, std::size_t> Vertex_numbers; // those of an edge, the smaller one first
 
-inline Vertex_numbers edge_of(const std::vector<std::size_t>& triangle, const int i)
+template <typename Triangle>
+Vertex_numbers edge_of(const Triangle& triangle, const int i)
 {
   return std::minmax(triangle[(i + 1) % 3], triangle[(i + 2) % 3]);
 }
@@ -85,8 +86,7 @@ struct Triangle_edge
 
 typedef Triangle_edge Open_edge; // one that no other triangle has
 
-// the edges of all triangles in the order of their vertices; a triangle is a vector of three vertices, or of a derived
-// class
+// the edges of all triangles in the order of their vertices; a triangle is a vector or array of three vertices
 template <typename Triangle>
 std::vector<Triangle_edge> sorted_edges(const std::vector<Triangle>& triangles)
 {

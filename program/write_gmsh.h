@@ -64,7 +64,7 @@ public:
     if(is_divided())
       write_partitioned_entities();
     write_nodes();
-    write_elements();
+    write_elements(false);
     write_data();
   }
 
@@ -76,8 +76,8 @@ public:
     add_volumes();
     m_os << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
     write_names();
-    write_nodes_2();
-    write_elements_2();
+    write_nodes_of_version_2();
+    write_elements(true);
   }
 
 private:
@@ -104,18 +104,16 @@ private:
 
   void add_volumes()
   {
+    std::map<std::string, int> groups;
     add_entities(3, m_domain.regions, [&](const std::size_t i) { return is_divided() ? Sides{{ m_parts[i], m_parts[i] }}
                                                                                      : Sides{{ 0, 0 }}; },
                  m_domain.tetrahedra, [&](const int region)
     {
       const int tag = region == 0 ? m_domain.number_of_regions + 1 : region;
       const std::string name = region == 0 ? "outside" : name_of(m_domain.region_names, region, "region_");
-      const auto known = std::find_if(m_groups[1].begin(), m_groups[1].end(),
-                                      [&](const auto& group) { return group.second == name; });
-      if(known != m_groups[1].end()) // regions of one name are one group
-        return std::make_pair(tag, known->first);
-      m_groups[1].emplace(tag, name);
-      return std::make_pair(tag, tag);
+      const int group = groups.emplace(name, tag).first->second; // regions of one name are one group
+      m_groups[1].emplace(group, name);
+      return std::make_pair(tag, group);
     });
   }
 
@@ -268,31 +266,55 @@ private:
       for(std::size_t v = begins[b]; v < begins[b + 1]; ++v)
         m_os << v + 1 << '\n';
       for(std::size_t v = begins[b]; v < begins[b + 1]; ++v)
-        m_os << m_domain.points[v].x() << ' ' << m_domain.points[v].y() << ' ' << m_domain.points[v].z() << '\n';
+        write_coordinates(v);
     }
     m_os << "$EndNodes\n";
   }
 
-  // Triangles have their numbers, from 1; those of the tetrahedra go on from there.
-  void write_elements()
+  void write_nodes_of_version_2()
+  {
+    m_os << "$Nodes\n" << m_domain.points.size() << '\n';
+    for(std::size_t v = 0; v < m_domain.points.size(); ++v)
+    {
+      m_os << v + 1 << ' ';
+      write_coordinates(v);
+    }
+    m_os << "$EndNodes\n";
+  }
+
+  void write_coordinates(const std::size_t v)
+  {
+    m_os << m_domain.points[v].x() << ' ' << m_domain.points[v].y() << ' ' << m_domain.points[v].z() << '\n';
+  }
+
+  // Triangles have their numbers, from 1; those of the tetrahedra go on from there. In version 2, there are no blocks.
+  void write_elements(const bool is_version_2)
   {
     const std::size_t n = m_domain.triangles.size() + m_domain.tetrahedra.size();
-    m_os << "$Elements\n" << m_entities.size() << ' ' << n << " 1 " << n << '\n';
+    m_os << "$Elements\n";
+    if(! is_version_2)
+      m_os << m_entities.size() << ' ' << n << " 1 ";
+    m_os << n << '\n';
     for(const Entity& entity : m_entities)
       if(entity.dimension == 2)
-        write_elements(entity, 2, m_domain.triangles, 1);
+        write_elements(entity, 2, m_domain.triangles, 1, is_version_2);
       else
-        write_elements(entity, 4, m_domain.tetrahedra, m_domain.triangles.size() + 1);
+        write_elements(entity, 4, m_domain.tetrahedra, m_domain.triangles.size() + 1, is_version_2);
     m_os << "$EndElements\n";
   }
 
+  // In version 2, each element tells its type, its group and its entity.
   template <typename Simplices>
-  void write_elements(const Entity& entity, const int type, const Simplices& simplices, const std::size_t first_number)
+  void write_elements(const Entity& entity, const int type, const Simplices& simplices, const std::size_t first_number,
+                      const bool is_version_2)
   {
-    m_os << entity.dimension << ' ' << entity.tag << ' ' << type << ' ' << entity.simplices.size() << '\n';
+    if(! is_version_2)
+      m_os << entity.dimension << ' ' << entity.tag << ' ' << type << ' ' << entity.simplices.size() << '\n';
     for(const std::size_t i : entity.simplices)
     {
       m_os << first_number + i;
+      if(is_version_2)
+        m_os << ' ' << type << " 2 " << entity.group << ' ' << entity.tag;
       for(const Point_number v : simplices[i])
         m_os << ' ' << std::size_t(v) + 1;
       m_os << '\n';
@@ -305,7 +327,7 @@ private:
   {
     const std::size_t n = m_domain.triangles.size();
     write_data("region", [&](const std::size_t i)
-               { return std::int64_t(i >= n ? m_domain.regions[i - n] : m_sides[i][m_sides[i][0] == 0]); });
+               { return std::int64_t(i >= n ? m_domain.regions[i - n] : region_beside(m_sides[i])); });
     write_data("triangle", [&](const std::size_t i)
                { return i < n ? static_cast<std::int64_t>(m_domain.triangle_numbers[i]) : -1; });
   }
@@ -318,40 +340,6 @@ private:
     for(std::size_t i = 0; i < n; ++i)
       m_os << i + 1 << ' ' << value(i) << '\n';
     m_os << "$EndElementData\n";
-  }
-
-  void write_nodes_2()
-  {
-    m_os << "$Nodes\n" << m_domain.points.size() << '\n';
-    for(std::size_t v = 0; v < m_domain.points.size(); ++v)
-      m_os << v + 1 << ' ' << m_domain.points[v].x() << ' ' << m_domain.points[v].y() << ' ' << m_domain.points[v].z()
-           << '\n';
-    m_os << "$EndNodes\n";
-  }
-
-  // Each element tells its group and its entity.
-  void write_elements_2()
-  {
-    m_os << "$Elements\n" << m_domain.triangles.size() + m_domain.tetrahedra.size() << '\n';
-    for(const Entity& entity : m_entities)
-      if(entity.dimension == 2)
-        write_elements_2(entity, " 2 2 ", m_domain.triangles, 1);
-      else
-        write_elements_2(entity, " 4 2 ", m_domain.tetrahedra, m_domain.triangles.size() + 1);
-    m_os << "$EndElements\n";
-  }
-
-  template <typename Simplices>
-  void write_elements_2(const Entity& entity, const char* type, const Simplices& simplices,
-                        const std::size_t first_number)
-  {
-    for(const std::size_t i : entity.simplices)
-    {
-      m_os << first_number + i << type << entity.group << ' ' << entity.tag;
-      for(const Point_number v : simplices[i])
-        m_os << ' ' << std::size_t(v) + 1;
-      m_os << '\n';
-    }
   }
 };
 

@@ -113,6 +113,14 @@ public:
     value(x);
   }
 
+  // two entries, with these endings of the name
+  template <typename Numbers>
+  void before_and_after(const std::string& name, const Numbers& numbers)
+  {
+    entry(name + "_before", numbers[0]);
+    entry(name + "_after", numbers[1]);
+  }
+
   // a list; `write` is called for each element
   template <typename Range, typename Write>
   void list(const Range& range, const Write& write)

@@ -13,6 +13,13 @@
 #include <string>
 #include <vector>
 
+// what a cell is: VTK's number of its type, and its data
+struct Vtk_cell
+{
+  int type, region, patch;
+  std::int64_t triangle; // its number in the input
+};
+
 // VTK's files have the tetrahedra, and after them the triangles of the surface as cells of their own. A triangle has
 // the region of the tetrahedron beside it, the smaller one of two. Tetrahedra have patch 0, and as number of a triangle
 // -1, as triangles have that are not from the file.
@@ -28,15 +35,15 @@ public:
   std::size_t size() const { return m_domain.tetrahedra.size() + m_domain.triangles.size(); }
   std::size_t number_of_vertices() const { return 4 * m_domain.tetrahedra.size() + 3 * m_domain.triangles.size(); }
 
-  // calls the function for each cell: with its vertices, VTK's number of its type, its region, patch and number
+  // calls the function for each cell: with its vertices, and what it is
   template <typename F>
   void for_each(const F& f) const
   {
     for(std::size_t i = 0; i < m_domain.tetrahedra.size(); ++i)
-      f(m_domain.tetrahedra[i], 10, m_domain.regions[i], 0, std::int64_t(-1));
+      f(m_domain.tetrahedra[i], Vtk_cell{ 10, m_domain.regions[i], 0, -1 });
     for(std::size_t i = 0; i < m_domain.triangles.size(); ++i)
-      f(m_domain.triangles[i], 5, m_sides[i][0] != 0 ? m_sides[i][0] : m_sides[i][1], m_domain.patches[i],
-        static_cast<std::int64_t>(m_domain.triangle_numbers[i])); // what is no number becomes -1
+      f(m_domain.triangles[i], Vtk_cell{ 5, region_beside(m_sides[i]), m_domain.patches[i],
+                                         static_cast<std::int64_t>(m_domain.triangle_numbers[i]) }); // or -1
   }
 };
 
@@ -95,7 +102,7 @@ void write_vtk(Output_buffer& os, const Domain<Point>& domain)
   for(const Point& p : domain.points)
     os << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
   os << "CELLS " << cells.size() << ' ' << cells.size() + cells.number_of_vertices() << '\n';
-  cells.for_each([&](const auto& vertices, int, int, int, std::int64_t)
+  cells.for_each([&](const auto& vertices, const Vtk_cell&)
   {
     os << vertices.size();
     for(const Point_number v : vertices)
@@ -103,13 +110,13 @@ void write_vtk(Output_buffer& os, const Domain<Point>& domain)
     os << '\n';
   });
   os << "CELL_TYPES " << cells.size() << '\n';
-  cells.for_each([&](const auto&, const int type, int, int, std::int64_t) { os << type << '\n'; });
+  cells.for_each([&](const auto&, const Vtk_cell& cell) { os << cell.type << '\n'; });
   os << "CELL_DATA " << cells.size() << "\nSCALARS region int 1\nLOOKUP_TABLE default\n";
-  cells.for_each([&](const auto&, int, const int region, int, std::int64_t) { os << region << '\n'; });
+  cells.for_each([&](const auto&, const Vtk_cell& cell) { os << cell.region << '\n'; });
   os << "FIELD FieldData 2\npatch 1 " << cells.size() << " int\n"; // of several scalars, VTK reads the first one only
-  cells.for_each([&](const auto&, int, int, const int patch, std::int64_t) { os << patch << '\n'; });
+  cells.for_each([&](const auto&, const Vtk_cell& cell) { os << cell.patch << '\n'; });
   os << "triangle 1 " << cells.size() << " long\n";
-  cells.for_each([&](const auto&, int, int, int, const std::int64_t number) { os << number << '\n'; });
+  cells.for_each([&](const auto&, const Vtk_cell& cell) { os << cell.triangle << '\n'; });
 }
 
 // What a piece of a mesh tells besides: its number, from 1, and for each point the number in the whole mesh.
@@ -229,18 +236,19 @@ private:
 
   void write_cell_data()
   {
-    m_os.put_bytes(Length(4 * m_cells.size()));
-    m_cells.for_each([&](const auto&, int, const int region, int, std::int64_t)
-                     { m_os.put_bytes(std::int32_t(region)); });
-    m_os.put_bytes(Length(4 * m_cells.size()));
-    m_cells.for_each([&](const auto&, int, int, const int patch, std::int64_t)
-                     { m_os.put_bytes(std::int32_t(patch)); });
-    m_os.put_bytes(Length(8 * m_cells.size()));
-    m_cells.for_each([&](const auto&, int, int, int, const std::int64_t number) { m_os.put_bytes(number); });
-    if(m_piece == nullptr)
-      return;
-    m_os.put_bytes(Length(4 * m_cells.size()));
-    m_cells.for_each([&](const auto&, int, int, int, std::int64_t) { m_os.put_bytes(std::int32_t(m_piece->part)); });
+    write_cell_array([](const Vtk_cell& cell) { return std::int32_t(cell.region); });
+    write_cell_array([](const Vtk_cell& cell) { return std::int32_t(cell.patch); });
+    write_cell_array([](const Vtk_cell& cell) { return cell.triangle; });
+    if(m_piece != nullptr)
+      write_cell_array([&](const Vtk_cell&) { return std::int32_t(m_piece->part); });
+  }
+
+  // a number for each cell
+  template <typename Value>
+  void write_cell_array(const Value& value)
+  {
+    m_os.put_bytes(Length(sizeof(value(Vtk_cell())) * m_cells.size()));
+    m_cells.for_each([&](const auto&, const Vtk_cell& cell) { m_os.put_bytes(value(cell)); });
   }
 
   void write_points()
@@ -254,20 +262,19 @@ private:
   void write_cells()
   {
     m_os.put_bytes(Length(8 * m_cells.number_of_vertices()));
-    m_cells.for_each([&](const auto& vertices, int, int, int, std::int64_t)
+    m_cells.for_each([&](const auto& vertices, const Vtk_cell&)
     {
       for(const Point_number v : vertices)
         m_os.put_bytes(std::int64_t(v));
     });
     std::int64_t end = 0;
     m_os.put_bytes(Length(8 * m_cells.size()));
-    m_cells.for_each([&](const auto& vertices, int, int, int, std::int64_t)
+    m_cells.for_each([&](const auto& vertices, const Vtk_cell&)
     {
       end += static_cast<std::int64_t>(vertices.size());
       m_os.put_bytes(end);
     });
-    m_os.put_bytes(Length(m_cells.size()));
-    m_cells.for_each([&](const auto&, const int type, int, int, std::int64_t) { m_os.put_bytes(std::uint8_t(type)); });
+    write_cell_array([](const Vtk_cell& cell) { return std::uint8_t(cell.type); });
   }
 };
 

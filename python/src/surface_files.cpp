@@ -10,8 +10,6 @@
 namespace boundary_recovery {
 namespace {
 
-constexpr double patch_angle = 40; // as that of the programs
-
 Surface_arrays plain_surface(const Surface<Point_3>& surface)
 {
   Surface_arrays arrays;
@@ -53,7 +51,7 @@ Surface_arrays read_surface_file(const std::string& file)
   Polygon_divider<Point_3> divide(surface);
   divide(false);
   if(! surface.has_patches() && is_triangle_soup(surface))
-    set_patches_by_angle(surface, patch_angle);
+    set_patches_by_angle(surface, default_patch_angle);
   return plain_surface(surface);
 }
 
