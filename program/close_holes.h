@@ -4,45 +4,17 @@
 #include "boundary_loops.h"
 #include "fill_loop.h"
 #include "find_intersections.h"
-#include "open_surface.h"
-#include "print_summary.h"
 #include "surface.h"
+#include "surface_changes.h"
 #include "triangle_soup.h"
-#include "write_report.h"
 
 #include <CGAL/Kernel_traits.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <map>
-#include <ostream>
 #include <set>
 #include <vector>
-
-// What became of a loop.
-enum class Hole_state { closed, too_long, chain, not_filled, crossing };
-
-inline const char* to_string(const Hole_state state)
-{
-  switch(state)
-  {
-    case Hole_state::closed: return "closed";
-    case Hole_state::too_long: return "it is longer than allowed";
-    case Hole_state::chain: return "it does not close";
-    case Hole_state::not_filled: return "there is no filling of triangles that have an area and are not there yet";
-    case Hole_state::crossing: return "its filling would cross the surface";
-  }
-  return "";
-}
-
-// A loop, what became of it, and the triangles that close it.
-struct Hole
-{
-  Boundary_loop loop;
-  Hole_state state = Hole_state::closed;
-  std::vector<std::size_t> neighbors;                   // the triangle at each edge of the loop
-  std::vector<std::vector<std::size_t> > triangles;
-};
 
 // Closes the loops of a surface that are not too long, each by itself, by CGAL's hole filling, with no new point. Loops
 // whose triangles would cross the surface, or those of a loop before, stay open: nobody knows what is wanted there.
@@ -186,40 +158,5 @@ private:
     }
   }
 };
-
-// prints what was added, and the longest loops that stay open, with the reason
-inline void print_holes(std::ostream& os, const std::vector<Hole>& holes)
-{
-  std::size_t number_closed = 0, number_of_triangles = 0;
-  for(const Hole& hole : holes)
-    if(hole.state == Hole_state::closed)
-    {
-      ++number_closed;
-      number_of_triangles += hole.triangles.size();
-    }
-  os << "holes: " << count(number_closed, "loop") << " closed, by " << count(number_of_triangles, "triangle") << '\n';
-  std::size_t number_open = holes.size() - number_closed, shown = 0;
-  for(const Hole& hole : holes)
-    if(hole.state != Hole_state::closed && shown++ < number_of_examples)
-    {
-      print_loop(os, hole.loop);
-      os << "    stays open: " << to_string(hole.state) << '\n';
-    }
-  if(number_open > number_of_examples)
-    os << "  and " << number_open - number_of_examples << " more stay open: --report lists all of them\n";
-  os.flush();
-}
-
-template <typename Point>
-void write_holes(Json_writer& json, const std::vector<Hole>& holes, const Surface<Point>& surface)
-{
-  json.key("holes");
-  json.objects(holes, [&](const Hole& hole)
-  {
-    write_loop(json, hole.loop, surface);
-    json.entry("state", to_string(hole.state));
-    json.entry("number_of_added_triangles", hole.state == Hole_state::closed ? hole.triangles.size() : std::size_t(0));
-  });
-}
 
 #endif // BOUNDARY_RECOVERY_3_PROGRAM_CLOSE_HOLES_H

@@ -1,10 +1,10 @@
 #ifndef BOUNDARY_RECOVERY_3_PROGRAM_EXPLAIN_REFUSAL_H
 #define BOUNDARY_RECOVERY_3_PROGRAM_EXPLAIN_REFUSAL_H
 
+#include "can_resolve_intersections.h"
 #include "command_line.h"
 #include "open_surface.h"
 #include "print_summary.h"
-#include "resolve_intersections.h"
 
 #include <CGAL/Boundary_recovery_3/enumerations.h>
 #include <CGAL/version.h>

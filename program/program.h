@@ -7,6 +7,7 @@
 #include "lower_case.h"
 #include "open_surface.h"
 #include "print_result.h"
+#include "report_holes.h"
 #include "report_remeshing.h"
 #include "report_repair.h"
 #include "surface_tools.h"

@@ -6,6 +6,7 @@
 #include "remesh_triangles.h"
 #include "remove_details.h"
 #include "surface.h"
+#include "surface_changes.h"
 #include "surface_features.h"
 #include "triangle_complex.h"
 
@@ -16,21 +17,6 @@
 #include <limits>
 #include <utility>
 #include <vector>
-
-// What a remeshing changed.
-struct Remeshing_changes
-{
-  bool is_possible = false;       // the surface is valid
-  bool is_too_fine = false;       // what is asked for
-  bool is_remeshed = false;       // and so is the new one
-  double tolerance = 0;           // how far from each other the surfaces may be
-  double largest_edge = 0;        // how long edges may be
-  std::array<std::size_t, 2> number_of_triangles = {{ 0, 0 }}; // before and after
-  std::array<double, 2> smallest_angle = {{ 0, 0 }};           // of the triangles, in degrees, before and after
-  std::array<double, 2> distances = {{ 0, 0 }};                // from the new surface to the old one, and back
-  std::size_t number_of_attempts = 0;
-  std::size_t number_of_kept_triangles = 0;                    // as anything else would intersect or be too far away
-};
 
 // Replaces the triangles of a surface by those of `Triangle_remesher`. The new surface is judged as a whole: where it
 // intersects itself or is too far from the old one, the remeshing begins anew with a smaller tolerance, and with none

@@ -10,6 +10,7 @@
 #include "orient_triangles.h"
 #include "resolve_intersections.h"
 #include "surface.h"
+#include "surface_changes.h"
 #include "triangle_soup.h"
 #include "unfold_triangles.h"
 
@@ -23,31 +24,6 @@
 #include <set>
 #include <utility>
 #include <vector>
-
-// What a repair changed; vertices and faces by their numbers in the file, in ascending order.
-struct Repair_changes
-{
-  bool is_possible = false;                 // all faces are triangles with points
-  double tolerance = 0;
-  bool is_tolerance_used = false;           // only where that helps
-  std::vector<std::array<std::size_t, 2> > merged_vertices; // a vertex, and the one in whose place it is now
-  std::vector<std::size_t> flattened_vertices;              // those that got a coordinate 0
-  std::vector<std::size_t> degenerate_faces;                // that are gone
-  std::vector<std::size_t> duplicate_faces;                 // that are gone
-  std::vector<std::size_t> reversed_faces;
-  std::size_t number_of_stitched_edges = 0; // that were divided at points close to them
-  std::vector<std::size_t> unfolded_faces;                  // that made way for others with the same border
-  std::vector<std::size_t> unfolded_vertices;               // that are gone, inside of such a border
-  std::vector<std::size_t> divided_faces;
-  std::size_t number_of_parts = 0;          // of the divided faces
-  std::size_t number_of_new_points = 0;     // where triangles intersected
-  bool is_fusion_wanted = false, is_fused = false;
-  std::vector<std::size_t> inner_faces;                     // that are gone, by the fusion
-  std::size_t number_of_dust_regions = 0;   // that became a part of what is beside them
-  std::vector<std::size_t> dust_faces;                      // that are gone with them
-  std::array<std::size_t, 2> open_edges = {{ 0, 0 }};       // before and after
-  std::array<std::size_t, 2> intersections = {{ 0, 0 }};    // before and after
-};
 
 // Repairs a triangle soup, step by step; what is good already stays as it is. Triangles without area or that are there
 // twice go, and neighbors are turned alike. If the surface is open or intersects itself then, the same is tried with

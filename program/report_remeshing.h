@@ -2,7 +2,7 @@
 #define BOUNDARY_RECOVERY_3_PROGRAM_REPORT_REMESHING_H
 
 #include "print_summary.h"
-#include "remesh_surface.h"
+#include "surface_changes.h"
 #include "write_report.h"
 
 #include <algorithm>

@@ -1,8 +1,9 @@
 #ifndef BOUNDARY_RECOVERY_3_PROGRAM_REPORT_REPAIR_H
 #define BOUNDARY_RECOVERY_3_PROGRAM_REPORT_REPAIR_H
 
+#include "can_resolve_intersections.h"
 #include "print_summary.h"
-#include "repair_surface.h"
+#include "surface_changes.h"
 #include "write_report.h"
 
 #include <CGAL/version.h>

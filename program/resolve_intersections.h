@@ -1,24 +1,16 @@
 #ifndef BOUNDARY_RECOVERY_3_PROGRAM_RESOLVE_INTERSECTIONS_H
 #define BOUNDARY_RECOVERY_3_PROGRAM_RESOLVE_INTERSECTIONS_H
 
+#include "can_resolve_intersections.h"
 #include "triangle_soup.h"
-
-#include <CGAL/version.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
 
-// CGAL::Polygon_mesh_processing::autorefine_triangle_soup() came with CGAL 6.0.
-#if CGAL_VERSION_NR >= 1060000000 && __has_include(<CGAL/Polygon_mesh_processing/autorefinement.h>)
-#define BOUNDARY_RECOVERY_3_PROGRAM_HAS_AUTOREFINEMENT
-#include <CGAL/Polygon_mesh_processing/autorefinement.h>
-#endif
-
 #ifdef BOUNDARY_RECOVERY_3_PROGRAM_HAS_AUTOREFINEMENT
-
-constexpr bool can_resolve_intersections = true;
+#include <CGAL/Polygon_mesh_processing/autorefinement.h>
 
 // Notes from which triangle each new one comes. CGAL copies visitors, so the list is elsewhere.
 struct Refinement_visitor
@@ -55,8 +47,6 @@ void resolve_intersections(Triangle_soup<Point>& soup)
 }
 
 #else
-
-constexpr bool can_resolve_intersections = false;
 
 template <typename Point>
 void resolve_intersections(Triangle_soup<Point>&)

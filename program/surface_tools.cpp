@@ -1,7 +1,8 @@
-// What is done to surfaces before they are meshed.
+// Reads surfaces, and does to them what takes little of CGAL.
 
 #include "surface_tools.h"
 
+#include "close_holes.h"
 #include "divide_polygons.h"
 #include "patches_by_angle.h"
 #include "read_surface.h"
@@ -26,19 +27,9 @@ void divide_polygons(Input_surface& surface, const bool are_bent_allowed)
   divide(are_bent_allowed);
 }
 
-Repair_changes repair(Input_surface& surface, const double tolerance, const bool fuses)
-{
-  return Surface_repairer<Point>(surface)(tolerance, fuses);
-}
-
 std::vector<Hole> close_holes(Input_surface& surface, const double max_length)
 {
   return Hole_closer<Point>(surface)(max_length);
-}
-
-Remeshing_changes remesh(Input_surface& surface, const double angle, const double largest_edge)
-{
-  return Surface_remesher<Point>(surface)(angle, largest_edge);
 }
 
 void divide_into_patches(Input_surface& surface, const double angle)

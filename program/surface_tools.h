@@ -1,10 +1,8 @@
 #ifndef BOUNDARY_RECOVERY_3_PROGRAM_SURFACE_TOOLS_H
 #define BOUNDARY_RECOVERY_3_PROGRAM_SURFACE_TOOLS_H
 
-#include "close_holes.h"
-#include "remesh_surface.h"
-#include "repair_surface.h"
 #include "surface.h"
+#include "surface_changes.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 

@@ -26,7 +26,8 @@ from program_tests import box, check_tetrahedra, grid_box, join, off_text, read_
 
 PROGRAM, MPIEXEC, MESH_SURFACE = sys.argv[1:]
 SUBDOMAINS = 6
-ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT='1', OMPI_ALLOW_RUN_AS_ROOT_CONFIRM='1')
+ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT='1', OMPI_ALLOW_RUN_AS_ROOT_CONFIRM='1',
+                   OMPI_MCA_odls_base_sigkill_timeout='0')  # no second of waiting for ranks that failed
 MESHED, FILE_ERROR, INVALID_INPUT, FAILED = 0, 1, 2, 3
 
 
@@ -216,7 +217,7 @@ def test_pieces_with_vtk():
         print('skipped: VTK is not installed')
         return
     write('boxes.off', boxes())
-    run(2, 'boxes.off', '--size', '0.2', '--quiet', '--subdomains', str(SUBDOMAINS), '-o', 'm.pvtu', '-o', 'm.mesh')
+    run(2, 'boxes.off', '--size', '0.3', '--quiet', '--subdomains', str(SUBDOMAINS), '-o', 'm.pvtu', '-o', 'm.mesh')
     mesh = read_mesh('m.mesh')
     points, cells, ids, regions, patches, parts = json.loads(
         subprocess.run([python, '-c', VTK_READER, 'm.pvtu'], capture_output=True, check=True).stdout)
@@ -272,7 +273,7 @@ def parts_of(text):
 
 def test_parts_with_gmsh():
     write('boxes.off', boxes())
-    run(2, 'boxes.off', '--size', '0.2', '--quiet', '--subdomains', str(SUBDOMAINS), '--pieces', '-o', 'm.msh', '-o', 'm.mesh')
+    run(2, 'boxes.off', '--size', '0.3', '--quiet', '--subdomains', str(SUBDOMAINS), '--pieces', '-o', 'm.msh', '-o', 'm.mesh')
     mesh = read_mesh('m.mesh')
     text = open('m.msh').read()
     check_parts(mesh, text)
