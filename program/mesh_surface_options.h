@@ -24,6 +24,7 @@ struct Meshing_options
   bool has_grading = false;
   bool insert_field_points = true;
   double min_angle = 25;            // in degrees, that of the library
+  int order = 1;                    // of the mesh that is written
   bool verbose = false;
   std::vector<std::tuple<std::string, double, double, double> > regions; // names, and places in them
   std::vector<std::tuple<double, double, double> > voids;                // places in regions that are to be empty
@@ -54,6 +55,9 @@ protected:
     : Command_line(name, description, options, before_name), m_options(options)
   {
     add_output_options();
+    add_choice<int>("--order", { { "1", 1 }, { "2", 2 } }, m_options.order,
+                    "2: write tetrahedra and triangles of second order, with a node in the middle of each\n"
+                    "edge, which is straight; default: 1");
     add_size_options();
     add_quality_options();
     add_limit_options();
