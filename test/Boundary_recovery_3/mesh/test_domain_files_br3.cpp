@@ -15,6 +15,7 @@
 #include <CGAL/IO/File_medit.h> // whose function has another name
 #include <CGAL/Tetrahedral_remeshing/Remeshing_triangulation_3.h>
 #include <CGAL/mark_domain.h>
+#include <CGAL/tetrahedral_remeshing.h> // has what CGAL 5.5 needs to read MEDIT files
 
 #include <algorithm>
 #include <array>
