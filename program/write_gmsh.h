@@ -335,24 +335,27 @@ private:
     }
   }
 
-  // Data of all elements, as meshio wants it: first the regions, which Gmsh shows; that of a triangle is the one beside
-  // it, the smaller one of two. Tetrahedra have no number in the input, -1.
+  // Data of all elements, in the order in which the elements come, as meshio wants it: first the regions, which Gmsh
+  // shows; that of a triangle is the one beside it, the smaller one of two. Tetrahedra have no number in the input, -1.
   void write_data()
   {
-    const std::size_t n = m_domain.triangles.size();
-    write_data("region", [&](const std::size_t i)
-               { return std::int64_t(i >= n ? m_domain.regions[i - n] : region_beside(m_sides[i])); });
-    write_data("triangle", [&](const std::size_t i)
-               { return i < n ? static_cast<std::int64_t>(m_domain.triangle_numbers[i]) : -1; });
+    write_data("region", [&](const std::size_t i) { return std::int64_t(region_beside(m_sides[i])); },
+               [&](const std::size_t i) { return std::int64_t(m_domain.regions[i]); });
+    write_data("triangle", [&](const std::size_t i) { return static_cast<std::int64_t>(m_domain.triangle_numbers[i]); },
+               [](const std::size_t) { return std::int64_t(-1); });
   }
 
-  template <typename Value>
-  void write_data(const std::string& name, const Value& value)
+  template <typename OfTriangle, typename OfTetrahedron>
+  void write_data(const std::string& name, const OfTriangle& of_triangle, const OfTetrahedron& of_tetrahedron)
   {
-    const std::size_t n = m_domain.triangles.size() + m_domain.tetrahedra.size();
-    m_os << "$ElementData\n1\n\"" << name << "\"\n1\n0\n3\n0\n1\n" << n << '\n';
-    for(std::size_t i = 0; i < n; ++i)
-      m_os << i + 1 << ' ' << value(i) << '\n';
+    const std::size_t n = m_domain.triangles.size();
+    m_os << "$ElementData\n1\n\"" << name << "\"\n1\n0\n3\n0\n1\n" << n + m_domain.tetrahedra.size() << '\n';
+    for(const Entity& entity : m_entities)
+      for(const std::size_t i : entity.simplices)
+        if(entity.dimension == 2)
+          m_os << i + 1 << ' ' << of_triangle(i) << '\n';
+        else
+          m_os << n + i + 1 << ' ' << of_tetrahedron(i) << '\n';
     m_os << "$EndElementData\n";
   }
 };
