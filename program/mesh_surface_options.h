@@ -2,6 +2,7 @@
 #define BOUNDARY_RECOVERY_3_PROGRAM_MESH_SURFACE_OPTIONS_H
 
 #include "command_line.h"
+#include "lower_case.h"
 
 #include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
 
@@ -83,6 +84,9 @@ protected:
       refuse("--grading is for sizes from the surface or a background mesh only");
     if(m_options.number_of_subdomains == 0)
       refuse("--subdomains needs at least 1");
+    for(const std::string& file : m_options.outputs)
+      if(m_options.order == 2 && lower_case_extension(file) == ".su2")
+        refuse("SU2 has no elements of second order: " + file);
     const bool is_improved = m_options.improve_quality && m_options.insert_field_points;
     for(const char* option : { "--min-angle", "--effort" })
       if(is_given(option) && ! is_improved)

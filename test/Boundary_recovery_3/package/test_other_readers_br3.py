@@ -81,8 +81,8 @@ def interpreter(module):
 
 def read_by(module, name):
     process = subprocess.run([interpreter(module), '-c', READER, module, name], capture_output=True, timeout=300)
-    assert process.returncode == 0 and process.stderr == b'', (name, process)
-    return json.loads(process.stdout.decode())
+    assert process.returncode == 0, (name, process)
+    return json.loads(process.stdout.decode().strip().split('\n')[-1])  # after what meshio says of names in .su2
 
 
 def gmsh(*arguments):
@@ -114,7 +114,7 @@ def surface():
     return points, faces, patches
 
 
-def write_surface(name):
+def write_surface(name='in.obj'):
     points, faces, patches = surface()
     text = ''.join('v %r %r %r\n' % tuple(p) for p in points)
     for f, patch in zip(faces, patches):
@@ -124,14 +124,14 @@ def write_surface(name):
 
 def mesh_in_all_formats(order):
     arguments = [x for extension in ('msh', 'msh2', 'vtu', 'vtk', 'mesh') for x in ('-o', 'out.' + extension)]
-    return run(write_surface('in.obj'), '--size', '0.5', '--order', order, '--region', REGIONS[1], '0.2', '0.4', '0.1', '--region',
+    return run(write_surface(), '--size', '0.5', '--order', order, '--region', REGIONS[1], '0.2', '0.4', '0.1', '--region',
                REGIONS[2], '1', '0', '0', *arguments, status=MESHED)
 
 
 class Expected:
     """the mesh as we read it, and what is known of its surface"""
     def __init__(self):
-        run(write_surface('in.obj'), '--size', '0.5', '-o', 'first.mesh', status=MESHED)
+        run(write_surface(), '--size', '0.5', '-o', 'first.mesh', status=MESHED)
         self.mesh = read_mesh('first.mesh')
         points, faces, patches = surface()
         assert self.mesh.points[:len(points)] == [tuple(map(float, p)) for p in points]
@@ -252,6 +252,86 @@ def test_first_order():
 
 def test_second_order():
     check_all_readers('2')
+
+
+# ---------------------------------------------------------------- what Gmsh writes for us
+
+def is_built_with_libgmsh():
+    process = run(write('box.off', off_text(*box((0, 0, 0), (1, 1, 1)))), '-o', 'box.inp')
+    if process.returncode == MESHED:
+        return True
+    assert process.returncode == FILE_ERROR and not os.path.exists('box.inp'), process
+    assert 'libgmsh' in process.err and 'box.inp (known are .mesh, .msh' in process.err, process
+    print('skipped: the program was built without libgmsh, or it cannot be loaded')
+    return False
+
+
+def name_of_set(name):
+    return name_in_gmsh(name).replace(' ', '_')
+
+
+def are_close(p, q):
+    """Gmsh writes about 14 digits"""
+    return all(math.isclose(x, y, rel_tol=1e-12, abs_tol=1e-12) for x, y in zip(p, q))
+
+
+def read_inp(name):
+    """points, and cells with the sets of elements that have them, of a file of Abaqus"""
+    points, cells, sets, keyword, options = {}, {}, collections.defaultdict(set), '', {}
+    for line in read(name).decode().split('\n'):
+        words = [word.strip() for word in line.strip().strip(',').split(',')]
+        if line.startswith('*'):
+            keyword, options = words[0], dict(word.split('=') for word in words[1:])
+        elif keyword == '*NODE':
+            points[int(words[0])] = tuple(map(float, words[1:]))
+        elif keyword == '*ELEMENT':
+            cells[int(words[0])] = [int(word) for word in words[1:]]
+        elif keyword == '*ELSET' and words != ['']:
+            for word in words:
+                sets[int(word)].add(options['ELSET'])
+    order = sorted(points)
+    assert order == list(range(1, len(order) + 1))
+    return [points[i] for i in order], [([v - 1 for v in cell], sets[i]) for i, cell in sorted(cells.items())]
+
+
+def test_formats_of_libgmsh():
+    if not is_built_with_libgmsh():
+        return
+    expected = Expected()
+    arguments = ('in.obj', '--size', '0.5', '--region', REGIONS[1], '0.2', '0.4', '0.1', '--region', REGIONS[2], '1', '0', '0')
+    names = {('patch', p): name_of_set(n) for p, n in PATCHES.items()}
+    names.update({('region', r): name_of_set(n) for r, n in REGIONS.items()})
+    for order in ('1', '2'):
+        run(*arguments, '--order', order, '-o', 'out.inp', '-o', 'out.unv', '-o', 'out.bdf', '-o', 'out.KEY', status=MESHED)
+        assert all(os.path.getsize('out.' + extension) > 10000 for extension in ('unv', 'bdf', 'KEY'))
+        run(*arguments, '--order', order, '-o', os.path.abspath('again.inp'), status=MESHED)
+        assert read('again.inp') == read('out.inp')
+        points, cells = read_inp('out.inp')
+        n = len(expected.mesh.points)
+        assert len(points) == expected.number_of_points[order]
+        assert all(are_close(p, q) for p, q in zip(points, expected.mesh.points))
+        for nodes, sets in cells:
+            corners = tuple(nodes[:4] if len(nodes) in (4, 10) else nodes[:3])
+            for (i, j), node in zip(EDGES, nodes[len(corners):]):
+                assert node >= n and are_close(points[node], [(x + y) / 2 for x, y in zip(points[corners[i]], points[corners[j]])])
+            kind, cell = (('region', expected.tetrahedra) if len(corners) == 4 else ('patch', expected.triangles))
+            assert names[kind, cell[corners][kind]] in sets
+        assert len(cells) == len(expected.tetrahedra) + len(expected.triangles)
+    run(*arguments, '-o', 'out.su2', status=MESHED)
+    words = read('out.su2').decode()
+    assert all('MARKER_TAG= %s\n' % name_of_set(name) in words for name in PATCHES.values())
+    assert 'no elements of second order: never.su2' in check_file_error('in.obj', '--order', '2', '-o', 'never.su2')
+    if has_readers('meshio'):
+        found = read_by('meshio', 'out.su2')
+        assert len(found['cells']) == len(expected.tetrahedra) + len(expected.triangles)
+        known, points = ([tuple(round(x, 10) + 0.0 for x in p) for p in mesh] for mesh in (expected.mesh.points, found['points']))
+        assert len(known) == len(points) == len(set(points))
+        _, cells = in_order_of(known, points, found['cells'])
+        assert {tuple(c) for c in cells if len(c) == 4} == set(expected.tetrahedra)
+    assert 'cannot write' in check_file_error('in.obj', '-o', os.path.join('no such folder', 'out.inp'))
+    if os.path.exists('/dev/full'):
+        os.symlink('/dev/full', 'full.inp')
+        assert 'cannot write full.inp' in run('in.obj', '-o', 'full.inp', '--quiet', status=FILE_ERROR).err
 
 
 # ---------------------------------------------------------------- second order
