@@ -171,7 +171,8 @@ protected:
   {
     begin_group("output");
     add_option("-o", "OUTPUT", m_options.outputs,
-               std::string("write the mesh: ") + known_output_formats + ";\nmay be repeated")
+               std::string("write the mesh: ") + known_output_formats + ";\nand by libgmsh, where it is there: "
+               + formats_of_gmsh + "; may be repeated")
       ->expected(1)->take_all()->check(is_output());
   }
 
@@ -276,8 +277,10 @@ private:
     const auto check = [this](const std::string& file) -> std::string
     {
       const std::string extension = lower_case_extension(file);
-      return is_output_format(extension) || is_own_format(extension)
-             ? "" : "unknown output format: " + file + " (known are " + known_output_formats + ')';
+      if(is_output_format(extension) || is_own_format(extension))
+        return "";
+      const std::string reason = is_format_of_gmsh(extension) ? reason_for_no_gmsh() : "unknown output format";
+      return reason.empty() ? "" : reason + ": " + file + " (known are " + known_output_formats + ')';
     };
     return CLI::Validator(check, "");
   }

@@ -1,161 +1,61 @@
 #ifndef BOUNDARY_RECOVERY_3_PROGRAM_DOMAIN_H
 #define BOUNDARY_RECOVERY_3_PROGRAM_DOMAIN_H
 
-#include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Domain_soup_3.h>
 
-#include <CGAL/Unique_hash_map.h>
-
-#include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
-#include <limits>
 #include <map>
-#include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
-typedef std::uint32_t Point_number; // half as long as std::size_t: a mesh has millions of them
+using CGAL::Boundary_recovery_3::internal::Point_number;
 
-// The tetrahedra of the domain as a soup: what is written to files.
+// The tetrahedra of the domain as a soup, with what files tell of them.
 template <typename Point>
 struct Domain
+  : public CGAL::Boundary_recovery_3::internal::Domain_soup_3<Point>
 {
-  // input vertices in their order, then Steiner points, then field points by their regions; only those that are used
-  std::vector<Point> points;
-  std::vector<std::array<Point_number, 4> > tetrahedra;
-  std::vector<int> regions;                             // of each tetrahedron
-  std::vector<std::array<Point_number, 3> > triangles;  // the input faces that are in the triangulation, or their parts
-  std::vector<std::size_t> triangle_numbers;            // of each triangle: the number of its face
   std::vector<int> patches;                             // of each triangle, 0 if it is in none
   std::map<int, std::string> patch_names, region_names; // of those that have one
   int number_of_regions = 0;
-  std::size_t number_of_steiner_points = 0; // those at tetrahedra of the domain
-  std::size_t number_of_field_points = 0;   // and what the improvement made of them
   bool is_convex_hull = false; // no region can be told from the outside: all tetrahedra are here, as region 1
+
+  // Of second order: the points in the middle of edges, which are numbered after the others, and those of each simplex,
+  // in the order of VTK. Empty if the mesh is of first order.
+  std::vector<Point> edge_points;
+  std::vector<std::array<Point_number, 6> > edges_of_tetrahedra;
+  std::vector<std::array<Point_number, 3> > edges_of_triangles;
+
+  bool is_second_order() const { return ! edge_points.empty(); }
+  std::size_t number_of_nodes() const { return this->points.size() + edge_points.size(); }
+
+  const Point& node(const std::size_t i) const
+  {
+    return i < this->points.size() ? this->points[i] : edge_points[i - this->points.size()];
+  }
 };
 
-// Collects a domain from a triangulation after its boundary was recovered.
-template <typename Tr>
-class Domain_builder
+// collects a domain from a triangulation after its boundary was recovered, see `Domain_builder_3`
+template <typename Tr, typename Result, typename Facets, typename Region>
+Domain<typename Tr::Geom_traits::Point_3>
+build_domain(const Tr& tr, const Result& result, const Facets& facets, const Region& region)
 {
-  typedef typename Tr::Vertex_handle      Vertex_handle;
-  typedef typename Tr::Cell_handle        Cell_handle;
-  typedef typename Tr::Point              Point;
+  typedef typename Tr::Geom_traits::Point_3 Point;
 
-  static constexpr Point_number is_unused = (std::numeric_limits<Point_number>::max)();
-  static constexpr Point_number is_of_facet = is_unused - 1;
-  static constexpr Point_number is_of_outside = is_unused - 2; // of tetrahedra of region 0, if these are taken, too
-  static constexpr Point_number is_of_region = is_unused - 3;
-
-  const Tr& m_tr;
-  Domain<Point> m_domain;
-  CGAL::Unique_hash_map<Vertex_handle, Point_number> m_number;
-
-public:
-  explicit Domain_builder(const Tr& tr) : m_tr(tr), m_number(is_unused, tr.number_of_vertices())
-  {
-    if(tr.number_of_vertices() >= is_of_region)
-      throw std::length_error("the mesh has too many vertices to be written");
-  }
-
-  // `region` tells the region that a cell is in, 0 for the outside, a negative number if it is not to be taken
-  template <typename Result, typename Facets, typename Region>
-  Domain<Point> operator()(const Result& result, const Facets& facets, const Region& region)
-  {
-    mark_vertices(facets, region);
-    for(const Vertex_handle v : result.vertices)
-      add_vertex(v);
-    for(const Vertex_handle v : result.steiner_vertices)
-    {
-      m_domain.number_of_steiner_points += m_number[v] == is_of_region;
-      add_vertex(v);
-    }
-    add_field_points(region);
-    add_simplices(facets, region);
-    return std::move(m_domain);
-  }
-
-private:
-  template <typename Facets, typename Region>
-  void mark_vertices(const Facets& facets, const Region& region)
-  {
-    for(const auto& facet : facets)
-      for(const Vertex_handle v : facet)
-        m_number[v] = is_of_facet;
-    std::size_t number_of_cells = 0;
-    for(const Cell_handle c : m_tr.finite_cell_handles())
-      if(region(c) >= 0)
-      {
-        mark_vertices(c, region(c) > 0 ? is_of_region : is_of_outside);
-        ++number_of_cells;
-      }
-    m_domain.tetrahedra.reserve(number_of_cells);
-    m_domain.regions.reserve(number_of_cells);
-  }
-
-  void mark_vertices(const Cell_handle c, const Point_number mark)
-  {
-    for(int i = 0; i < 4; ++i)
-    {
-      Point_number& number = m_number[c->vertex(i)];
-      number = (std::min)(number, mark);
-    }
-  }
-
-  // Equal input points are one vertex.
-  void add_vertex(const Vertex_handle v)
-  {
-    Point_number& number = m_number[v];
-    if(number < is_of_region || number == is_unused)
-      return;
-    number = static_cast<Point_number>(m_domain.points.size());
-    m_domain.points.push_back(v->point());
-  }
-
-  // All the cells of a field point are in one region. Those of a region come together, as Gmsh's files have them.
-  template <typename Region>
-  void add_field_points(const Region& region)
-  {
-    std::vector<Vertex_handle> vertices;
-    for(const Vertex_handle v : m_tr.finite_vertex_handles())
-      if(m_number[v] == is_of_region)
-        vertices.push_back(v);
-    std::stable_sort(vertices.begin(), vertices.end(), [&](const Vertex_handle u, const Vertex_handle v)
-                     { return region(u->cell()) < region(v->cell()); });
-    for(const Vertex_handle v : vertices)
-      add_vertex(v);
-    m_domain.number_of_field_points = vertices.size();
-  }
-
-  template <typename Facets, typename Region>
-  void add_simplices(const Facets& facets, const Region& region)
-  {
-    for(const Cell_handle c : m_tr.finite_cell_handles())
-    {
-      const int r = region(c);
-      if(r < 0)
-        continue;
-      m_domain.tetrahedra.push_back({{ m_number[c->vertex(0)], m_number[c->vertex(1)],
-                                       m_number[c->vertex(2)], m_number[c->vertex(3)] }});
-      m_domain.regions.push_back(r);
-    }
-    for(const auto& facet : facets)
-    {
-      m_domain.triangles.push_back({{ m_number[facet[0]], m_number[facet[1]], m_number[facet[2]] }});
-      m_domain.triangle_numbers.push_back(facet.index);
-    }
-  }
-};
+  Domain<Point> domain;
+  static_cast<CGAL::Boundary_recovery_3::internal::Domain_soup_3<Point>&>(domain) =
+    CGAL::Boundary_recovery_3::internal::Domain_builder_3<Tr>(tr)(result, facets, region);
+  return domain;
+}
 
 // the regions of a triangulation, as its cells have them after it was meshed
 template <typename Tr, typename Result>
-Domain<typename Tr::Point> make_meshed_domain(const Tr& tr, const Result& result)
+Domain<typename Tr::Geom_traits::Point_3> make_meshed_domain(const Tr& tr, const Result& result)
 {
-  Domain<typename Tr::Point> domain = Domain_builder<Tr>(tr)(
-    result.recovery, result.recovery.surface_facets(),
-    [](const typename Tr::Cell_handle c) { return c->subdomain_index() == 0 ? -1 : c->subdomain_index(); });
+  auto domain = build_domain(tr, result.recovery, result.recovery.surface_facets(),
+                             [](const typename Tr::Cell_handle c)
+                             { return c->subdomain_index() == 0 ? -1 : c->subdomain_index(); });
   domain.number_of_regions = result.number_of_regions;
   return domain;
 }

@@ -15,6 +15,7 @@
 #include "print_result.h"
 #include "program.h"
 #include "progress_bar.h"
+#include "second_order.h"
 #include "thread_limit.h"
 #include "write_mesh_report.h"
 
@@ -265,6 +266,8 @@ int run(const Meshing_options& options, Program<Point>& program)
   program.use_numbers_of_file(result.recovery, domain);
   domain.region_names = progress.regions().names();
   const Measurements measured = measure(tr, domain, size, result, timer.time(), options);
+  if(options.order == 2 && ! options.outputs.empty())
+    add_edge_points(domain);
   return finish(options, program, result, domain, measured, progress.regions());
 }
 

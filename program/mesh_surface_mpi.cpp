@@ -20,6 +20,7 @@
 #include "part_store.h"
 #include "print_mesh.h"
 #include "program.h"
+#include "second_order.h"
 #include "task_farm.h"
 #include "write_mesh_report.h"
 
@@ -408,6 +409,8 @@ private:
       if(m_options.pieces)
         parts.insert(parts.end(), part.number_of_cells(), static_cast<int>(p) + 1);
     }
+    if(m_options.order == 2)
+      add_edge_points(domain);
     for(const std::string& file : files)
       if(! write_domain(file, lower_case_extension(file), domain, parts))
         message = "cannot write " + file;

@@ -33,7 +33,8 @@ public:
         "The mesh depends on the number of sub-domains, which is 16 by default, but not on that of the ranks, bit for\n"
         "bit; it is that of mesh_surface with as many sub-domains. All ranks read INPUT, and all the files that\n"
         "options name.\n"
-        + std::string(input_text), options, "mpirun -n RANKS ")
+        + std::string(input_text), options, "mpirun -n RANKS "),
+      m_options(options)
   {
     for(const char* option : { "--time-limit", "--threads" }) // the mesh may not depend on the speed of ranks
       remove_option(option);
@@ -50,7 +51,17 @@ public:
   }
 
 private:
+  const Mpi_options& m_options;
+
   bool is_own_format(const std::string& extension) const override { return extension == ".pvtu"; }
+
+  void check_combination() override
+  {
+    Meshing_command_line::check_combination();
+    for(const std::string& file : m_options.outputs)
+      if(m_options.order == 2 && is_own_format(lower_case_extension(file)))
+        refuse("--order 2 is for meshes that are written as a whole, not in pieces: " + file);
+  }
 };
 
 // A hash of all that the mesh depends on: not of the names of files, but of what they have.

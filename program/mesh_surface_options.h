@@ -2,6 +2,7 @@
 #define BOUNDARY_RECOVERY_3_PROGRAM_MESH_SURFACE_OPTIONS_H
 
 #include "command_line.h"
+#include "lower_case.h"
 
 #include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
 
@@ -24,6 +25,7 @@ struct Meshing_options
   bool has_grading = false;
   bool insert_field_points = true;
   double min_angle = 25;            // in degrees, that of the library
+  int order = 1;                    // of the mesh that is written
   bool verbose = false;
   std::vector<std::tuple<std::string, double, double, double> > regions; // names, and places in them
   std::vector<std::tuple<double, double, double> > voids;                // places in regions that are to be empty
@@ -54,6 +56,9 @@ protected:
     : Command_line(name, description, options, before_name), m_options(options)
   {
     add_output_options();
+    add_choice<int>("--order", { { "1", 1 }, { "2", 2 } }, m_options.order,
+                    "2: write tetrahedra and triangles of second order, with a node in the middle of each\n"
+                    "edge, which is straight; default: 1");
     add_size_options();
     add_quality_options();
     add_limit_options();
@@ -79,6 +84,9 @@ protected:
       refuse("--grading is for sizes from the surface or a background mesh only");
     if(m_options.number_of_subdomains == 0)
       refuse("--subdomains needs at least 1");
+    for(const std::string& file : m_options.outputs)
+      if(m_options.order == 2 && lower_case_extension(file) == ".su2")
+        refuse("SU2 has no elements of second order: " + file);
     const bool is_improved = m_options.improve_quality && m_options.insert_field_points;
     for(const char* option : { "--min-angle", "--effort" })
       if(is_given(option) && ! is_improved)

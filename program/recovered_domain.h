@@ -39,7 +39,7 @@ Domain<typename Tr::Point> make_recovered_domain(const Tr& tr, const Result& res
   if(! result.missing_facets.empty() && has_leak(tr, facets, region_of))
     number_of_regions = 0;
 
-  Domain<typename Tr::Point> domain = Domain_builder<Tr>(tr)(result, facets, [&](const Cell_handle c)
+  auto domain = build_domain(tr, result, facets, [&](const Cell_handle c)
   {
     const int region = (number_of_regions == 0) ? 1 : regions[c];
     return (region == 0 && ! keep_exterior) ? -1 : region;

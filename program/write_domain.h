@@ -3,6 +3,7 @@
 
 #include "domain.h"
 #include "output_buffer.h"
+#include "write_by_gmsh.h"
 #include "write_gmsh.h"
 #include "write_medit.h"
 #include "write_vtk.h"
@@ -12,6 +13,7 @@
 
 constexpr const char* known_output_formats = ".mesh, .msh (Gmsh 4.1), .msh2 (Gmsh 2.2), .vtu, .vtk";
 
+// those that we write ourselves
 inline bool is_output_format(const std::string& extension)
 {
   return extension == ".mesh" || extension == ".msh" || extension == ".msh2" || extension == ".vtu" ||
@@ -24,6 +26,8 @@ template <typename Point>
 bool write_domain(const std::string& file, const std::string& extension, const Domain<Point>& domain,
                   const std::vector<int>& parts = { })
 {
+  if(is_format_of_gmsh(extension))
+    return write_by_gmsh(file, extension, domain);
   Output_buffer os(file);
   if(extension == ".mesh")
     write_medit(os, domain);

@@ -4,6 +4,7 @@
 #include "domain.h"
 #include "domain_sides.h"
 #include "output_buffer.h"
+#include "second_order.h"
 
 #include <CGAL/Bbox_3.h>
 
@@ -12,6 +13,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -51,7 +53,7 @@ public:
     : m_os(os), m_domain(domain), m_parts(parts), m_sides(find_sides(domain)),
       m_part_sides(parts.empty() ? std::vector<Sides>(domain.triangles.size(), Sides{{ 0, 0 }})
                                  : find_sides(domain, parts)),
-      m_owners(domain.points.size(), std::size_t(-1))
+      m_owners(domain.number_of_nodes(), std::size_t(-1))
   { }
 
   void operator()()
@@ -92,8 +94,7 @@ private:
       largest_patch = (std::max)(largest_patch, m_domain.patches[i]);
     }
     int number_of_surfaces = 0;
-    add_entities(2, values, [&](const std::size_t i) { return m_part_sides[i]; }, m_domain.triangles,
-                 [&](const Patch_sides& value)
+    add_entities(2, values, [&](const std::size_t i) { return m_part_sides[i]; }, [&](const Patch_sides& value)
     {
       const auto& [patch, sides] = value;
       const int tag = ++number_of_surfaces, group = patch == 0 ? largest_patch + tag : patch;
@@ -107,7 +108,7 @@ private:
     std::map<std::string, int> groups;
     add_entities(3, m_domain.regions, [&](const std::size_t i) { return is_divided() ? Sides{{ m_parts[i], m_parts[i] }}
                                                                                      : Sides{{ 0, 0 }}; },
-                 m_domain.tetrahedra, [&](const int region)
+                 [&](const int region)
     {
       const int tag = region == 0 ? m_domain.number_of_regions + 1 : region;
       const std::string name = region == 0 ? "outside" : name_of(m_domain.region_names, region, "region_");
@@ -136,9 +137,8 @@ private:
   bool is_divided() const { return ! m_parts.empty(); }
 
   // a parent for each value that simplices have, and an entity for each of its parts, in ascending order
-  template <typename Value, typename Parts, typename Simplices, typename Tags>
-  void add_entities(const int dimension, const std::vector<Value>& values, const Parts& parts,
-                    const Simplices& simplices, const Tags& tags)
+  template <typename Value, typename Parts, typename Tags>
+  void add_entities(const int dimension, const std::vector<Value>& values, const Parts& parts, const Tags& tags)
   {
     std::map<std::pair<Value, Sides>, std::vector<std::size_t> > simplices_of;
     for(std::size_t i = 0; i < values.size(); ++i)
@@ -159,17 +159,34 @@ private:
       previous = &value;
       CGAL::Bbox_3 box;
       for(const std::size_t i : entry.second)
-        for(const Point_number v : simplices[i])
+        for_each_node(dimension, i, [&](const Point_number v)
         {
-          box += m_domain.points[v].bbox();
+          box += m_domain.node(v).bbox();
           m_owners[v] = (std::min)(m_owners[v], m_entities.size());
-        }
+        });
       m_parents.back().box += box;
       m_entities.push_back({ m_parents.back().tag, m_parents.back().group, dimension, entry.first.second,
                              std::move(entry.second), box, m_parents.size() - 1 });
     }
     for(std::size_t e = first; is_divided() && e < m_entities.size(); ++e)
       m_entities[e].tag = ++largest_tag;
+  }
+
+  // calls the function with the nodes of a triangle or a tetrahedron in Gmsh's order: of a tetrahedron of second order,
+  // the last two change places
+  template <typename F>
+  void for_each_node(const int dimension, const std::size_t i, const F& f) const
+  {
+    const auto for_each = [&](auto nodes)
+    {
+      if constexpr(std::tuple_size<decltype(nodes)>::value == 10)
+        std::swap(nodes[8], nodes[9]);
+      std::for_each(nodes.begin(), nodes.end(), f);
+    };
+    if(dimension == 2)
+      with_nodes_of_triangle(m_domain, i, for_each);
+    else
+      with_nodes_of_tetrahedron(m_domain, i, for_each);
   }
 
   static std::size_t number_of_entities(const std::vector<Entity>& entities, const int dimension)
@@ -252,7 +269,7 @@ private:
   // A block is a run of points of one entity, so that the points keep their order.
   void write_nodes()
   {
-    const std::size_t n = m_domain.points.size();
+    const std::size_t n = m_domain.number_of_nodes();
     std::vector<std::size_t> begins;
     for(std::size_t v = 0; v < n; ++v)
       if(v == 0 || m_owners[v] != m_owners[v - 1])
@@ -273,8 +290,8 @@ private:
 
   void write_nodes_of_version_2()
   {
-    m_os << "$Nodes\n" << m_domain.points.size() << '\n';
-    for(std::size_t v = 0; v < m_domain.points.size(); ++v)
+    m_os << "$Nodes\n" << m_domain.number_of_nodes() << '\n';
+    for(std::size_t v = 0; v < m_domain.number_of_nodes(); ++v)
     {
       m_os << v + 1 << ' ';
       write_coordinates(v);
@@ -284,7 +301,8 @@ private:
 
   void write_coordinates(const std::size_t v)
   {
-    m_os << m_domain.points[v].x() << ' ' << m_domain.points[v].y() << ' ' << m_domain.points[v].z() << '\n';
+    const Point& p = m_domain.node(v);
+    m_os << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
   }
 
   // Triangles have their numbers, from 1; those of the tetrahedra go on from there. In version 2, there are no blocks.
@@ -296,18 +314,15 @@ private:
       m_os << m_entities.size() << ' ' << n << " 1 ";
     m_os << n << '\n';
     for(const Entity& entity : m_entities)
-      if(entity.dimension == 2)
-        write_elements(entity, 2, m_domain.triangles, 1, is_version_2);
-      else
-        write_elements(entity, 4, m_domain.tetrahedra, m_domain.triangles.size() + 1, is_version_2);
+      write_elements(entity, entity.dimension == 2 ? 1 : m_domain.triangles.size() + 1, is_version_2);
     m_os << "$EndElements\n";
   }
 
   // In version 2, each element tells its type, its group and its entity.
-  template <typename Simplices>
-  void write_elements(const Entity& entity, const int type, const Simplices& simplices, const std::size_t first_number,
-                      const bool is_version_2)
+  void write_elements(const Entity& entity, const std::size_t first_number, const bool is_version_2)
   {
+    const int type = entity.dimension == 2 ? (m_domain.is_second_order() ? 9 : 2)
+                                           : (m_domain.is_second_order() ? 11 : 4);
     if(! is_version_2)
       m_os << entity.dimension << ' ' << entity.tag << ' ' << type << ' ' << entity.simplices.size() << '\n';
     for(const std::size_t i : entity.simplices)
@@ -315,30 +330,32 @@ private:
       m_os << first_number + i;
       if(is_version_2)
         m_os << ' ' << type << " 2 " << entity.group << ' ' << entity.tag;
-      for(const Point_number v : simplices[i])
-        m_os << ' ' << std::size_t(v) + 1;
+      for_each_node(entity.dimension, i, [&](const Point_number v) { m_os << ' ' << std::size_t(v) + 1; });
       m_os << '\n';
     }
   }
 
-  // Data of all elements, as meshio wants it: first the regions, which Gmsh shows; that of a triangle is the one beside
-  // it, the smaller one of two. Tetrahedra have no number in the input, -1.
+  // Data of all elements, in the order in which the elements come, as meshio wants it: first the regions, which Gmsh
+  // shows; that of a triangle is the one beside it, the smaller one of two. Tetrahedra have no number in the input, -1.
   void write_data()
   {
-    const std::size_t n = m_domain.triangles.size();
-    write_data("region", [&](const std::size_t i)
-               { return std::int64_t(i >= n ? m_domain.regions[i - n] : region_beside(m_sides[i])); });
-    write_data("triangle", [&](const std::size_t i)
-               { return i < n ? static_cast<std::int64_t>(m_domain.triangle_numbers[i]) : -1; });
+    write_data("region", [&](const std::size_t i) { return std::int64_t(region_beside(m_sides[i])); },
+               [&](const std::size_t i) { return std::int64_t(m_domain.regions[i]); });
+    write_data("triangle", [&](const std::size_t i) { return static_cast<std::int64_t>(m_domain.triangle_numbers[i]); },
+               [](const std::size_t) { return std::int64_t(-1); });
   }
 
-  template <typename Value>
-  void write_data(const std::string& name, const Value& value)
+  template <typename OfTriangle, typename OfTetrahedron>
+  void write_data(const std::string& name, const OfTriangle& of_triangle, const OfTetrahedron& of_tetrahedron)
   {
-    const std::size_t n = m_domain.triangles.size() + m_domain.tetrahedra.size();
-    m_os << "$ElementData\n1\n\"" << name << "\"\n1\n0\n3\n0\n1\n" << n << '\n';
-    for(std::size_t i = 0; i < n; ++i)
-      m_os << i + 1 << ' ' << value(i) << '\n';
+    const std::size_t n = m_domain.triangles.size();
+    m_os << "$ElementData\n1\n\"" << name << "\"\n1\n0\n3\n0\n1\n" << n + m_domain.tetrahedra.size() << '\n';
+    for(const Entity& entity : m_entities)
+      for(const std::size_t i : entity.simplices)
+        if(entity.dimension == 2)
+          m_os << i + 1 << ' ' << of_triangle(i) << '\n';
+        else
+          m_os << n + i + 1 << ' ' << of_tetrahedron(i) << '\n';
     m_os << "$EndElementData\n";
   }
 };

@@ -25,6 +25,7 @@ inline void write_options(Json_writer& json, const Meshing_options& options)
   json.entry("grading", options.grading);
   json.entry("insert_field_points", options.insert_field_points);
   json.entry("number_of_subdomains", options.number_of_subdomains);
+  json.entry("order", options.order);
 }
 
 // how the phases after the recovery went

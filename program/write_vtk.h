@@ -4,6 +4,7 @@
 #include "domain.h"
 #include "domain_sides.h"
 #include "output_buffer.h"
+#include "second_order.h"
 
 #include <algorithm>
 #include <array>
@@ -33,17 +34,30 @@ public:
   explicit Vtk_cells(const Domain<Point>& domain) : m_domain(domain), m_sides(find_sides(domain)) { }
 
   std::size_t size() const { return m_domain.tetrahedra.size() + m_domain.triangles.size(); }
-  std::size_t number_of_vertices() const { return 4 * m_domain.tetrahedra.size() + 3 * m_domain.triangles.size(); }
+
+  std::size_t number_of_vertices() const
+  {
+    const bool is_second_order = m_domain.is_second_order();
+    return (is_second_order ? 10 : 4) * m_domain.tetrahedra.size() +
+           (is_second_order ? 6 : 3) * m_domain.triangles.size();
+  }
 
   // calls the function for each cell: with its vertices, and what it is
   template <typename F>
   void for_each(const F& f) const
   {
+    const bool is_second_order = m_domain.is_second_order();
     for(std::size_t i = 0; i < m_domain.tetrahedra.size(); ++i)
-      f(m_domain.tetrahedra[i], Vtk_cell{ 10, m_domain.regions[i], 0, -1 });
+    {
+      const Vtk_cell cell{ is_second_order ? 24 : 10, m_domain.regions[i], 0, -1 };
+      with_nodes_of_tetrahedron(m_domain, i, [&](const auto& nodes) { f(nodes, cell); });
+    }
     for(std::size_t i = 0; i < m_domain.triangles.size(); ++i)
-      f(m_domain.triangles[i], Vtk_cell{ 5, region_beside(m_sides[i]), m_domain.patches[i],
-                                         static_cast<std::int64_t>(m_domain.triangle_numbers[i]) }); // or -1
+    {
+      const Vtk_cell cell{ is_second_order ? 22 : 5, region_beside(m_sides[i]), m_domain.patches[i],
+                           static_cast<std::int64_t>(m_domain.triangle_numbers[i]) }; // or -1
+      with_nodes_of_triangle(m_domain, i, [&](const auto& nodes) { f(nodes, cell); });
+    }
   }
 };
 
@@ -98,9 +112,9 @@ void write_vtk(Output_buffer& os, const Domain<Point>& domain)
   const Vtk_cells<Point> cells(domain);
   os << "# vtk DataFile Version 3.0\nBoundary_recovery_3\nASCII\nDATASET UNSTRUCTURED_GRID\n";
   write_vtk_names(os, domain);
-  os << "POINTS " << domain.points.size() << " double\n";
-  for(const Point& p : domain.points)
-    os << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
+  os << "POINTS " << domain.number_of_nodes() << " double\n";
+  for(std::size_t v = 0; v < domain.number_of_nodes(); ++v)
+    os << domain.node(v).x() << ' ' << domain.node(v).y() << ' ' << domain.node(v).z() << '\n';
   os << "CELLS " << cells.size() << ' ' << cells.size() + cells.number_of_vertices() << '\n';
   cells.for_each([&](const auto& vertices, const Vtk_cell&)
   {
@@ -169,7 +183,8 @@ public:
     m_os << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\""
          << vtk_byte_order() << "\" header_type=\"UInt64\">\n<UnstructuredGrid>\n";
     write_names();
-    m_os << "<Piece NumberOfPoints=\"" << m_domain.points.size() << "\" NumberOfCells=\"" << m_cells.size() << "\">\n";
+    m_os << "<Piece NumberOfPoints=\"" << m_domain.number_of_nodes() << "\" NumberOfCells=\"" << m_cells.size()
+         << "\">\n";
     announce_numbers();
     m_os << "<CellData Scalars=\"region\">\n";
     announce("Int32", "region", 4 * m_cells.size());
@@ -178,7 +193,7 @@ public:
     if(m_piece != nullptr)
       announce("Int32", "part", 4 * m_cells.size());
     m_os << "</CellData>\n<Points>\n";
-    announce("Float64", "Points", 24 * m_domain.points.size(), 3);
+    announce("Float64", "Points", 24 * m_domain.number_of_nodes(), 3);
     m_os << "</Points>\n<Cells>\n";
     announce("Int64", "connectivity", 8 * m_cells.number_of_vertices());
     announce("Int64", "offsets", 8 * m_cells.size());
@@ -253,10 +268,10 @@ private:
 
   void write_points()
   {
-    m_os.put_bytes(Length(24 * m_domain.points.size()));
-    for(const Point& p : m_domain.points)
+    m_os.put_bytes(Length(24 * m_domain.number_of_nodes()));
+    for(std::size_t v = 0; v < m_domain.number_of_nodes(); ++v)
       for(int i = 0; i < 3; ++i)
-        m_os.put_bytes(double(p[i]));
+        m_os.put_bytes(double(m_domain.node(v)[i]));
   }
 
   void write_cells()

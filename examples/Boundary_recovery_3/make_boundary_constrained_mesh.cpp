@@ -1,11 +1,9 @@
+#include <CGAL/Boundary_recovery_3/write_domain_MEDIT.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/IO/File_medit.h>
-#include <CGAL/Mesh_complex_3_in_triangulation_3.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/make_boundary_constrained_mesh_3.h>
 
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel           Kernel;
@@ -21,8 +19,7 @@ int main(int argc, char* argv[])
   const auto result = CGAL::make_boundary_constrained_mesh_3(tr, surface); // with sizes from the surface
   std::cout << result << std::endl;
 
-  std::ofstream file("mesh.mesh");
-  file.precision(17);
-  CGAL::IO::write_MEDIT(file, tr); // the cells in the domain, and each triangle of the surface
-  return result && file ? EXIT_SUCCESS : EXIT_FAILURE;
+  // the cells of the domain and the triangles of the surface, each once and with its number, from 1
+  const bool is_written = CGAL::IO::write_domain_MEDIT("mesh.mesh", tr, result.recovery);
+  return result && is_written ? EXIT_SUCCESS : EXIT_FAILURE;
 }

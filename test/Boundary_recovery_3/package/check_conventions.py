@@ -30,6 +30,8 @@ FLOORS = [
     "mesh",         # simplices of cells, constraints, replacement of cells and its undo, walls and regions
     "Boundary_recovery_3/Mesh_indices_keeper_3.h",
     "Boundary_recovery_3/label_regions.h",
+    "Boundary_recovery_3/number_edge_nodes.h",
+    "Boundary_recovery_3/write_domain_MEDIT.h",
     "mark_domain.h",
     "Boundary_recovery_3/Constrained_edge_map_3.h",
     "Boundary_recovery_3/convert_to_remeshing_triangulation.h",

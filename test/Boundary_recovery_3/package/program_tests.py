@@ -392,8 +392,8 @@ def read_msh(name):
                    for t in tetrahedra)
         text = sections.pop('ElementData 2').decode().split('\n')
         assert text[:8] == ['1', '"triangle"', '1', '0', '3', '0', '1', str(m)]
-        values = [tuple(map(int, line.split())) for line in text[8:]]
-        assert [tag for tag, _ in values] == triangles + tetrahedra
+        assert [int(line.split()[0]) for line in text[8:]] == list(elements)  # in their order, as meshio wants it
+        values = sorted(tuple(map(int, line.split())) for line in text[8:])
         assert {number for _, number in values[len(triangles):]} <= {-1}
         numbers = [number for _, number in values[:len(triangles)]]
     assert not sections, sections.keys()

@@ -108,6 +108,39 @@ def test_ranks_do_not_change_the_mesh():
     assert not glob.glob(os.path.join(ENVIRONMENT['TMPDIR'], 'mesh_surface_mpi_*'))
 
 
+def section(words, keyword, size):
+    """a section of a MEDIT file, as rows of numbers"""
+    begin = words.index(keyword) + 2
+    n = int(words[begin - 1])
+    return [tuple(map(float, words[begin + size * i:begin + size * (i + 1)])) for i in range(n)]
+
+
+def test_second_order():
+    write('boxes.off', boxes())
+    common = ('boxes.off', '--size', '0.7', '--subdomains', str(SUBDOMAINS), '--pieces')
+    run(2, *common, '-o', 'first.mesh')
+    run(3, *common, '--order', '2', '-o', 'second.mesh', '-o', 'second.msh')
+    first, words = read_mesh('first.mesh'), open('second.mesh').read().split()
+    points = [row[:3] for row in section(words, 'Vertices', 4)]
+    assert points[:len(first.points)] == first.points
+    for keyword, corners, simplices, references in (('TetrahedraP2', 4, first.tetrahedra, first.regions),
+                                                    ('TrianglesP2', 3, first.triangles, first.patches)):
+        rows = section(words, keyword, corners * (corners + 1) // 2 + 1)
+        assert [tuple(int(v) - 1 for v in row[:corners]) for row in rows] == simplices
+        assert [int(row[-1]) for row in rows] == references
+        for t, row in zip(simplices, rows):
+            for (i, j), node in zip(((0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3)), row[corners:-1]):
+                middle = tuple((x + y) / 2 for x, y in zip(first.points[t[i]], first.points[t[j]]))
+                assert int(node) > len(first.points) and points[int(node) - 1] == middle
+    if shutil.which('gmsh'):
+        checked = subprocess.run(['gmsh', '-v', '2', '-check', 'second.msh'], capture_output=True, text=True, timeout=300,
+                                 stdin=subprocess.DEVNULL)
+        messages = (checked.stdout + checked.stderr).splitlines() # the triangle that bounds nothing is told
+        assert checked.returncode == 0 and len(messages) == 1 and '6 nodes not connected to any 3D' in messages[0], checked
+    _, message = run(1, *common, '--order', '2', '-o', 'never.pvtu', status=FILE_ERROR)
+    assert 'not in pieces: never.pvtu' in message and not os.path.exists('never.pvtu')
+
+
 def by_points(mesh):
     return sorted((sorted(mesh.points[v] for v in t), r) for t, r in zip(mesh.tetrahedra, mesh.regions))
 

@@ -1,0 +1,216 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_WRITE_DOMAIN_MEDIT_H
+#define CGAL_BOUNDARY_RECOVERY_3_WRITE_DOMAIN_MEDIT_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Domain_soup_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/mesh_indices.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Medit_writer.h>
+#include <CGAL/Boundary_recovery_3/internal/util/bare_point.h>
+
+#include <boost/io/ios_state.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <fstream>
+#include <ios>
+#include <limits>
+#include <ostream>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Boundary_recovery_3 {
+namespace internal {
+
+// The facets of a triangulation that have a patch, each once. Nothing depends on addresses.
+template <typename Tr>
+class Marked_facets_3
+{
+  typedef typename Tr::Vertex_handle          Vertex_handle;
+  typedef typename Tr::Cell_handle            Cell_handle;
+  typedef typename Tr::Geom_traits::Point_3   Point_3;
+  typedef Cell_indices<typename Tr::Cell>     Indices;
+  typedef Surface_facet_3<Vertex_handle>      Facet;
+
+  const Tr& m_tr;
+
+public:
+  explicit Marked_facets_3(const Tr& tr) : m_tr(tr) { }
+
+  // In ascending order of their patches, which are their indices. They turn outward from the region with the larger
+  // number.
+  std::vector<Facet> operator()() const
+  {
+    std::vector<Facet> facets;
+    if(m_tr.dimension() == 3)
+      for(const Cell_handle c : m_tr.all_cell_handles())
+        for(int i = 0; i < 4; ++i)
+          add_facet(c, i, facets);
+    std::stable_sort(facets.begin(), facets.end(), [](const Facet& f, const Facet& g) { return f.index < g.index; });
+    return facets;
+  }
+
+  // the patch of a facet; 0 if it is no facet
+  int patch(const Facet& facet) const
+  {
+    Cell_handle c;
+    int i, j, k;
+    return m_tr.dimension() == 3 && m_tr.is_facet(facet[0], facet[1], facet[2], c, i, j, k)
+           ? int(c->surface_patch_index(6 - i - j - k)) : 0;
+  }
+
+private:
+  // from one of the two sides
+  void add_facet(const Cell_handle c, const int i, std::vector<Facet>& facets) const
+  {
+    if(c->surface_patch_index(i) == typename Indices::Surface_patch_index() || m_tr.is_infinite(c, i))
+      return;
+    const Facet facet{ {{ vertex(c, i, 0), vertex(c, i, 1), vertex(c, i, 2) }},
+                       static_cast<std::size_t>(c->surface_patch_index(i)) };
+    const int here = int(c->subdomain_index()), there = int(c->neighbor(i)->subdomain_index());
+    if(here != there ? here < there : is_turned_to_larger_points(facet))
+      facets.push_back(facet);
+  }
+
+  // in the orientation that has its front in the cell
+  static Vertex_handle vertex(const Cell_handle c, const int i, const int j)
+  {
+    return c->vertex(Tr::vertex_triple_index(i, j));
+  }
+
+  // true for one of the two orientations of a facet
+  bool is_turned_to_larger_points(const Facet& facet) const
+  {
+    const auto is_smaller = [&](const std::size_t i, const std::size_t j)
+    {
+      return m_tr.geom_traits().compare_xyz_3_object()(internal::bare_point<Point_3>(facet[i]->point()),
+                                                       internal::bare_point<Point_3>(facet[j]->point())) == SMALLER;
+    };
+    const int number_of_ascents = is_smaller(0, 1) + is_smaller(1, 2) + is_smaller(2, 0);
+    return number_of_ascents == 2;
+  }
+};
+
+// Which vertices come first.
+template <typename Vertex_handle>
+struct Vertices_in_order
+{
+  std::vector<Vertex_handle> vertices, steiner_vertices;
+};
+
+// If the result of the recovery is an empty one, the marked facets are taken, and their vertices come first.
+template <typename Tr>
+void write_domain_MEDIT(std::ostream& os, const Tr& tr, const Boundary_recovery_result_3<Tr>& recovery)
+{
+  static_cast<void>(Require_mesh_indices<Tr>());
+  typedef Cell_indices<typename Tr::Cell> Indices;
+  static_assert(std::is_convertible<typename Indices::Subdomain_index, int>::value
+                && std::is_convertible<typename Indices::Surface_patch_index, int>::value,
+                "MEDIT's files have numbers of regions and patches.");
+  const Marked_facets_3<Tr> marked_facets(tr);
+  std::vector<Surface_facet_3<typename Tr::Vertex_handle> > facets = recovery.surface_facets();
+  Vertices_in_order<typename Tr::Vertex_handle> vertices{ recovery.vertices, recovery.steiner_vertices };
+  if(facets.empty())
+  {
+    facets = marked_facets();
+    for(const auto& facet : facets)
+      vertices.vertices.insert(vertices.vertices.end(), facet.begin(), facet.end());
+  }
+  std::vector<int> patches;
+  for(const auto& facet : facets)
+    patches.push_back(marked_facets.patch(facet));
+  const auto domain = Domain_builder_3<Tr>(tr)(vertices, facets, [](const typename Tr::Cell_handle c)
+                                               { return c->subdomain_index() == 0 ? -1 : int(c->subdomain_index()); });
+
+  const boost::io::ios_all_saver saver(os);
+  os.unsetf(std::ios_base::floatfield);
+  os.precision(std::numeric_limits<double>::max_digits10);
+  Medit_writer<std::ostream> writer(os);
+  writer.write_vertices(domain.points.size(), [&](const std::size_t i) -> const auto& { return domain.points[i]; });
+  writer.write_simplices("Triangles", domain.triangles.size(),
+                         [&](const std::size_t i, const auto& f) { f(domain.triangles[i]); }, patches);
+  writer.write_simplices("Tetrahedra", domain.tetrahedra.size(),
+                         [&](const std::size_t i, const auto& f) { f(domain.tetrahedra[i]); }, domain.regions);
+  writer.write_end();
+}
+
+} // namespace internal
+} // namespace Boundary_recovery_3
+
+namespace IO {
+
+/*!
+ * \ingroup PkgBoundaryRecovery3Functions
+ *
+ * \brief writes the domain that is marked in a triangulation in MEDIT's text format (`.mesh`), which Gmsh, mmg and
+ * meshio read.
+ *
+ * The file has
+ * - the vertices of the domain and of the constrained facets, with all their digits: coordinates that are `double` are
+ *   read back bit for bit;
+ * - each constrained facet once, with its patch as reference, as `mark_domain()` writes it;
+ * - the cells of the domain, with their region as reference, positively oriented. What is outside, in region 0, is left
+ *   out.
+ *
+ * `CGAL::IO::write_MEDIT()` writes all vertices of the triangulation instead, and with \cgal 5 each facet twice, with
+ * the regions on its sides.
+ *
+ * \tparam Triangulation an instance of `CGAL::Triangulation_3`, or of a class derived from it, such as
+ *         `Boundary_constrained_mesh_triangulation_3::type`, whose vertices and cells are models of `MeshVertexBase_3`
+ *         and `MeshCellBase_3`; regions and patches are integers, from 1
+ *
+ * \param os the stream
+ * \param tr the triangulation, after `make_boundary_constrained_mesh_3()`, `mark_domain()` or any of the steps after it
+ * \param recovery the result of the recovery of the boundary in `tr`, `Boundary_constrained_mesh_result_3::recovery` of
+ *        a mesh. With it, the vertices of the input come first, in their order, without those that are not in the mesh,
+ *        and facets have the order and the orientation of the input. Without it, facets are in the order of their
+ *        patches, and turn outward from the region with the larger number; their vertices come first, in the order in
+ *        which the facets have them.
+ *
+ * \return `true` iff nothing went wrong with the stream
+ *
+ * \pre There are fewer than 2<sup>32</sup> - 4 vertices, else `std::length_error` is thrown.
+ */
+template <typename Triangulation>
+bool write_domain_MEDIT(std::ostream& os, const Triangulation& tr,
+                        const Boundary_recovery_result_3<Triangulation>& recovery
+                          = Boundary_recovery_result_3<Triangulation>())
+{
+  Boundary_recovery_3::internal::write_domain_MEDIT(os, tr, recovery);
+  return os.good();
+}
+
+/*!
+ * \ingroup PkgBoundaryRecovery3Functions
+ *
+ * \brief writes the domain that is marked in a triangulation to the file `fname`, see the function above.
+ *
+ * \return `true` iff the file was written as a whole
+ */
+template <typename Triangulation>
+bool write_domain_MEDIT(const std::string& fname, const Triangulation& tr,
+                        const Boundary_recovery_result_3<Triangulation>& recovery
+                          = Boundary_recovery_result_3<Triangulation>())
+{
+  std::ofstream os(fname);
+  const bool is_written = IO::write_domain_MEDIT(os, tr, recovery);
+  os.close();
+  return is_written && os.good();
+}
+
+} // namespace IO
+} // namespace CGAL
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_WRITE_DOMAIN_MEDIT_H
