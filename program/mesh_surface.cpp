@@ -8,6 +8,7 @@
 #include "domain.h"
 #include "domain_quality.h"
 #include "edge_lengths.h"
+#include "live_progress_bar.h"
 #include "mesh_size.h"
 #include "mesh_surface_options.h"
 #include "meshing_estimate.h"
@@ -15,7 +16,6 @@
 #include "print_mesh.h"
 #include "print_result.h"
 #include "program.h"
-#include "progress_bar.h"
 #include "progress_estimate.h"
 #include "round_number.h"
 #include "terminal.h"
@@ -30,12 +30,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <filesystem>
 #include <functional>
 #include <iostream>
 #include <sstream>
 #include <string>
-#include <system_error>
 #include <vector>
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel           Kernel;
@@ -62,59 +60,49 @@ class Progress
   typedef CGAL::Boundary_recovery_3::Phase        Phase;
   typedef CGAL::Boundary_recovery_3::Phase_report Phase_report;
 
-  Meshing_estimate m_estimate;
   const Triangulation& m_tr;
   const Surface<Point>& m_surface;
   const bool m_is_quiet;
-  Progress_bar m_bar;
+  Live_progress_bar<Meshing_estimate> m_bar;
   Named_regions m_regions;
 
 public:
   Progress(const Triangulation& tr, const Surface<Point>& surface, const Meshing_options& options)
-    : m_estimate(options), m_tr(tr), m_surface(surface), m_is_quiet(options.quiet),
-      m_bar(std::cout, ! options.quiet && stdout_is_terminal())
+    : m_tr(tr), m_surface(surface), m_is_quiet(options.quiet),
+      m_bar(std::cout, ! options.quiet && stdout_is_terminal(), options)
   { }
 
-  // The bar is not shown for files that are read in a blink.
-  void begin_reading(const std::string& file)
-  {
-    std::error_code error;
-    const auto bytes = std::filesystem::file_size(file, error);
-    if(! error && bytes > (1 << 22))
-      m_bar.draw(names_of_steps[reading], 0);
-  }
-
-  // the surface is ready to be meshed
-  void set_surface() { m_estimate.set_surface(m_surface); }
-
   // of the steps that are not the library's
-  void begin(const Step step)
-  {
-    m_estimate.begin(step);
-    draw();
-  }
+  void begin(const Step step) { m_bar.tell([=](Meshing_estimate& estimate) { estimate.begin(step); }); }
 
   void set_part_of_step(const double part)
   {
-    m_estimate.set_part_of_step(part);
-    draw();
+    m_bar.tell([=](Meshing_estimate& estimate) { estimate.set_part_of_step(part); });
   }
 
-  void clear() { m_bar.clear(); }
+  void begin_reading(const std::string& file)
+  {
+    m_bar.tell([&](Meshing_estimate& estimate) { estimate.set_file(file); });
+  }
+
+  // The surface is ready to be meshed.
+  void set_surface() { m_bar.tell([this](Meshing_estimate& estimate) { estimate.set_surface(m_surface); }); }
+
+  // before anything is printed
+  void hide() { m_bar.hide(); }
 
   void on_phase_begin(const Phase phase)
   {
-    m_estimate.begin_phase(phase);
-    draw();
+    m_bar.tell([=](Meshing_estimate& estimate) { estimate.begin_phase(phase); });
   }
 
   // The forecast is told at once, on a terminal or not.
   void on_phase_end(const Phase_report& report)
   {
-    m_estimate.end_phase(report);
+    m_bar.tell([&](Meshing_estimate& estimate) { estimate.end_phase(report); });
     if(report.phase == Phase::forecast && ! m_is_quiet)
     {
-      clear();
+      hide();
       std::cout << "about " << round_number(double(report.number_of_cells)) << " tetrahedra are to be expected"
                 << std::endl;
     }
@@ -125,24 +113,12 @@ public:
   void on_progress(const Phase phase, const std::size_t done, const std::size_t total)
   {
     if(total > 0)
-      m_estimate.set_progress(phase, done, total);
+      m_bar.tell([=](Meshing_estimate& estimate) { estimate.set_progress(phase, done, total); });
   }
 
-  // is asked at a steady rate
-  bool go_further()
-  {
-    draw();
-    return m_regions.message().empty();
-  }
+  bool go_further() { return m_regions.message().empty(); }
 
   const Named_regions& regions() const { return m_regions; }
-
-private:
-  void draw()
-  {
-    if(m_bar.is_due())
-      m_bar.draw(names_of_steps[m_estimate.step()], m_estimate.share());
-  }
 };
 
 Result mesh(Triangulation& tr, const Surface<Point>& surface, const Size& size, const Meshing_options& options,
@@ -192,9 +168,9 @@ Measurements measure(const Triangulation& tr, const Domain<Point>& domain, const
   if(is_anybody_told(options))
   {
     measured.quality = measure_quality(domain);
-    progress.set_part_of_step(0.6);
+    progress.set_part_of_step(0.57);
     measured.edges = Edge_meter<Point>(domain)(size);
-    progress.set_part_of_step(0.9);
+    progress.set_part_of_step(0.97);
     measured.bad_tetrahedra = Bad_tetrahedra_list<Triangulation>(tr, domain)(result.improvement.certificate.cells);
   }
   return measured;
@@ -275,7 +251,7 @@ int finish(const Meshing_options& options, Program<Point>& program, const Result
   progress.begin(writing);
   const bool is_report_written =
     program.write_report([&](Json_writer& json) { write_entries(json, options, result, domain, measured); });
-  progress.clear();
+  progress.hide();
   if(! is_report_written)
     return program.fail();
   if(result.status == Status::invalid_input)
@@ -299,7 +275,7 @@ int finish(const Meshing_options& options, Program<Point>& program, const Result
     return incomplete_or_stopped;
   }
   const bool are_written = program.write_outputs(domain, [&](const double part) { progress.set_part_of_step(part); });
-  progress.clear();
+  progress.hide();
   if(! are_written)
     return program.fail();
   const std::string unfinished = reason_for_unfinished_mesh(result);
@@ -327,7 +303,7 @@ int run(const Meshing_options& options, Program<Point>& program)
     return program.fail();
   progress.begin_reading(options.input);
   const bool is_read = program.read_surface(default_flow<Point>);
-  progress.clear();
+  progress.hide();
   if(! is_read)
     return program.fail();
   if(! size.read(options, message))
@@ -352,7 +328,7 @@ int run(const Meshing_options& options, Program<Point>& program)
     program.find_open_surface(domain);
   program.use_numbers_of_file(result.recovery, domain);
   domain.region_names = progress.regions().names();
-  progress.set_part_of_step(0.4);
+  progress.set_part_of_step(0.39);
   const Measurements measured = measure(tr, domain, size, result, timer.time(), options, progress);
   return finish(options, program, result, domain, measured, progress);
 }

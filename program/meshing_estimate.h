@@ -12,6 +12,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <filesystem>
+#include <string>
+#include <system_error>
 
 // What a run of the mesher is expected to take. Needles of the surface take most: the cells at them stay bad, and are
 // worked on again and again.
@@ -24,13 +27,14 @@ class Meshing_estimate
   // seconds for each triangle, cell, needle, or triangle that is nearly one; benchmark/Boundary_recovery_3/progress.py
   // shows how true the shares are with these figures
   static constexpr double to_read = 2.2e-6, to_insert = 2.1e-6, to_recover = 0.8e-6, to_recover_needle = 30e-6,
-                          to_mark = 1e-6, to_forecast = 1.8e-6, to_fill = 1.3e-6, to_improve = 1.5e-6,
-                          to_improve_needle = 250e-6, to_improve_slender = 60e-6, to_measure = 1.3e-6,
-                          to_write = 0.6e-6;
+                          to_mark = 1e-6, to_forecast = 1.8e-6, to_fill = 1.3e-6, to_fill_needle = 15e-6, to_improve = 1.5e-6,
+                          to_improve_needle = 300e-6, to_improve_slender = 60e-6, to_measure = 1.6e-6,
+                          to_write = 0.35e-6;
   static constexpr double low_factor = 0.4, high_factor = 10; // of efforts, for needles
   static constexpr double cells_per_triangle = 6, cells_per_needle = 2; // if sizes are those of the surface
   static constexpr double cells_per_cubed_size = 8.5;
-  static constexpr double cells_per_forecast_cell = 0.9;
+  static constexpr double bytes_per_triangle = 40, triangles_of_default_surface = 3000;
+  static constexpr double cells_per_forecast_cell = 0.85;
 
   const Meshing_options& m_options;
   double m_triangles = 0;
@@ -41,18 +45,23 @@ class Meshing_estimate
 public:
   explicit Meshing_estimate(const Meshing_options& options) : m_options(options) { }
 
+  // The file is about to be read: its size is all that is known.
+  void set_file(const std::string& file)
+  {
+    std::error_code error;
+    const auto bytes = std::filesystem::file_size(file, error);
+    m_triangles = error ? triangles_of_default_surface : double(bytes) / bytes_per_triangle;
+    expect_by_triangles();
+  }
+
   template <typename Point>
   void set_surface(const Surface<Point>& surface)
   {
+    m_triangles = 0;
     for(const auto& face : surface.faces)
       if(face.size() == 3)
         add(surface.points[face[0]], surface.points[face[1]], surface.points[face[2]]);
-    expect(insertion, to_insert * m_triangles);
-    expect(recovery, to_recover * m_triangles + to_recover_needle * m_needles);
-    expect(marking, to_mark * m_triangles);
-    expect(forecast, to_forecast * m_triangles);
-    const double cells = cells_per_triangle * (m_triangles - m_needles) + cells_per_needle * m_needles;
-    set_number_of_cells(m_options.size > 0 ? (std::max)(cells, cells_of_uniform_size()) : cells);
+    expect_by_triangles();
   }
 
   void begin_phase(const Phase phase)
@@ -78,6 +87,17 @@ public:
   }
 
 private:
+  void expect_by_triangles()
+  {
+    expect(reading, to_read * m_triangles);
+    expect(insertion, to_insert * m_triangles);
+    expect(recovery, to_recover * m_triangles + to_recover_needle * m_needles);
+    expect(marking, to_mark * m_triangles);
+    expect(forecast, to_forecast * m_triangles);
+    const double cells = cells_per_triangle * (m_triangles - m_needles) + cells_per_needle * m_needles;
+    set_number_of_cells(m_options.size > 0 ? (std::max)(cells, cells_of_uniform_size()) : cells);
+  }
+
   static Step step_of(const Phase phase)
   {
     switch(phase)
@@ -123,7 +143,7 @@ private:
 
   void set_number_of_cells(const double n)
   {
-    expect(filling, m_options.insert_field_points ? to_fill * n : 0);
+    expect(filling, m_options.insert_field_points ? to_fill * n + to_fill_needle * m_needles : 0);
     if(m_options.insert_field_points && m_options.improve_quality)
     {
       const double factor = m_options.effort == Improvement_effort::low    ? low_factor

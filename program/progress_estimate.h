@@ -19,7 +19,7 @@ class Progress_estimate
 {
   typedef std::chrono::steady_clock Clock;
 
-  static constexpr double least_sample = 0.02; // seconds that the machine is taken for one as expected
+  static constexpr double least_sample = 0.1; // seconds that the machine is taken for one as expected
   static constexpr double tiny = 1e-9;
 
   const Clock::time_point m_start = Clock::now();
@@ -33,7 +33,12 @@ class Progress_estimate
 
 public:
   // `seconds` on a machine as the one that the figures below are from
-  void expect(const Step step, const double seconds) { m_expected[step] = seconds; }
+  void expect(const Step step, const double seconds)
+  {
+    m_expected[step] = seconds;
+    if(step == m_step)
+      set_rest_of_step();
+  }
 
   void begin(const Step step)
   {
@@ -85,7 +90,7 @@ private:
   {
     m_time_of_rest = seconds();
     const double needed = m_time_of_rest - m_begin, expected = slowness() * m_expected[m_step];
-    const double weight = (std::min)(1., 2 * m_part);
+    const double weight = (std::min)(1., 1.5 * m_part);
     const double by_part = m_part > 0 ? needed * (1 - m_part) / m_part : 0;
     m_rest = weight * by_part + (1 - weight) * (std::max)(0., expected - needed);
   }

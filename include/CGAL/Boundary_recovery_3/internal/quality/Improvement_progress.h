@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 namespace CGAL::Boundary_recovery_3::internal {
@@ -82,7 +83,7 @@ public:
   void work_on_worst_cells(const std::size_t evaluations)
   {
     const double spent = double(evaluations) - m_evaluations;
-    m_to_come = m_worst * m_worst / (m_worst + 2 * spent + 1) + m_centering;
+    m_to_come = m_worst * std::exp(-1.5 * spent / (m_worst + 1)) + m_centering;
     m_share = (std::max)(m_share, share(double(evaluations)));
   }
 
@@ -102,8 +103,8 @@ private:
   static constexpr double measuring_again = 4;
   static constexpr double price_of_centering = 37;
   static constexpr double slow_part = 0.7;           // of it, beside evaluations
-  static constexpr std::array<double, 4> prices = {{ 130, 250, 400, 60 }}; // of a visit, in each round
-  static constexpr double price_of_stubborn_cell = 200; // after the rounds
+  static constexpr std::array<double, 4> prices = {{ 130, 250, 450, 200 }}; // of a visit, in each round
+  static constexpr double price_of_stubborn_cell = 400; // after the rounds
   static constexpr double price_of_worst_cell = 800;
   static constexpr double price_of_second_turn = 50;
   static constexpr double least_sample = 0.1;        // of the cells of a round
