@@ -83,7 +83,7 @@ public:
   void work_on_worst_cells(const std::size_t evaluations)
   {
     const double spent = double(evaluations) - m_evaluations;
-    m_to_come = m_worst * std::exp(-1.5 * spent / (m_worst + 1)) + m_centering;
+    m_to_come = m_worst * std::exp(-2 * spent / (m_worst + 1)) + m_centering;
     m_share = (std::max)(m_share, share(double(evaluations)));
   }
 
