@@ -104,7 +104,7 @@ def check_bars(bars, length):
     steps = [step for step, _, _, _ in bars]
     order = ['reading', 'insertion', 'recovery', 'regions', 'forecast', 'filling', 'improvement', 'measuring', 'writing']
     assert [order.index(s) for s in steps] == sorted(order.index(s) for s in steps), steps
-    assert 'improvement' in steps and len(set(steps)) > 2, steps
+    assert 'improvement' in steps and len(set(steps)) > 1, steps
 
 
 def test_good_surface():
@@ -130,7 +130,7 @@ def test_pipe_has_no_bar():
 
 def test_narrow_terminal():
     for columns, length in ((40, 40 - 23), (20, 0)):
-        terminal = Terminal(cube(), '--size', '0.05', columns=columns)
+        terminal = Terminal(cube(), '--size', '0.04', columns=columns)
         assert terminal.finish() == MESHED
         check_bars(terminal.bars, length)
         assert not any('#' in line or re.search(r'\w+ +\d+ %$', line) for line in terminal.shown()), terminal.lines

@@ -1,5 +1,5 @@
-// The share of an improvement that is told: it never falls, is near the truth where all goes as expected, and reaches its
-// end.
+// The share of an improvement that is told: it never falls, is near the truth where all goes as expected, and reaches
+// its end.
 
 #undef NDEBUG
 
