@@ -16,11 +16,13 @@ import subprocess
 import sys
 import termios
 import time
+import xml.etree.ElementTree
 
 sys.dont_write_bytecode = True  # the folder of the sources stays as it is
 import program_tests
 from program_tests import *
 
+HERE = os.path.dirname(os.path.abspath(__file__))
 MESHED = RECOVERED
 LONG = ['--size', '0.008']  # much longer than it takes to interrupt it
 
@@ -213,6 +215,37 @@ def test_links_and_permissions_stay():
     assert os.path.islink('cube.vtu') and os.stat('there/cube.vtu').st_mode & 0o777 == 0o640
     check_tetrahedra(read_vtu('there/cube.vtu'))
     assert os.listdir('there') == ['cube.vtu']
+
+
+def test_picture():
+    """The cut through a cube bares as much as it takes away, and the chart counts each tetrahedron."""
+    script = os.path.join(HERE, '..', '..', '..', 'program', 'draw_mesh.py')
+    run(cube(3), '--size', '0.2', '-o', 'cube.vtu', '-o', 'cube.msh', '-o', 'cube.mesh', status=MESHED)
+    mesh = read_mesh('cube.mesh')
+    pictures = []
+    for name in ('cube.vtu', 'cube.msh', 'cube.mesh'):
+        # seen from above, where the upper half is cut off: what is seen is a square, all of it inside of the mesh
+        subprocess.run([sys.executable, script, name, 'cube.svg', '--cut', '0,0,1,0.5', '--view', '-90,90', '--chart'],
+                       check=True, timeout=60)
+        pictures.append(read('cube.svg').decode())
+    assert pictures[0] == pictures[1] == pictures[2]
+    root = xml.etree.ElementTree.fromstring(pictures[0])
+    tag = '{http://www.w3.org/2000/svg}'
+    counts = [int(t.text) for t in root.iter(tag + 'title')]
+    assert sum(counts) == len(mesh.tetrahedra) and sum(n > 0 for n in counts) > 1
+    bars = [float(r.get('height')) for r in root.iter(tag + 'rect') if r.find(tag + 'title') is not None]
+    assert all(abs(h / max(bars) - n / max(counts)) < 0.01 for h, n in zip(bars, counts))
+    area = 0
+    for path in root.iter(tag + 'path'):
+        numbers = list(map(int, re.findall(r'-?\d+', path.get('d'))))
+        (x1, y1), (x2, y2) = numbers[2:4], numbers[4:6]
+        area += abs(x1 * y2 - x2 * y1) / 2
+    side = 2 * (880 - 16)  # of the cube, in the units of the picture
+    assert abs(area / side ** 2 - 1) < 0.02, area / side ** 2
+    for name, content in (('bad.vtu', 'no mesh'), ('bad.txt', ''), ('bad.msh', '$MeshFormat\n2.2 0 8\n')):
+        process = subprocess.run([sys.executable, script, write(name, content), 'bad.svg'], capture_output=True, timeout=60)
+        assert process.returncode == 1 and process.stderr.startswith(b'draw_mesh.py: ' + name.encode()), process
+        assert not os.path.exists('bad.svg')
 
 
 if __name__ == '__main__':
