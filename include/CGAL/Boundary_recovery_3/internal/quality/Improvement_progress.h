@@ -104,8 +104,8 @@ private:
   static constexpr double price_of_centering = 37;
   static constexpr double slow_part = 0.7;           // of it, beside evaluations
   static constexpr std::array<double, 4> prices = {{ 130, 250, 450, 200 }}; // of a visit, in each round
-  static constexpr double price_of_stubborn_cell = 400; // after the rounds
-  static constexpr double price_of_worst_cell = 800;
+  static constexpr double price_of_stubborn_cell = 550; // after the rounds
+  static constexpr double price_of_worst_cell = 600;
   static constexpr double price_of_second_turn = 50;
   static constexpr double least_sample = 0.1;        // of the cells of a round
   static constexpr double low_factor = 0.4;
