@@ -52,6 +52,7 @@ if(Python3_FOUND)
   br3_add_program_test(names_and_polygons_of_surfaces mesh_surface test_named_surfaces_br3.py)
   br3_add_program_test(files_are_read_by_other_readers mesh_surface test_other_readers_br3.py)
   br3_add_program_test(faulty_surfaces_are_told_and_repaired mesh_surface test_faulty_surfaces_br3.py)
+  br3_add_program_test(what_a_terminal_shows mesh_surface test_console_br3.py)
   br3_add_program_test(surfaces_of_needles_are_remeshed mesh_surface test_remesh_surface_br3.py)
   br3_add_program_test(mesh_surface_mpi_behaves_as_documented mesh_surface_mpi test_mesh_surface_mpi_br3.py
                        ${MPIEXEC_EXECUTABLE} $<TARGET_FILE:mesh_surface>)

@@ -8,18 +8,23 @@
 #include "domain.h"
 #include "domain_quality.h"
 #include "edge_lengths.h"
+#include "live_progress_bar.h"
 #include "mesh_size.h"
 #include "mesh_surface_options.h"
+#include "meshing_estimate.h"
 #include "named_regions.h"
 #include "print_mesh.h"
 #include "print_result.h"
 #include "program.h"
-#include "progress_bar.h"
+#include "progress_estimate.h"
+#include "round_number.h"
 #include "second_order.h"
+#include "terminal.h"
 #include "thread_limit.h"
 #include "write_mesh_report.h"
 
 #include <CGAL/Boundary_constrained_mesh_triangulation_3.h>
+#include <CGAL/Boundary_recovery_3/Meshing_visitor_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Real_timer.h>
 
@@ -49,24 +54,67 @@ struct Measurements
   double seconds_recovery = 0; // without the insertion of the surface's points
 };
 
-// Places of names that are wrong end the work before anything takes long.
+// Tells which share of the whole run is done. Places of names that are wrong end the work before anything takes long.
 class Progress
-  : public Progress_bar
+  : public CGAL::Default_meshing_visitor_3
 {
+  typedef CGAL::Boundary_recovery_3::Phase        Phase;
+  typedef CGAL::Boundary_recovery_3::Phase_report Phase_report;
+
   const Triangulation& m_tr;
   const Surface<Point>& m_surface;
+  const bool m_is_quiet;
+  Live_progress_bar<Meshing_estimate> m_bar;
   Named_regions m_regions;
 
 public:
-  Progress(const Triangulation& tr, const Surface<Point>& surface, const bool is_quiet)
-    : Progress_bar(std::cout, is_quiet, stdout_is_terminal()), m_tr(tr), m_surface(surface)
+  Progress(const Triangulation& tr, const Surface<Point>& surface, const Meshing_options& options)
+    : m_tr(tr), m_surface(surface), m_is_quiet(options.quiet),
+      m_bar(std::cout, ! options.quiet && stdout_is_terminal(), options)
   { }
 
-  void on_phase_end(const CGAL::Boundary_recovery_3::Phase_report& report)
+  // of the steps that are not the library's
+  void begin(const Step step) { m_bar.tell([=](Meshing_estimate& estimate) { estimate.begin(step); }); }
+
+  void set_part_of_step(const double part)
   {
-    Progress_bar::on_phase_end(report);
-    if(report.phase == CGAL::Boundary_recovery_3::Phase::domain_marking)
+    m_bar.tell([=](Meshing_estimate& estimate) { estimate.set_part_of_step(part); });
+  }
+
+  void begin_reading(const std::string& file)
+  {
+    m_bar.tell([&](Meshing_estimate& estimate) { estimate.set_file(file); });
+  }
+
+  // The surface is ready to be meshed.
+  void set_surface() { m_bar.tell([this](Meshing_estimate& estimate) { estimate.set_surface(m_surface); }); }
+
+  // before anything is printed
+  void hide() { m_bar.hide(); }
+
+  void on_phase_begin(const Phase phase)
+  {
+    m_bar.tell([=](Meshing_estimate& estimate) { estimate.begin_phase(phase); });
+  }
+
+  // The forecast is told at once, on a terminal or not.
+  void on_phase_end(const Phase_report& report)
+  {
+    m_bar.tell([&](Meshing_estimate& estimate) { estimate.end_phase(report); });
+    if(report.phase == Phase::forecast && ! m_is_quiet)
+    {
+      hide();
+      std::cout << "about " << round_number(double(report.number_of_cells)) << " tetrahedra are to be expected"
+                << std::endl;
+    }
+    if(report.phase == Phase::domain_marking)
       m_regions.find(m_tr, m_surface.regions);
+  }
+
+  void on_progress(const Phase phase, const std::size_t done, const std::size_t total)
+  {
+    if(total > 0)
+      m_bar.tell([=](Meshing_estimate& estimate) { estimate.set_progress(phase, done, total); });
   }
 
   bool go_further() { return m_regions.message().empty(); }
@@ -113,7 +161,7 @@ bool is_anybody_told(const Meshing_options& options) { return ! options.quiet ||
 
 // The quality of millions of tetrahedra takes a while: it is measured only if anybody is told.
 Measurements measure(const Triangulation& tr, const Domain<Point>& domain, const Size& size, const Result& result,
-                     const double seconds, const Meshing_options& options)
+                     const double seconds, const Meshing_options& options, Progress& progress)
 {
   Measurements measured;
   measured.seconds_total = seconds;
@@ -121,7 +169,9 @@ Measurements measure(const Triangulation& tr, const Domain<Point>& domain, const
   if(is_anybody_told(options))
   {
     measured.quality = measure_quality(domain);
+    progress.set_part_of_step(0.57);
     measured.edges = Edge_meter<Point>(domain)(size);
+    progress.set_part_of_step(0.97);
     measured.bad_tetrahedra = Bad_tetrahedra_list<Triangulation>(tr, domain)(result.improvement.certificate.cells);
   }
   return measured;
@@ -197,15 +247,20 @@ void print_large_triangles(std::ostream& os, const Surface<Point>& surface, cons
 
 // writes the files, and tells how it went; returns the exit status
 int finish(const Meshing_options& options, Program<Point>& program, const Result& result, const Domain<Point>& domain,
-           const Measurements& measured, const Named_regions& regions)
+           const Measurements& measured, Progress& progress)
 {
-  if(! program.write_report([&](Json_writer& json) { write_entries(json, options, result, domain, measured); }))
+  progress.begin(writing);
+  const bool is_report_written =
+    program.write_report([&](Json_writer& json) { write_entries(json, options, result, domain, measured); });
+  progress.hide();
+  if(! is_report_written)
     return program.fail();
   if(result.status == Status::invalid_input)
     return refuse(result, program);
-  if(! regions.message().empty())
+  const std::string& wrong_region = progress.regions().message();
+  if(! wrong_region.empty())
   {
-    program.fail(regions.message());
+    program.fail(wrong_region);
     program.explain_open_surface();
     return invalid_input;
   }
@@ -220,7 +275,9 @@ int finish(const Meshing_options& options, Program<Point>& program, const Result
       program.explain_open_surface();
     return incomplete_or_stopped;
   }
-  if(! program.write_outputs(domain))
+  const bool are_written = program.write_outputs(domain, [&](const double part) { progress.set_part_of_step(part); });
+  progress.hide();
+  if(! are_written)
     return program.fail();
   const std::string unfinished = reason_for_unfinished_mesh(result);
   if(options.quiet && ! unfinished.empty())
@@ -239,9 +296,16 @@ int finish(const Meshing_options& options, Program<Point>& program, const Result
 
 int run(const Meshing_options& options, Program<Point>& program)
 {
+  Triangulation tr;
+  Progress progress(tr, program.surface(), options);
   Size size;
   std::string message;
-  if(! program.keeps_inputs(input_files(options)) || ! program.read_surface(default_flow<Point>))
+  if(! program.keeps_inputs(input_files(options)))
+    return program.fail();
+  progress.begin_reading(options.input);
+  const bool is_read = program.read_surface(default_flow<Point>);
+  progress.hide();
+  if(! is_read)
     return program.fail();
   if(! size.read(options, message))
     return program.fail(message);
@@ -250,14 +314,14 @@ int run(const Meshing_options& options, Program<Point>& program)
   program.prepare_surface();
   program.add_places(options.regions, options.voids);
 
-  Triangulation tr;
-  Progress progress(tr, program.surface(), options.quiet);
+  progress.set_surface();
   CGAL::Real_timer timer;
   timer.start();
   size.set_surface(program.surface(), options);
   Result result = mesh(tr, program.surface(), size, options, progress);
   timer.stop();
 
+  progress.begin(measuring);
   Domain<Point> domain = make_domain(tr, result, options);
   const bool is_refused = ! progress.regions().message().empty() || result.status == Status::no_region ||
                           result.status == Status::invalid_input;
@@ -265,10 +329,11 @@ int run(const Meshing_options& options, Program<Point>& program)
     program.find_open_surface(domain);
   program.use_numbers_of_file(result.recovery, domain);
   domain.region_names = progress.regions().names();
-  const Measurements measured = measure(tr, domain, size, result, timer.time(), options);
+  progress.set_part_of_step(0.39);
+  const Measurements measured = measure(tr, domain, size, result, timer.time(), options, progress);
   if(options.order == 2 && ! options.outputs.empty())
     add_edge_points(domain);
-  return finish(options, program, result, domain, measured, progress.regions());
+  return finish(options, program, result, domain, measured, progress);
 }
 
 int main(int argc, char* argv[])

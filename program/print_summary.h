@@ -12,21 +12,6 @@
 #include <string>
 #include <vector>
 
-#ifdef _WIN32
-#include <io.h>
-#else
-#include <unistd.h>
-#endif
-
-inline bool stdout_is_terminal()
-{
-#ifdef _WIN32
-  return _isatty(1) != 0;
-#else
-  return isatty(1) != 0;
-#endif
-}
-
 // prints a line when a phase ends
 class Progress_printer
   : public CGAL::Default_meshing_visitor_3

@@ -4,6 +4,7 @@
 #include "command_line.h"
 #include "domain.h"
 #include "explain_refusal.h"
+#include "interruption.h"
 #include "lower_case.h"
 #include "open_surface.h"
 #include "print_result.h"
@@ -11,13 +12,16 @@
 #include "report_remeshing.h"
 #include "report_repair.h"
 #include "surface_tools.h"
+#include "whole_file.h"
 #include "write_domain.h"
 #include "write_report.h"
 
 #include <CGAL/version.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstddef>
+#include <cstring>
 #include <exception>
 #include <filesystem>
 #include <fstream>
@@ -28,17 +32,6 @@
 #include <vector>
 
 enum Exit_status { success = 0, usage_or_file_error = 1, invalid_input = 2, incomplete_or_stopped = 3 };
-
-// whether a file can be opened for writing; leaves no trace of the trial
-inline bool is_writable(const std::string& file)
-{
-  std::error_code ignored;
-  const bool existed = std::filesystem::exists(file, ignored);
-  const bool opened = std::ofstream(file, std::ios::app).is_open();
-  if(opened && ! existed)
-    std::filesystem::remove(file, ignored);
-  return opened;
-}
 
 // What all the programs do with surfaces and files, in the order in which they do it. A function that returns `false`
 // has set the message that `fail()` prints.
@@ -97,8 +90,8 @@ public:
   bool can_write()
   {
     for(const std::string& file : files_to_write())
-      if(! is_writable(file))
-        return refuse("cannot write " + file);
+      if(! can_be_written(file))
+        return refuse_file(file);
     return true;
   }
 
@@ -225,12 +218,23 @@ public:
     return invalid_input;
   }
 
+  // `tell_progress` is told before each file which part of all is written
+  template <typename TellProgress>
+  bool write_outputs(const Domain<Point>& domain, const TellProgress& tell_progress)
+  {
+    const std::size_t n = m_options.outputs.size();
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      tell_progress(double(i) / double(n));
+      if(! write_output(m_options.outputs[i], domain))
+        return refuse_file(m_options.outputs[i]);
+    }
+    return true;
+  }
+
   bool write_outputs(const Domain<Point>& domain)
   {
-    for(const std::string& file : m_options.outputs)
-      if(! write_domain(file, lower_case_extension(file), domain))
-        return refuse("cannot write " + file);
-    return true;
+    return write_outputs(domain, [](double) { });
   }
 
   // `write` writes the entries of the report, if one is asked for
@@ -239,7 +243,9 @@ public:
   {
     if(m_options.report.empty())
       return true;
-    std::ofstream os(m_options.report);
+    errno = 0;
+    Whole_file whole(m_options.report);
+    std::ofstream os(whole.name());
     Json_writer json(os);
     json.begin('{');
     write_input(json);
@@ -247,10 +253,17 @@ public:
     json.end('}');
     os << '\n';
     os.close();
-    return ! os.fail() || refuse("cannot write " + m_options.report);
+    return (! os.fail() && whole.finish()) || refuse_file(m_options.report);
   }
 
 private:
+  bool write_output(const std::string& file, const Domain<Point>& domain)
+  {
+    errno = 0;
+    Whole_file whole(file);
+    return write_domain(whole.name(), lower_case_extension(file), domain) && whole.finish();
+  }
+
   void repair_surface()
   {
     m_changes = repair(m_surface, m_options.tolerance, m_options.fuse);
@@ -291,6 +304,12 @@ private:
     return false;
   }
 
+  // `errno` may know why
+  bool refuse_file(const std::string& file)
+  {
+    return refuse("cannot write " + file + (errno != 0 ? std::string(": ") + std::strerror(errno) : std::string()));
+  }
+
   std::vector<std::string> files_to_write() const
   {
     std::vector<std::string> files = m_options.outputs;
@@ -311,6 +330,7 @@ int run_program(const std::string& name, const int argc, const char* const argv[
   if(! command_line.message().empty())
     return program.fail(command_line.message());
   int status = success;
+  Interruption::prepare();
   try
   {
     std::cout << command_line.text();

@@ -7,6 +7,7 @@
 #include "domain_quality.h"
 #include "print_summary.h"
 #include "program.h"
+#include "terminal.h"
 #include "recover_boundary_options.h"
 #include "recovered_domain.h"
 

@@ -1,4 +1,4 @@
-// Writes the meshes before and after a remeshing, so that doc/Boundary_recovery_3/fig/draw_cut_mesh.py can draw them.
+// Writes the meshes before and after a remeshing, so that program/draw_mesh.py can draw them.
 
 #ifndef BR3_BENCHMARK_MESH_FILES_H
 #define BR3_BENCHMARK_MESH_FILES_H

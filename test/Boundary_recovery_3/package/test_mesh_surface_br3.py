@@ -615,7 +615,7 @@ def test_progress_on_a_terminal():
             pass
         os.close(main)
         assert process.wait() == MESHED
-        percents = [int(x) for x in re.findall(rb'\rfield_point_insertion \[[#.]{40}\] (\d+) %', shown)]
+        percents = [int(x) for x in re.findall(rb'\rfilling +\[[#.]{40}\] (\d+) %', shown)]
         assert (len(percents) > 2 and percents == sorted(percents) and percents[-1] <= 100) == is_on, shown[:2000]
         assert is_on == (b'\r' in shown.replace(b'\r\n', b''))
 

@@ -108,6 +108,9 @@ public:
     return begin_round();
   }
 
+  // How many are in the list, with those that are gone or good.
+  std::size_t size() const { return m_cells.size(); }
+
   // All of them as they are, some maybe gone or good. There is none left here.
   std::vector<Bad_cell> take() { return std::exchange(m_cells, std::vector<Bad_cell>()); }
 

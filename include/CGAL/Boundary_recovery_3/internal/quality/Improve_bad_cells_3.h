@@ -18,6 +18,7 @@
 #include <CGAL/Boundary_recovery_3/internal/quality/Bad_cells_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Contract_bad_edge_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Flip_bad_cell_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Improvement_progress.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Improved_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Insert_vertex_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Move_vertex_3.h>
@@ -174,8 +175,22 @@ public:
     return true;
   }
 
-  // No more visits are to come.
-  void finish() { tell_progress(m_number_of_visits); }
+  Improvement_progress& progress() { return m_progress; }
+
+  // Which share of the improvement is done.
+  void tell_progress()
+  {
+    m_context.visitor().on_progress(Phase::quality_improvement,
+                                    static_cast<std::size_t>(parts_of_progress * m_progress.share()),
+                                    parts_of_progress);
+  }
+
+  // From now on, rounds are those of the work on the worst cells.
+  void begin_worst_cells(const std::size_t number_of_worst_cells)
+  {
+    m_is_first_pass = false;
+    m_progress.begin_worst_cells(number_of_worst_cells, m_bad_cells.size(), m_mesh.quality().number());
+  }
 
 private:
   // What can be done for a bad cell:
@@ -229,8 +244,8 @@ private:
   // See "Tuning constants" in the manual.
   static constexpr std::size_t cells_per_block = 4096;
   static constexpr double least_progress = 0.1;
-  static constexpr std::size_t visits_per_report = 2048;
-  static constexpr std::size_t expected_number_of_visits = 3; // of each cell that is bad at first
+  static constexpr std::size_t visits_per_report = 256;
+  static constexpr std::size_t parts_of_progress = 1000;
 
   static constexpr std::size_t no_limit = (std::numeric_limits<std::size_t>::max)();
 
@@ -251,9 +266,10 @@ private:
         break;
       }
       last_badness = m_bad_cells.badness();
-      if(m_number_of_visits == 0)
-        m_expected_visits = expected_number_of_visits * cells.size();
       ++m_counts.number_of_rounds;
+      m_visits_before = m_number_of_visits;
+      m_number_of_failures = 0;
+      m_progress.begin_round(m_round, cells.size(), m_mesh.quality().number());
       visit(cells, last_visit);
     }
   }
@@ -275,13 +291,16 @@ private:
   void visit(const Bad_cell& c)
   {
     if(++m_number_of_visits % visits_per_report == 0)
-      tell_progress((std::max)(m_expected_visits, m_number_of_visits));
+      report();
     const bool is_as_before = (m_round > 1 || m_visits_only_changed) && ! m_mesh.has_changed(c.cell, c.time);
     const bool was_left_out = m_visits_only_changed && c.time < m_begin;
     if(is_as_before && (m_round > first_expensive_round || was_left_out))
       m_bad_cells.put_back(c);
     else if(! improve(c.cell, is_as_before ? m_round : 1))
+    {
       m_bad_cells.push(c.cell, m_mesh.time());
+      ++m_number_of_failures;
+    }
   }
 
   // Tries the operations whose first round is at least `first_round` and has come, until one of them changes the mesh.
@@ -339,14 +358,13 @@ private:
     return number;
   }
 
-  // More visits may come to be expected; what was told does not fall for that.
-  void tell_progress(const std::size_t expected_visits)
+  void report()
   {
-    const double share = static_cast<double>(m_number_of_visits) / static_cast<double>(expected_visits);
-    if(! (share >= m_told_share)) // nor is there anything to be told if nothing is bad
-      return;
-    m_told_share = share;
-    m_context.visitor().on_progress(Phase::quality_improvement, m_number_of_visits, expected_visits);
+    if(m_is_first_pass)
+      m_progress.visit(m_number_of_visits - m_visits_before, m_number_of_failures, m_mesh.quality().number());
+    else
+      m_progress.work_on_worst_cells(m_mesh.quality().number());
+    tell_progress();
   }
 
   Recovery_context<Tr>& m_context;
@@ -362,8 +380,10 @@ private:
   bool m_visits_only_changed = false;
   bool m_works_on_nearly_flat_cells = false;
   std::size_t m_number_of_visits = 0;
-  std::size_t m_expected_visits = 0;
-  double m_told_share = 0;
+  std::size_t m_visits_before = 0; // this round
+  std::size_t m_number_of_failures = 0; // of this round
+  bool m_is_first_pass = true;
+  Improvement_progress m_progress;
 };
 
 } // namespace CGAL::Boundary_recovery_3::internal

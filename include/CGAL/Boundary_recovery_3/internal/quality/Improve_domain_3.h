@@ -247,6 +247,7 @@ private:
   // See "Tuning constants" in the manual.
   static constexpr double really_bad_angle = 12;
   static constexpr double nearly_flat_angle = 0.1;
+  static constexpr std::size_t vertices_per_report = 1024;
 
   // Of the domain, unless the context says stop.
   template <typename Function>
@@ -265,6 +266,8 @@ private:
   {
     m_mesh.spread_lengths([this] { return m_context.go_further_after_short_step(); });
     m_improve.open_accounts(m_effort, m_number_of_cells);
+    m_improve.progress().begin(m_number_of_cells, m_bad_cells.size(), m_mesh.triangulation().number_of_vertices(),
+                               m_effort);
     m_improve();
     if(m_target > really_bad_angle && ! m_mesh.is_strict() && m_context.go_further())
       improve_worst_cells();
@@ -276,6 +279,7 @@ private:
   void improve_worst_cells()
   {
     const std::size_t end_of_first_pass = m_mesh.time();
+    m_improve.begin_worst_cells(number_of_bad_cells_below(really_bad_angle));
     m_improve.set_works_on_nearly_flat_cells(true);
     improve_cells_below(nearly_flat_angle, Improvement_effort::high, end_of_first_pass);
     m_improve.set_works_on_nearly_flat_cells(false);
@@ -302,10 +306,13 @@ private:
     for_each_cell([&](const Cell_handle c) { m_bad_cells.push(c, time); });
   }
 
-  bool is_any_below(const double angle)
+  bool is_any_below(const double angle) { return number_of_bad_cells_below(angle) > 0; }
+
+  std::size_t number_of_bad_cells_below(const double angle)
   {
     const std::vector<Bad_cell>& cells = m_bad_cells.worst_first();
-    return ! cells.empty() && cells.front().quality < m_quality.of_angle(angle);
+    const auto is_below = [quality = m_quality.of_angle(angle)](const Bad_cell& c) { return c.quality < quality; };
+    return static_cast<std::size_t>(std::partition_point(cells.begin(), cells.end(), is_below) - cells.begin());
   }
 
   void set_enough(const double degrees) { m_mesh.set_enough(m_quality.of_angle(degrees)); }
@@ -328,11 +335,14 @@ private:
     const auto all = m_mesh.triangulation().finite_vertex_handles();
     std::vector<Vertex_handle> vertices(all.begin(), all.end());
     internal::sort_in_space(vertices, &Mesh::coordinates, [this] { return m_context.go_further_after_short_step(); });
-    for(const Vertex_handle v : vertices)
+    for(std::size_t i = 0; i < vertices.size() && m_context.go_further_after_long_step(); ++i)
     {
-      if(! m_context.go_further_after_long_step())
-        break;
-      m_improve.counts().number_of_moved_vertices += m_center(v);
+      m_improve.counts().number_of_moved_vertices += m_center(vertices[i]);
+      if(i % vertices_per_report == 0)
+      {
+        m_improve.progress().center(i, vertices.size(), m_mesh.quality().number());
+        m_improve.tell_progress();
+      }
     }
   }
 
@@ -354,7 +364,6 @@ void Improve_domain_3<Tr, Quality>::operator()()
 {
   if(m_target > 0) // else nothing is bad
     improve();
-  m_improve.finish();
 }
 
 #ifdef CGAL_BOUNDARY_RECOVERY_3_COMPILED

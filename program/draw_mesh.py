@@ -2,43 +2,53 @@
 """Draws a tetrahedral mesh that is cut open, as SVG: boundary triangles in blue, what the cut lays bare in orange, and
 Steiner points, the vertices that no boundary triangle has, as red dots if they are few.
 
-usage: draw_cut_mesh.py IN.mesh OUT.svg [WIDTH] [--cut X,Y,Z,D] [--view AZIMUTH,ELEVATION] [--around X,Y,Z,RADIUS]
-                        [--window X,Y,Z,WIDTH,HEIGHT] [--angles | --references] [--strip IN.mesh...]
+usage: draw_mesh.py MESH OUT.svg [WIDTH] [--chart] [--cut X,Y,Z,D] [--view AZIMUTH,ELEVATION] [--around X,Y,Z,RADIUS]
+                    [--window X,Y,Z,WIDTH,HEIGHT] [--angles | --references] [--strip MESH...]
+
+MESH is a .vtu, .msh (Gmsh 4.1, text or binary) or .mesh file as mesh_surface writes it:
+  mesh_surface part.stl -o part.vtu && draw_mesh.py part.vtu part.svg --chart
+shows it cut open, in the colours of --angles, and below it how many tetrahedra have which smallest dihedral angle.
 
 meshed_wing.svg is the default surface of mesh_surface, cut along the middle of the wing:
   mesh_surface -o wing.mesh
-  draw_cut_mesh.py wing.mesh meshed_wing.svg --cut 0,-1,0,0 --view -58,19
+  draw_mesh.py wing.mesh meshed_wing.svg --cut 0,-1,0,0 --view -58,19
 before_improvement.svg and after_improvement.svg are a part of it, without and with step 7, in colours:
   mesh_surface --no-improvement -o before.mesh && mesh_surface -o after.mesh
-  draw_cut_mesh.py before.mesh before_improvement.svg 620 --cut 0,-1,0,0 --view -90,0 --around 0.6,0,0,1.2 --angles
+  draw_mesh.py before.mesh before_improvement.svg 620 --cut 0,-1,0,0 --view -90,0 --around 0.6,0,0,1.2 --angles
 before_remeshing.svg, after_remeshing.svg and film_strip.svg are from benchmark_moving_body, the latter with fewer cells:
   benchmark_moving_body 100000 8 fine_ && benchmark_moving_body 30000 15 coarse_
-  draw_cut_mesh.py fine_08_before.mesh before_remeshing.svg 620 SAME --window 1.7,0,-2.9,8,6.8
-  draw_cut_mesh.py fine_08_after.mesh after_remeshing.svg 620 SAME --window 1.7,0,-2.9,8,6.8
-  draw_cut_mesh.py coarse_00_after.mesh film_strip.svg SAME --window 1.4,0,-3.6,6.5,11
+  draw_mesh.py fine_08_before.mesh before_remeshing.svg 620 SAME --window 1.7,0,-2.9,8,6.8
+  draw_mesh.py fine_08_after.mesh after_remeshing.svg 620 SAME --window 1.7,0,-2.9,8,6.8
+  draw_mesh.py coarse_00_after.mesh film_strip.svg SAME --window 1.4,0,-3.6,6.5,11
     --strip coarse_04_after.mesh coarse_09_after.mesh coarse_15_after.mesh
 where SAME is --cut 0,-1,0,0 --view -90,0 --references.
 recovered_gear.svg is the default surface of recover_boundary:
-  recover_boundary -o gear.mesh && draw_cut_mesh.py gear.mesh recovered_gear.svg
+  recover_boundary -o gear.mesh && draw_mesh.py gear.mesh recovered_gear.svg
 recovered_schoenhardt.svg is the smallest surface of data/meshes that takes a point:
-  recover_boundary schoenhardt_br3.off -o prism.mesh && draw_cut_mesh.py prism.mesh recovered_schoenhardt.svg 440
+  recover_boundary schoenhardt_br3.off -o prism.mesh && draw_mesh.py prism.mesh recovered_schoenhardt.svg 440
 
 Without --cut, tetrahedra whose centroid lies to the right and to the front of the middle (larger x, smaller y) are left
 out; with it, those whose centroid p has (X,Y,Z) * p > D. Surfaces inside the outer one are drawn as a whole all the same.
 --view tells from where the mesh is seen, in degrees; --around draws only what is in a ball, --window only what is seen in
 a rectangle around a place. With --angles, the colours of what the cut lays bare tell the smallest dihedral angle of the
 tetrahedron: from red, 0 degrees, over yellow to green, 40 and more. With --references, tetrahedra with the reference 2 are
-green, those with 3 red. --strip draws further meshes to the right of the first one. What is hidden is left out of the file. Only Python's standard library is used.
+green, those with 3 red. --strip draws further meshes to the right of the first one. What is hidden is left out of the
+file. Only Python's standard library is used.
 """
 import argparse
 import heapq
 import math
+import re
+import struct
 import sys
 
 MARGIN, GAP, DOTS = 8, 4, 50
 BOUNDARY, INSIDE, LIGHT = (96, 141, 186), (240, 163, 74), (-0.35, -0.5, 0.79)
 REFERENCES = {2: (128, 190, 118), 3: (206, 52, 44)}
 SCALE = 2  # of the numbers in the file: integers are short
+BINS, DEGREES_PER_BIN, CHART = 15, 5, 150  # of the chart, and its height
+SIZES = {"vtu": {10: 4, 24: 4, 5: 3, 22: 3}, "msh": {4: 4, 11: 4, 2: 3, 9: 3}}  # corners of each type of cells
+NODES = {4: 4, 11: 10, 2: 3, 9: 6}  # of Gmsh's types
 
 
 def read_medit(path):
@@ -59,6 +69,92 @@ def read_medit(path):
                 if size == 4:
                     references[target[-1]] = reference
     return points, tetrahedra, references, triangles
+
+
+def read_vtu(path):
+    """The same of a file whose arrays are raw bytes behind the XML; the array `region` has the references."""
+    with open(path, "rb") as file:
+        text, _, data = file.read().partition(b'<AppendedData encoding="raw">')
+    text, data = text.decode(), data[data.index(b"_") + 1:]
+    order = "<" if 'byte_order="LittleEndian"' in text else ">"
+
+    def array(name):
+        element = re.search(r'<DataArray[^>]*Name="%s"[^>]*>' % name, text).group()
+        code = {"Float64": "d", "Int64": "q", "Int32": "i", "UInt8": "B"}[re.search(r'type="(\w+)"', element).group(1)]
+        begin = int(re.search(r'offset="(\d+)"', element).group(1))
+        size, = struct.unpack_from(order + "Q", data, begin)
+        return struct.unpack_from("%s%d%s" % (order, size // struct.calcsize(code), code), data, begin + 8)
+    names = re.findall(r'<Points>\s*<DataArray[^>]*Name="(\w+)"', text)
+    x, corners, ends, types, regions = map(array, (names[0], "connectivity", "offsets", "types", "region"))
+    points = [x[i:i + 3] for i in range(0, len(x), 3)]
+    tetrahedra, references, triangles = [], {}, []
+    for end, begin, kind, region in zip(ends, (0,) + ends, types, regions):
+        cell = corners[begin:begin + SIZES["vtu"].get(kind, 0)]
+        if len(cell) == 4:
+            tetrahedra.append(cell)
+            references[cell] = region
+        elif len(cell) == 3:
+            triangles.append(cell)
+    return points, tetrahedra, references, triangles
+
+
+class Words:
+    """The numbers of a section of a .msh file, as text or binary."""
+    def __init__(self, data, is_binary):
+        self.data, self.is_binary, self.position = data if is_binary else data.split(), is_binary, 0
+
+    def take(self, code, n=1):
+        if self.is_binary:
+            values = struct.unpack_from("=%d%s" % (n, code), self.data, self.position)
+            self.position += struct.calcsize("=%d%s" % (n, code))
+        else:
+            values = tuple((float if code == "d" else int)(w) for w in self.data[self.position:self.position + n])
+            self.position += n
+        return values
+
+
+def read_msh(path):
+    """The same of Gmsh's format 4.1; volumes are the references."""
+    with open(path, "rb") as file:
+        data = file.read()
+    version, kind, _ = data.split(b"\n", 2)[1].split()
+    if version != b"4.1":
+        raise ValueError("only version 4.1 of the format is read")
+
+    def section(name):
+        begin = data.index(b"$%s\n" % name) + len(name) + 2
+        return Words(data[begin:data.index(b"\n$End%s" % name, begin)], kind == b"1")
+    words, position, points = section(b"Nodes"), {}, []
+    for _ in range(words.take("Q", 4)[0]):
+        words.take("i", 3)
+        n, = words.take("Q")
+        for tag in words.take("Q", n):
+            position[tag] = len(position)
+        x = words.take("d", 3 * n)
+        points += [x[i:i + 3] for i in range(0, len(x), 3)]
+    words, tetrahedra, references, triangles = section(b"Elements"), [], {}, []
+    for _ in range(words.take("Q", 4)[0]):
+        _, entity, kind_of_cells = words.take("i", 3)
+        n, = words.take("Q")
+        width = 1 + NODES[kind_of_cells]
+        numbers = words.take("Q", n * width)
+        for i in range(0, n * width, width):
+            cell = tuple(position[tag] for tag in numbers[i + 1:i + 1 + SIZES["msh"][kind_of_cells]])
+            if len(cell) == 4:
+                tetrahedra.append(cell)
+                references[cell] = entity
+            else:
+                triangles.append(cell)
+    return points, tetrahedra, references, triangles
+
+
+def read_mesh(path):
+    """Points, tetrahedra, their references, and boundary triangles of a file in any of the formats."""
+    extension = path.rpartition(".")[2].lower()
+    readers = {"mesh": read_medit, "vtu": read_vtu, "msh": read_msh}
+    if extension not in readers:
+        raise ValueError("it is none of .vtu, .msh, .mesh")
+    return readers[extension](path)
 
 
 def minus(p, q):
@@ -282,7 +378,7 @@ def seen_part(seen, faces, options):
 
 def draw(path_of_mesh, left, width, options):
     """The height of the picture, and its lines."""
-    points, tetrahedra, references, boundary = read_medit(path_of_mesh)
+    points, tetrahedra, references, boundary = read_mesh(path_of_mesh)
     seen = project(points, *options.view)
     given = {v for t in boundary for v in t}
     is_boundary = {frozenset(t) for t in boundary}
@@ -316,7 +412,34 @@ def draw(path_of_mesh, left, width, options):
     dots = sorted({v for f, _ in faces for v in f} - given)
     for v in dots if len(dots) <= DOTS else []:
         lines.append('<circle fill="#d0312d" cx="%d" cy="%d" r="%d"/>' % (*corner(v), SCALE * 5))
-    return height, lines + ["</svg>"]
+    lines.append("</svg>")
+    if options.chart:
+        lines += draw_chart([smallest_angle(points, t) for t in tetrahedra], left, height, width)
+        height += CHART
+    return height, lines
+
+
+def draw_chart(angles, left, top, width):
+    """Bars for the numbers of tetrahedra with smallest dihedral angles of 0 to 5 degrees, and so on."""
+    counts = [0] * BINS
+    for angle in angles:
+        counts[min(BINS - 1, int(angle / DEGREES_PER_BIN))] += 1
+    lines = ['<svg x="%d" y="%d" width="%d" height="%d" viewBox="0 0 %d %d" font-family="sans-serif" font-size="11">'
+             % (SCALE * left, SCALE * top, SCALE * width, SCALE * CHART, width, CHART)]
+
+    def text(x, y, words, anchor="middle"):
+        lines.append('<text x="%d" y="%d" text-anchor="%s">%s</text>' % (x, y, anchor, words))
+    step, bottom, highest = (width - 4 * MARGIN) / BINS, CHART - 34, CHART - 66
+    for k, n in enumerate(counts):
+        x, h = 2 * MARGIN + k * step, highest * n / max(1, max(counts))
+        lines.append('<rect x="%.1f" y="%.1f" width="%.1f" height="%.2f" fill="%s"><title>%d</title></rect>' % (
+            x + 1, bottom - h, step - 2, h, colour(colour_of_angle(DEGREES_PER_BIN * (k + 0.5)), LIGHT), n))
+        text(x, bottom + 14, "%d" % (DEGREES_PER_BIN * k))
+        if n:
+            text(x + step / 2, bottom - h - 4, "%d" % n)
+    text(width / 2, CHART - 6, "smallest dihedral angle in degrees, of %d tetrahedra: from %.3g" % (
+        len(angles), min(angles, default=0)))
+    return lines + ["</svg>"]
 
 
 def draw_strip(options):
@@ -344,13 +467,20 @@ def main():
     parser.add_argument("--view", type=numbers, default=(-62, 38))
     parser.add_argument("--around", type=numbers)
     parser.add_argument("--window", type=numbers)
+    parser.add_argument("--chart", action="store_true")
     parser.add_argument("--angles", action="store_const", dest="colours", const="angles")
     parser.add_argument("--references", action="store_const", dest="colours", const="references")
     parser.add_argument("--strip", nargs="+", default=[])
     options = parser.parse_args(arguments)
-    picture = draw_strip(options)
-    with open(options.picture, "w") as file:
-        file.write(picture)
+    if options.chart and not options.colours:
+        options.colours = "angles"
+    try:
+        picture = draw_strip(options)
+        with open(options.picture, "w", encoding="utf-8") as file:
+            file.write(picture)
+    except (OSError, ValueError, KeyError, IndexError, AttributeError, struct.error) as error:
+        print("draw_mesh.py: %s: %s" % (options.mesh, error), file=sys.stderr)
+        return 1
     return 0
 
 
