@@ -110,7 +110,7 @@ def check_bars(bars, length):
 
 
 def test_good_surface():
-    terminal = Terminal(cube(), '--size', '0.04', '-o', 'cube.vtu')
+    terminal = Terminal(cube(), '--size', '0.06', '-o', 'cube.vtu')
     assert terminal.finish() == MESHED
     lines = terminal.shown()
     assert terminal.text.count('\n') <= 10, lines
@@ -124,15 +124,15 @@ def test_good_surface():
 
 
 def test_pipe_has_no_bar():
-    process = run(cube(), '--size', '0.04', status=MESHED)
+    process = run(cube(), '--size', '0.06', status=MESHED)
     assert '\r' not in process.out and '#' not in process.out and process.err == '', process
-    terminal = Terminal('cube.off', '--size', '0.04', '--quiet')
+    terminal = Terminal('cube.off', '--size', '0.06', '--quiet')
     assert terminal.finish() == MESHED and terminal.text == ''
 
 
 def test_narrow_terminal():
     for columns, length in ((40, 40 - 23), (20, 0)):
-        terminal = Terminal(cube(), '--size', '0.04', columns=columns)
+        terminal = Terminal(cube(), '--size', '0.06', columns=columns)
         assert terminal.finish() == MESHED
         check_bars(terminal.bars, length)
         assert not any('#' in line or re.search(r'\w+ +\d+ %$', line) for line in terminal.shown()), terminal.lines
@@ -166,10 +166,10 @@ def test_interruption():
 
 
 def test_interruption_while_files_are_written():
-    """A mesh of 300,000 cells takes some tenths of a second for each of many outputs."""
+    """A mesh of 100,000 cells takes a tenth of a second for each of many outputs."""
     write('cube.msh', 'old')
     outputs = ['out%d.vtk' % k for k in range(12)]
-    terminal = Terminal(cube(), '--size', '0.028', *[word for o in outputs for word in ('-o', o)], '-o', 'cube.msh')
+    terminal = Terminal(cube(), '--size', '0.04', *[word for o in outputs for word in ('-o', o)], '-o', 'cube.msh')
     terminal.wait_for('writing')
     while not glob.glob('*.part1.*') and terminal.process.poll() is None:
         pass
@@ -183,7 +183,7 @@ def test_interruption_while_files_are_written():
 
 def test_ignored_interruption():
     """as of a job in the background"""
-    process = subprocess.Popen([program_tests.PROGRAM, cube(), '--size', '0.04', '-o', 'cube.vtu'], stdout=subprocess.PIPE,
+    process = subprocess.Popen([program_tests.PROGRAM, cube(), '--size', '0.06', '-o', 'cube.vtu'], stdout=subprocess.PIPE,
                                preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_IGN))
     process.stdout.readline()
     process.send_signal(signal.SIGINT)

@@ -26,8 +26,7 @@ from program_tests import box, check_tetrahedra, grid_box, join, off_text, read_
 
 PROGRAM, MPIEXEC, MESH_SURFACE = sys.argv[1:]
 SUBDOMAINS = 6
-ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT='1', OMPI_ALLOW_RUN_AS_ROOT_CONFIRM='1',
-                   OMPI_MCA_odls_base_sigkill_timeout='0')  # no second of waiting for ranks that failed
+ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT='1', OMPI_ALLOW_RUN_AS_ROOT_CONFIRM='1')
 MESHED, FILE_ERROR, INVALID_INPUT, FAILED = 0, 1, 2, 3
 
 
@@ -61,7 +60,9 @@ def command(ranks, *arguments, before=()):
 
 
 def run(ranks, *arguments, status=MESHED):
-    process = subprocess.run(command(ranks, *arguments), capture_output=True, text=True, timeout=300, env=ENVIRONMENT,
+    """waits for no second until what is left of a run that failed is killed"""
+    environment = dict(ENVIRONMENT, OMPI_MCA_odls_base_sigkill_timeout='0')
+    process = subprocess.run(command(ranks, *arguments), capture_output=True, text=True, timeout=300, env=environment,
                              stdin=subprocess.DEVNULL)
     assert process.returncode == status, process
     return process.stdout, process.stderr
