@@ -283,20 +283,30 @@ def box(triangle):
     return [f(p[i] for p in triangle) for i in (0, 1) for f in (min, max)]
 
 
+def span(triangle, y):
+    """From where to where a triangle goes in the height y."""
+    left, right = -math.inf, math.inf
+    for a, b in zip(triangle, triangle[1:] + triangle[:1]):
+        if a[1] != b[1]:
+            x = a[0] + (b[0] - a[0]) * (y - a[1]) / (b[1] - a[1])
+            left, right = (left, min(right, x)) if a[1] < b[1] else (max(left, x), right)
+    return left, right
+
+
 def shown(triangles, low, pixel):
     """The numbers of the triangles that are seen in some pixel."""
     nearest = {}
     for k, t in enumerate(triangles):
-        x_low, x_high, y_low, y_high = box(t)
-        columns = range(math.ceil((x_low - low[0]) / pixel), math.floor((x_high - low[0]) / pixel) + 1)
+        y_low, y_high = box(t)[2:]
+        slope = depth(t, 1, 0) - depth(t, 0, 0)
         for row in range(math.ceil((y_low - low[1]) / pixel), math.floor((y_high - low[1]) / pixel) + 1):
             y = low[1] + row * pixel
-            for column in columns:
-                x = low[0] + column * pixel
-                if all((b[0] - a[0]) * (y - a[1]) >= (b[1] - a[1]) * (x - a[0]) for a, b in zip(t, t[1:] + t[:1])):
-                    z = depth(t, x, y)
-                    if z > nearest.get((row, column), (-math.inf, 0))[0]:
-                        nearest[row, column] = (z, k)
+            left, right = span(t, y)
+            z = depth(t, low[0], y)
+            for column in range(math.ceil((left - low[0]) / pixel), math.floor((right - low[0]) / pixel) + 1):
+                z_here = z + slope * column * pixel
+                if (row, column) not in nearest or z_here > nearest[row, column][0]:
+                    nearest[row, column] = (z_here, k)
     return sorted({k for _, k in nearest.values()})
 
 
