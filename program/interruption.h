@@ -15,7 +15,8 @@
 // What is put in order when the program is interrupted: there is no half file, and no progress bar, then.
 struct Interruption
 {
-  static inline std::atomic<const char*> half_file = nullptr; // its name
+  // files and empty folders that are removed in this order: an output, and those of Gmsh
+  static inline std::array<std::atomic<const char*>, 4> leftovers = { };
   static inline std::atomic<std::size_t> length_of_line = 0;  // of what stands in the last line of the terminal
 
   // What ends the program by default still does so, with the exit status that shells expect. What is ignored stays so.
@@ -31,7 +32,7 @@ private:
   static constexpr std::array<int, 2> signals = {{ SIGINT, SIGTERM }};
 
   static void clear_line() { }
-  static void remove(const char* const file) { std::remove(file); }
+  static void remove(const char* const name) { std::remove(name); }
 #else
   static constexpr std::array<int, 3> signals = {{ SIGINT, SIGTERM, SIGHUP }};
   static constexpr std::size_t length_of_echo = 2; // that the terminal shows of Ctrl-C
@@ -46,13 +47,18 @@ private:
     [[maybe_unused]] const auto written = write(STDOUT_FILENO, text, n + 2);
   }
 
-  static void remove(const char* const file) { unlink(file); }
+  static void remove(const char* const name)
+  {
+    if(unlink(name) != 0)
+      rmdir(name);
+  }
 #endif
 
   static void end(const int signal)
   {
-    if(const char* const file = half_file)
-      remove(file);
+    for(const auto& leftover : leftovers)
+      if(const char* const name = leftover)
+        remove(name);
     if(length_of_line > 0)
       clear_line();
     std::signal(signal, SIG_DFL);

@@ -50,10 +50,12 @@ public:
       m_thread.join();
   }
 
-  // `f` tells the estimate something new
+  // `f` tells the estimate something new, if anybody looks at it
   template <typename Function>
   void tell(const Function& f)
   {
+    if(! m_thread.joinable())
+      return;
     const std::lock_guard<std::mutex> lock(m_mutex);
     f(m_estimate);
     m_is_hidden = false;

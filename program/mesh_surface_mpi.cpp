@@ -12,16 +12,20 @@
 #include "domain.h"
 #include "domain_quality.h"
 #include "domain_sides.h"
+#include "interruption.h"
+#include "lower_case.h"
 #include "mesh_size.h"
 #include "mesh_surface_mpi_options.h"
 #include "mpi_exchange.h"
 #include "named_regions.h"
+#include "output_buffer.h"
 #include "part_piece.h"
 #include "part_store.h"
 #include "print_mesh.h"
 #include "program.h"
 #include "second_order.h"
 #include "task_farm.h"
+#include "whole_file.h"
 #include "write_mesh_report.h"
 
 #include <CGAL/Boundary_constrained_mesh_triangulation_3.h>
@@ -369,9 +373,10 @@ private:
       qualities.push_back(measure_quality(piece));
       for(const std::string& file : files)
       {
-        Output_buffer os((std::filesystem::path(file).parent_path() / name_of_piece(file, p)).string());
+        Whole_file whole((std::filesystem::path(file).parent_path() / name_of_piece(file, p)).string());
+        Output_buffer os(whole.name());
         Vtu_writer<Point>(os, piece, &numbers)();
-        are_written = os.close() && are_written;
+        are_written = os.close() && whole.finish() && are_written;
       }
     }
     m_exchange.gather(qualities);
@@ -390,9 +395,10 @@ private:
     std::vector<std::string> names;
     for(std::size_t p = 0; p < number_of_pieces; ++p)
       names.push_back(name_of_piece(file, p));
-    Output_buffer os(file);
+    Whole_file whole(file);
+    Output_buffer os(whole.name());
     write_pvtu(os, names);
-    return os.close();
+    return os.close() && whole.finish();
   }
 
   void write_merged(const Meshing& meshing, const std::vector<std::string>& files, std::string& message) const
@@ -412,7 +418,7 @@ private:
     if(m_options.order == 2)
       add_edge_points(domain);
     for(const std::string& file : files)
-      if(! write_domain(file, lower_case_extension(file), domain, parts))
+      if(! write_whole_domain(file, domain, parts))
         message = "cannot write " + file;
   }
 
@@ -514,6 +520,7 @@ int main(int argc, char* argv[])
   if(! is_to_run)
     return success;
   options.quiet = options.quiet || world.rank() != 0;
+  Interruption::prepare();
   try
   {
     return Mpi_mesher(world, options, program)();

@@ -54,12 +54,13 @@ public:
     expect_by_triangles();
   }
 
+  // What is no triangle soup is refused by the library at once.
   template <typename Point>
   void set_surface(const Surface<Point>& surface)
   {
     m_triangles = 0;
-    for(const auto& face : surface.faces)
-      if(face.size() == 3)
+    if(is_triangle_soup(surface))
+      for(const auto& face : surface.faces)
         add(surface.points[face[0]], surface.points[face[1]], surface.points[face[2]]);
     expect_by_triangles();
   }

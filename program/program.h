@@ -5,7 +5,6 @@
 #include "domain.h"
 #include "explain_refusal.h"
 #include "interruption.h"
-#include "lower_case.h"
 #include "open_surface.h"
 #include "print_result.h"
 #include "report_holes.h"
@@ -226,7 +225,7 @@ public:
     for(std::size_t i = 0; i < n; ++i)
     {
       tell_progress(double(i) / double(n));
-      if(! write_output(m_options.outputs[i], domain))
+      if(! write_whole_domain(m_options.outputs[i], domain))
         return refuse_file(m_options.outputs[i]);
     }
     return true;
@@ -243,7 +242,6 @@ public:
   {
     if(m_options.report.empty())
       return true;
-    errno = 0;
     Whole_file whole(m_options.report);
     std::ofstream os(whole.name());
     Json_writer json(os);
@@ -257,13 +255,6 @@ public:
   }
 
 private:
-  bool write_output(const std::string& file, const Domain<Point>& domain)
-  {
-    errno = 0;
-    Whole_file whole(file);
-    return write_domain(whole.name(), lower_case_extension(file), domain) && whole.finish();
-  }
-
   void repair_surface()
   {
     m_changes = repair(m_surface, m_options.tolerance, m_options.fuse);

@@ -27,12 +27,12 @@ class Progress_estimate
   Step m_step = reading;
   double m_begin = 0;     // of the step, in seconds
   double m_part = 0;      // of the step
-  double m_rest = 0;      // of the step, in seconds, and when that was
+  double m_rest = 0;      // of the step, in seconds, as it was at `m_time_of_rest`
   double m_time_of_rest = 0;
   double m_last_share = 0;
 
 public:
-  // `seconds` on a machine as the one that the figures below are from
+  // `seconds` on a machine as fast as one usually is; how much slower this one is comes out in the first steps
   void expect(const Step step, const double seconds)
   {
     m_expected[step] = seconds;

@@ -4,8 +4,10 @@
 #include "interruption.h"
 
 #include <cerrno>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <ios>
 #include <string>
 #include <system_error>
 
@@ -42,38 +44,37 @@ inline bool can_be_written(const std::string& file)
   const auto space = std::filesystem::space(file, error);
   const bool is_full = ! error && space.capacity > 0 && space.available == 0;
   if(! existed)
-    std::filesystem::remove(file, error);
+    std::filesystem::remove(std::filesystem::canonical(file, error), error); // not a link to it
   if(is_full)
     errno = ENOSPC;
   return ! is_full;
 }
 
+// copies what is in a file; returns `false` if that fails
+inline bool copy_bytes(const std::string& from, const std::string& to)
+{
+  std::ifstream is(from, std::ios::binary);
+  std::ofstream os(to, std::ios::binary);
+  os << is.rdbuf();
+  os.close();
+  return is.good() && os.good();
+}
+
 // A file that is there as a whole, or as it was before: it is written under another name, with the same extension,
 // beside it, and gets its name at last. What is no ordinary file, as a device or a pipe, is written as it is, and so is
-// a file in a folder that takes no new ones.
+// a file that has several names, or is in a folder that takes no new ones. `errno` is 0 when it can be written.
 class Whole_file
 {
   std::filesystem::path m_file;
-  std::string m_name; // under which it is written
+  std::string m_name;           // under which it is written
+  bool m_has_other_name = false;
 
 public:
   explicit Whole_file(const std::string& file) : m_file(file), m_name(file)
   {
-    std::error_code error;
-    const auto status = std::filesystem::status(m_file, error);
-    if(std::filesystem::exists(status) && ! std::filesystem::is_regular_file(status))
-      return;
-    const std::filesystem::path target = std::filesystem::weakly_canonical(m_file, error); // of links
-    if(error)
-      return;
-    const std::string name = unused_name(target);
-    if(! std::ofstream(name).is_open())
-      return;
-    if(std::filesystem::exists(status))
-      std::filesystem::permissions(name, status.permissions(), error);
-    m_file = target;
-    m_name = name;
-    Interruption::half_file = m_name.c_str();
+    if(is_replaceable())
+      create_beside();
+    errno = 0;
   }
 
   Whole_file(const Whole_file&) = delete;
@@ -82,39 +83,67 @@ public:
   ~Whole_file()
   {
     std::error_code ignored;
-    if(is_other_name())
+    if(m_has_other_name)
       std::filesystem::remove(m_name, ignored);
-    Interruption::half_file = nullptr;
+    Interruption::leftovers[0] = nullptr;
   }
 
   // where it is to be written
   const std::string& name() const { return m_name; }
 
-  // It is all there. Returns `false` if it cannot get its name.
+  // It is all there. Returns `false` if it cannot get its name. Some files can be written, but not replaced: those that
+  // a container has from outside, or those of others in a folder for all.
   bool finish()
   {
+    if(! m_has_other_name)
+      return true;
     std::error_code error;
-    if(is_other_name())
-      std::filesystem::rename(m_name, m_file, error);
-    if(error)
-      return false;
-    Interruption::half_file = nullptr; // before the name goes
-    m_name = m_file.string();
-    return true;
+    std::filesystem::rename(m_name, m_file, error);
+    m_has_other_name = bool(error);
+    return ! m_has_other_name || copy_bytes(m_name, m_file.string());
   }
 
 private:
-  bool is_other_name() const { return m_name != m_file.string(); }
+  // Links to nothing would be replaced themselves.
+  bool is_replaceable() const
+  {
+    std::error_code error;
+    if(std::filesystem::exists(m_file, error))
+      return std::filesystem::is_regular_file(m_file, error) && std::filesystem::hard_link_count(m_file, error) == 1;
+    return ! std::filesystem::is_symlink(m_file, error);
+  }
 
-  static std::string unused_name(const std::filesystem::path& file)
+  // The name is a whole path, as the current folder may change.
+  void create_beside()
+  {
+    std::error_code error;
+    const std::filesystem::path target = weakly_canonical(std::filesystem::absolute(m_file, error), error); // of links
+    const std::string name = error ? std::string() : new_file_beside(target);
+    if(name.empty())
+      return;
+    const auto status = std::filesystem::status(target, error);
+    if(std::filesystem::exists(status))
+      std::filesystem::permissions(name, status.permissions(), error);
+    m_file = target;
+    m_name = name;
+    m_has_other_name = true;
+    Interruption::leftovers[0] = m_name.c_str();
+  }
+
+  // returns the name of a file that nobody else has; empty if there can be none
+  static std::string new_file_beside(const std::filesystem::path& file)
   {
     for(int k = 1; ; ++k)
     {
       std::filesystem::path name = file;
       name.replace_filename(file.stem().string() + ".part" + std::to_string(k) + file.extension().string());
-      std::error_code ignored;
-      if(! std::filesystem::exists(std::filesystem::symlink_status(name, ignored)))
+      if(std::FILE* const created = std::fopen(name.string().c_str(), "wx"))
+      {
+        std::fclose(created);
         return name.string();
+      }
+      if(errno != EEXIST)
+        return std::string();
     }
   }
 };

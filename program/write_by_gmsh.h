@@ -10,6 +10,9 @@
 #include <string>
 
 #ifdef BOUNDARY_RECOVERY_3_LIBGMSH // the file of the library; our CMakeLists.txt tells it where it is there
+#include "interruption.h"
+#include "whole_file.h"
+
 #include <gmshc.h>
 
 #ifndef BOOST_DLL_USE_STD_FS
@@ -17,9 +20,9 @@
 #endif
 #include <boost/dll/shared_library.hpp>
 
+#include <cerrno>
+#include <cstddef>
 #include <filesystem>
-#include <fstream>
-#include <ios>
 #include <random>
 #include <system_error>
 #endif
@@ -80,28 +83,22 @@ inline std::string reason_for_no_gmsh()
   return error ? "cannot load " BOUNDARY_RECOVERY_3_LIBGMSH : "";
 }
 
-// copies a file; returns `false` if that fails
-inline bool copy_bytes(const std::string& from, const std::string& to)
-{
-  std::ifstream is(from, std::ios::binary);
-  std::ofstream os(to, std::ios::binary);
-  os << is.rdbuf();
-  os.close();
-  return is.good() && os.good();
-}
-
-// A new folder for temporary files. It is the current one as long as this object lives, so that files that tell their
-// own name are always the same.
+// A new folder for two files. It is the current one as long as this object lives, so that files that tell their own
+// name are always the same.
 class Temporary_folder
 {
   const std::filesystem::path m_before = std::filesystem::current_path();
   const std::filesystem::path m_folder =
     std::filesystem::temp_directory_path() / ("mesh_surface_" + std::to_string(std::random_device()()));
+  const std::array<std::string, 3> m_names; // of the files and the folder
 
 public:
-  Temporary_folder()
+  Temporary_folder(const std::string& first, const std::string& second)
+    : m_names{{ (m_folder / first).string(), (m_folder / second).string(), m_folder.string() }}
   {
     std::filesystem::create_directory(m_folder);
+    for(std::size_t i = 0; i < m_names.size(); ++i)
+      Interruption::leftovers[i + 1] = m_names[i].c_str();
     std::filesystem::current_path(m_folder);
   }
 
@@ -113,6 +110,8 @@ public:
     std::error_code ignored;
     std::filesystem::current_path(m_before, ignored);
     std::filesystem::remove_all(m_folder, ignored);
+    for(std::size_t i = 0; i < m_names.size(); ++i)
+      Interruption::leftovers[i + 1] = nullptr;
   }
 };
 
@@ -123,10 +122,14 @@ bool write_by_gmsh(const std::string& file, const std::string& extension, const 
 {
   const std::string target = std::filesystem::absolute(file).string();
   const std::string ours = "mesh.msh", theirs = "mesh" + extension;
-  const Temporary_folder folder;
+  const Temporary_folder folder(ours, theirs);
   Output_buffer os(ours);
   Gmsh_writer<Point>(os, domain)();
-  return os.close() && Gmsh_library().convert(ours, theirs) && copy_bytes(theirs, target);
+  if(! os.close())
+    return false;
+  const bool is_converted = Gmsh_library().convert(ours, theirs);
+  errno = 0; // of what it looked for
+  return is_converted && copy_bytes(theirs, target);
 }
 
 #else

@@ -2,7 +2,9 @@
 #define BOUNDARY_RECOVERY_3_PROGRAM_WRITE_DOMAIN_H
 
 #include "domain.h"
+#include "lower_case.h"
 #include "output_buffer.h"
+#include "whole_file.h"
 #include "write_by_gmsh.h"
 #include "write_gmsh.h"
 #include "write_medit.h"
@@ -40,6 +42,14 @@ bool write_domain(const std::string& file, const std::string& extension, const D
   else
     write_vtk(os, domain);
   return os.close();
+}
+
+// the same, in the format that the extension of the file names, as a whole or not at all
+template <typename Point>
+bool write_whole_domain(const std::string& file, const Domain<Point>& domain, const std::vector<int>& parts = { })
+{
+  Whole_file whole(file);
+  return write_domain(whole.name(), lower_case_extension(file), domain, parts) && whole.finish();
 }
 
 #endif // BOUNDARY_RECOVERY_3_PROGRAM_WRITE_DOMAIN_H

@@ -181,6 +181,22 @@ def test_interruption_while_files_are_written():
     terminal.shown()
 
 
+def test_interruption_while_gmsh_writes():
+    """It works in a folder for temporary files."""
+    surface, environment = cube(), dict(os.environ, TMPDIR=os.path.abspath('temporary'))
+    os.mkdir('temporary')
+    process = subprocess.Popen([program_tests.PROGRAM, surface, '--size', '0.035', '-o', 'cube.inp', '--quiet'], env=environment,
+                               stderr=subprocess.DEVNULL)
+    while not glob.glob('temporary/*/mesh.msh') and process.poll() is None:
+        time.sleep(0.005)
+    process.terminate()
+    if process.wait() == FILE_ERROR:
+        print('skipped: the program was built without libgmsh, or it cannot be loaded')
+        return
+    assert process.returncode == -signal.SIGTERM
+    assert sorted(os.listdir('.')) == ['cube.off', 'temporary'] and os.listdir('temporary') == [], os.listdir('.')
+
+
 def test_ignored_interruption():
     """as of a job in the background"""
     process = subprocess.Popen([program_tests.PROGRAM, cube(), '--size', '0.06', '-o', 'cube.vtu'], stdout=subprocess.PIPE,
@@ -215,6 +231,25 @@ def test_links_and_permissions_stay():
     assert os.path.islink('cube.vtu') and os.stat('there/cube.vtu').st_mode & 0o777 == 0o640
     check_tetrahedra(read_vtu('there/cube.vtu'))
     assert os.listdir('there') == ['cube.vtu']
+
+
+def test_files_with_several_names_stay_that():
+    """and a link to nothing stays a link, also if nothing is written"""
+    write('cube.vtu', 'old')
+    os.link('cube.vtu', 'same.vtu')
+    os.symlink('new.vtu', 'link.vtu')
+    run(cube(), *LONG, '-o', 'link.vtu', '-o', 'nowhere/cube.vtu', status=FILE_ERROR)
+    assert os.path.islink('link.vtu') and not os.path.exists('new.vtu')
+    run('cube.off', '-o', 'cube.vtu', '-o', 'link.vtu', status=MESHED)
+    assert os.path.samefile('cube.vtu', 'same.vtu') and os.path.islink('link.vtu')
+    assert read('cube.vtu') == read('new.vtu')
+    check_tetrahedra(read_vtu('new.vtu'))
+
+
+def test_numbers_that_no_point_has():
+    terminal = Terminal(write('bad.off', 'OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 999999999\n'))
+    assert terminal.finish() == INVALID_INPUT
+    assert any('index_out_of_range' in line for line in terminal.shown()), terminal.lines
 
 
 def test_picture():

@@ -595,31 +595,6 @@ def test_printing():
     assert seconds['rec'] + seconds['fill'] + seconds['improve'] <= seconds['tmesh']
 
 
-def test_progress_on_a_terminal():
-    if not hasattr(os, 'openpty'):
-        return
-    surface = write('progress.off', off_text(*grid_box(20)))
-    for arguments, is_on in (([], True), (['--quiet'], False)):
-        main, terminal = os.openpty()
-        process = subprocess.Popen([program_tests.PROGRAM, surface, '--size', '0.02', '--no-improvement', *arguments],
-                                   stdout=terminal)
-        os.close(terminal)
-        shown = b''
-        try:
-            while True:
-                part = os.read(main, 65536)
-                if not part:
-                    break
-                shown += part
-        except OSError:  # Linux says so when the other end is closed
-            pass
-        os.close(main)
-        assert process.wait() == MESHED
-        percents = [int(x) for x in re.findall(rb'\rfilling +\[[#.]{40}\] (\d+) %', shown)]
-        assert (len(percents) > 2 and percents == sorted(percents) and percents[-1] <= 100) == is_on, shown[:2000]
-        assert is_on == (b'\r' in shown.replace(b'\r\n', b''))
-
-
 # ---------------------------------------------------------------- tests of what is not meshed
 
 def check_no_mesh(*arguments, reason, status):
