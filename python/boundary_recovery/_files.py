@@ -1,10 +1,11 @@
 """Files, and the meshes of other modules."""
 import os
-from typing import TYPE_CHECKING, Any, Callable, Dict, NamedTuple, Sequence, Union
+from typing import TYPE_CHECKING, Any, Dict, NamedTuple, Union
 
 import numpy as np
 
 from . import _core
+from ._arrays import as_indices, as_numbers, as_points
 
 if TYPE_CHECKING:
     from ._results import Mesh
@@ -77,7 +78,7 @@ def _read_by_meshio(name: str) -> Surface:
 
 
 def region_names(mesh: "Mesh") -> Dict[int, str]:
-    return {int(region): "region_%d" % region for region in np.unique(mesh.regions)}
+    return {int(r): "region_%d" % r if r > 0 else "outside" for r in np.unique(mesh.regions)}
 
 
 def names_of_patches(mesh: "Mesh") -> Dict[int, str]:
@@ -138,104 +139,35 @@ def to_vtk(mesh: "Mesh", surface: bool) -> Any:
     return grid
 
 
-def write(mesh: "Mesh", name: str) -> None:
+def write(mesh: "Mesh", name: str, order: int) -> None:
     extension = os.path.splitext(name)[1].lower()
-    if extension == ".msh":
-        _write_gmsh(mesh, name)
-    elif extension == ".vtu" and _has_vtk():
-        from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
-        writer = vtkXMLUnstructuredGridWriter()
-        writer.SetFileName(name)
-        writer.SetInputData(to_vtk(mesh, True))
-        if not writer.Write():
-            raise OSError("cannot write %s" % name)
+    if order not in (1, 2):
+        raise ValueError("order: 1 or 2 is needed, not %r" % (order,))
+    if _core.writes_mesh_files(extension):
+        _core.write_mesh(os.fsencode(name), extension, _used_mesh(mesh), order)
+    elif order == 2:
+        raise ValueError("order: files %s are written with 1 only" % (extension or "without an extension"))
     else:
-        _write_by_meshio(mesh, name, extension)
+        result = to_meshio(mesh)
+        result.cell_sets = {}  # which meshio would write as arrays of its own, or refuse
+        result.write(name)
 
 
-def _has_vtk() -> bool:
-    try:
-        import vtkmodules.vtkIOXML  # noqa: F401
-        return True
-    except ImportError:
-        return False
+def _used_mesh(mesh: "Mesh") -> Dict[str, Any]:
+    """What is written: without points that nothing has, of which solvers would make equations without a solution."""
+    points = as_points(mesh.points)
+    tetrahedra = as_indices(mesh.tetrahedra, 4, "tetrahedra")
+    triangles = as_indices(mesh.triangles, 3, "triangles")
+    is_used = np.zeros(len(points), dtype=bool)
+    is_used[tetrahedra] = True
+    is_used[triangles] = True
+    numbers = is_used.cumsum() - 1
+    return {"points": points[is_used], "tetrahedra": numbers[tetrahedra], "triangles": numbers[triangles],
+            "regions": as_numbers(mesh.regions, np.int32, len(tetrahedra), "regions"),
+            "patches": as_numbers(mesh.patches, np.int32, len(triangles), "patches"),
+            "triangle_numbers": as_numbers(mesh.triangle_numbers, np.int64, len(triangles), "triangle_numbers"),
+            "patch_names": _names_of_one_line(names_of_patches(mesh)), "region_names": region_names(mesh)}
 
 
-def _write_by_meshio(mesh: "Mesh", name: str, extension: str) -> None:
-    import meshio
-    result = to_meshio(mesh)
-    result.cell_sets = {}  # which meshio would write as arrays of its own, or refuse
-    if extension == ".mesh":
-        result.cell_data = {"medit:ref": [mesh.regions, mesh.patches]}
-    if extension == ".msh2":
-        tags = [mesh.regions, mesh.patches]
-        result.cell_data = {"gmsh:physical": tags, "gmsh:geometrical": tags}
-        result.field_data = _field_data(mesh)
-        meshio.write(name, result, file_format="gmsh22")
-    else:
-        meshio.write(name, result)
-
-
-def _write_gmsh(mesh: "Mesh", name: str) -> None:
-    """Gmsh 4.1, binary: a region is a volume, a patch a surface, and each of them a physical group with its name."""
-    patches, surface_tags = np.unique(mesh.patches, return_inverse=True)
-    patch_names, names = names_of_patches(mesh), region_names(mesh)
-    blocks = [(2, k + 1, int(patch), patch_names[int(patch)], mesh.triangles[surface_tags == k])
-              for k, patch in enumerate(patches)]
-    blocks += [(3, int(r), int(r), names[int(r)], mesh.tetrahedra[mesh.regions == r]) for r in names]
-    with open(name, "wb") as file:
-        def text(line: str) -> None:
-            file.write(line.encode() + b"\n")
-
-        def put(dtype: Any, *values: int) -> None:
-            file.write(np.array(values, dtype=dtype).tobytes())
-
-        text("$MeshFormat\n4.1 1 8")
-        put(np.int32, 1)
-        text("\n$EndMeshFormat\n$PhysicalNames\n%d" % len(blocks))
-        for dimension, _, group, label, _ in blocks:
-            text('%d %d "%s"' % (dimension, group, label.replace('"', "'")))
-        text("$EndPhysicalNames\n$Entities")
-        put(np.uint64, 0, 0, len(patches), len(names))
-        for _, tag, group, _, cells in blocks:
-            corners = mesh.points[cells.ravel()]
-            put(np.int32, tag)
-            file.write(np.concatenate([corners.min(axis=0), corners.max(axis=0)]).tobytes())
-            put(np.uint64, 1)
-            put(np.int32, group)
-            put(np.uint64, 0)
-        text("\n$EndEntities\n$Nodes")
-        _write_nodes(mesh.points, blocks, file.write, put)
-        text("\n$EndNodes\n$Elements")
-        _write_elements(blocks, file.write, put)
-        text("\n$EndElements")
-
-
-def _write_nodes(points: np.ndarray, blocks: Sequence[Any], write_bytes: Callable[[bytes], Any],
-                 put: Callable[..., None]) -> None:
-    """Each point belongs to the first surface, or else volume, that has it; what none has is left out."""
-    owner = np.full(len(points), len(blocks))
-    for k in reversed(range(len(blocks))):
-        owner[blocks[k][4].ravel()] = k
-    nodes = [np.flatnonzero(owner == k) for k in range(len(blocks))]
-    used = np.flatnonzero(owner < len(blocks))
-    low, high = (int(used[0]) + 1, int(used[-1]) + 1) if len(used) else (0, 0)
-    put(np.uint64, sum(len(n) > 0 for n in nodes), len(used), low, high)
-    for (dimension, tag, *_), numbers in zip(blocks, nodes):
-        if len(numbers) > 0:
-            put(np.int32, dimension, tag, 0)
-            put(np.uint64, len(numbers))
-            write_bytes((numbers + 1).astype(np.uint64).tobytes())
-            write_bytes(np.ascontiguousarray(points[numbers]).tobytes())
-
-
-def _write_elements(blocks: Sequence[Any], write_bytes: Callable[[bytes], Any], put: Callable[..., None]) -> None:
-    total = sum(len(block[4]) for block in blocks)
-    put(np.uint64, len(blocks), total, min(1, total), total)
-    first = 1
-    for dimension, tag, _, _, cells in blocks:
-        put(np.int32, dimension, tag, 2 if dimension == 2 else 4)
-        put(np.uint64, len(cells))
-        numbers = np.arange(first, first + len(cells))[:, None]
-        write_bytes(np.hstack([numbers, cells + 1]).astype(np.uint64).tobytes())
-        first += len(cells)
+def _names_of_one_line(names: Dict[int, str]) -> Dict[int, str]:
+    return {number: "".join(c if c.isprintable() else " " for c in name) for number, name in names.items()}

@@ -46,15 +46,16 @@ def tetrahedralize(points: Any, triangles: Any, size: Size = None, patches: Any 
                  interpolated in it. Of all sizes, the smallest one wins.
     max_vertices how many points the mesh may have; if the forecast is higher, no point is inserted ("too_large")
     time_limit   seconds after which the work stops soon ("stopped"), with a valid mesh
-    threads      how many threads may work. Today one does, so that this number changes nothing; the mesh will not
-                 depend on it.
+    threads      how many threads may work. It has no effect today: one thread makes the mesh, as the surface is not
+                 divided into sub-domains here. The mesh will not depend on it.
     repair       whether a surface that intersects itself, or has gaps, is repaired first where that is possible; a
                  number is the distance below which points are the same. `points` of the result begin with those of the
                  repaired surface then, `triangle_numbers` tell of which triangles the new ones are parts, and
                  `report["repair"]` tells what was changed.
-    progress     a function f(phase, share) that is called with the name of what is done, and which share of it, 20
-                 times a second at most, and when phases begin (0) and end (1). If it returns False, the work stops
-                 soon, as by `time_limit`.
+    progress     a function f(phase, share) that is called with the name of the phase, and the share of this phase that
+                 is done, 20 times a second at most, and when phases begin (0) and end (1). It is not the share of the
+                 whole work: that is not known, and phases take from no time to most of it. Many phases tell nothing
+                 between 0 and 1. If the function returns False, the work stops soon, as by `time_limit`.
 
     Returns a `Mesh`. The same input gives the same mesh, bit for bit, unless time is limited.
 

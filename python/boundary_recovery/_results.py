@@ -122,14 +122,23 @@ class Mesh:
         from . import _files
         return _files.to_vtk(self, surface)
 
-    def write(self, file: Path) -> None:
+    def write(self, file: Path, order: int = 1) -> None:
         """Writes a file in the format that its name ends with.
 
-        .msh: Gmsh 4.1, with a physical group for each region and each patch, and their names; .msh2: Gmsh 2.2; .vtu
-        (by VTK, if it is there); and what meshio writes, if that is there: .vtk, .mesh, .inp, .xdmf, ...
+        file   .msh (Gmsh 4.1) and .msh2 (Gmsh 2.2), with a physical group for each region and each patch that have
+               their names; .vtu and .vtk, with the cell data `region` (of a triangle, that beside it), `patch` and
+               `triangle`, and the names as `to_vtk()` has them; .mesh, with regions and patches as references, but
+               without names; and by meshio what that writes: .inp, .xdmf, ...
+        order  2: of second order, with a node in the middle of each edge, which is straight; not by meshio
+
+        Points that no tetrahedron and no triangle has are left out. Triangles of patch 0, which is none, are in groups
+        by the regions beside them in .msh and .msh2. But for what meshio writes, the file is there as a whole, or as it
+        was before.
+
+        Raises OSError if the file cannot be written, ValueError if the order is none, and what meshio raises.
         """
         from . import _files
-        _files.write(self, os.fspath(file))
+        _files.write(self, os.fsdecode(file), order)
 
 
 class RemeshedMesh(Mesh):

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <chrono>
 #include <cstring>
 #include <exception>
@@ -561,6 +562,37 @@ py::dict call_repair_surface(const py::array& points, const py::array& triangles
   return as_python(surface);
 }
 
+// The dictionary keeps the arrays alive.
+Mesh_view view_of_mesh(const py::dict& mesh)
+{
+  Mesh_view view;
+  view.points = point_rows(mesh["points"].cast<py::array>());
+  view.tetrahedra = index_rows(mesh["tetrahedra"].cast<py::array>(), 4);
+  view.triangles = index_rows(mesh["triangles"].cast<py::array>(), 3);
+  view.regions = numbers_of<std::int32_t>(mesh["regions"]);
+  view.patches = numbers_of<std::int32_t>(mesh["patches"]);
+  view.triangle_numbers = numbers_of<std::int64_t>(mesh["triangle_numbers"]);
+  set(mesh, "patch_names", view.patch_names);
+  set(mesh, "region_names", view.region_names);
+  return view;
+}
+
+void call_write_mesh(const py::bytes& file, const std::string& extension, const py::dict& mesh, const int order)
+{
+  const std::string name = file;
+  const Mesh_view view = view_of_mesh(mesh);
+  const int error = [&]
+  {
+    const py::gil_scoped_release release;
+    return write_mesh_file(name, extension, view, order);
+  }();
+  if(error == 0)
+    return;
+  errno = error;
+  PyErr_SetFromErrnoWithFilename(PyExc_OSError, name.c_str());
+  throw py::error_already_set();
+}
+
 } // namespace
 } // namespace boundary_recovery
 
@@ -574,4 +606,6 @@ PYBIND11_MODULE(_core, module)
   module.def("remesh_holes", &call_remesh_holes);
   module.def("read_surface", &call_read_surface);
   module.def("repair_surface", &call_repair_surface);
+  module.def("writes_mesh_files", &writes_mesh_files);
+  module.def("write_mesh", &call_write_mesh);
 }

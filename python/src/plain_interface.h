@@ -198,6 +198,17 @@ struct Surface_arrays
   std::string message; // not empty: it could not be read
 };
 
+// The caller's mesh, where it is. Numbers of points are below their number.
+struct Mesh_view
+{
+  Point_rows points;
+  Index_rows tetrahedra, triangles;
+  const std::int32_t* regions = nullptr; // of each tetrahedron
+  const std::int32_t* patches = nullptr; // of each triangle
+  const std::int64_t* triangle_numbers = nullptr;
+  std::map<int, std::string> patch_names, region_names;
+};
+
 Mesh tetrahedralize(const Point_rows& points, const Index_rows& triangles, const Index_rows& edges, const Sizes& sizes,
                     const Options& options, Watch& watch);
 Mesh improve(const Point_rows& points, const Index_rows& tetrahedra, const std::int64_t* regions,
@@ -207,6 +218,9 @@ Remeshed remesh_holes(const Point_rows& points, const Index_rows& tetrahedra, co
                       const Sizes* sizes, const Options& options, Watch& watch);
 Surface_arrays read_surface_file(const std::string& file);
 Surface_arrays repair_surface(const Point_rows& points, const Index_rows& triangles, double tolerance);
+bool writes_mesh_files(const std::string& extension);
+// returns 0, or what `errno` tells of the file
+int write_mesh_file(const std::string& file, const std::string& extension, const Mesh_view& mesh, int order);
 
 } // namespace boundary_recovery
 

@@ -83,9 +83,72 @@ class FilesTest(MeshTest):
         self.mesh().write(self.file("a.msh"))
         with open(self.file("a.msh"), "rb") as stream:
             text = stream.read()
-        self.assertTrue(text.startswith(b"$MeshFormat\n4.1 1 8\n"))
+        self.assertTrue(text.startswith(b"$MeshFormat\n4.1 0 8\n"))
         for name in ('2 1 "inlet"', '2 2 "outlet"', '2 3 "wall"', '3 1 "region_1"'):
             self.assertIn(name.encode(), text)
+
+    def test_files_that_cannot_be_written(self):
+        m = self.mesh()
+        with self.assertRaises(FileNotFoundError) as caught:
+            m.write(self.file("none/a.vtu"))
+        self.assertTrue(caught.exception.filename.endswith("a.vtu"))
+        with self.assertRaises(IsADirectoryError):
+            os.mkdir(self.file("b.msh"))
+            m.write(self.file("b.msh"))
+        if os.path.exists("/dev/full"):
+            os.symlink("/dev/full", self.file("full.mesh"))
+            with self.assertRaises(OSError):
+                m.write(self.file("full.mesh"))
+        for order in (0, 3, "2"):
+            with self.assertRaises(ValueError):
+                m.write(self.file("a.msh"), order=order)
+        with self.assertRaises(ValueError):
+            m.write(self.file("a.inp"), order=2)
+        m.tetrahedra = m.tetrahedra + len(m.points)
+        with self.assertRaises(IndexError):
+            m.write(self.file("a.msh"))
+        self.assertLessEqual(set(os.listdir(self.folder)), {"b.msh", "full.mesh"})
+
+    @unittest.skipIf(meshio is None, "meshio (python3-meshio) is not there")
+    def test_second_order(self):
+        m = self.mesh()
+        edges = np.sort(np.concatenate([m.tetrahedra[:, [i, j]] for i in range(4) for j in range(i)]), axis=1)
+        number_of_edges = len(np.unique(edges, axis=0))
+        for extension in (".msh", ".msh2", ".vtu", ".vtk"):
+            m.write(self.file("a" + extension), order=2)
+            r = meshio.read(self.file("a" + extension), file_format="gmsh" if extension == ".msh2" else None)
+            self.assertEqual(len(r.points), len(m.points) + number_of_edges, extension)
+            tetrahedra = np.concatenate([c.data for c in r.cells if c.type == "tetra10"])
+            triangles = np.concatenate([c.data for c in r.cells if c.type == "triangle6"])
+            np.testing.assert_array_equal(tetrahedra[:, :4], m.tetrahedra)
+            self.assertEqual(len(triangles), len(m.triangles))
+            for cells, pairs in ((triangles, ((0, 1), (1, 2), (2, 0))),
+                                 (tetrahedra, ((0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3)))):
+                for k, (i, j) in enumerate(pairs, cells.shape[1] - len(pairs)):
+                    middle = (r.points[cells[:, i]] + r.points[cells[:, j]]) / 2
+                    np.testing.assert_array_equal(r.points[cells[:, k]], middle)
+        m.write(self.file("a.mesh"), order=2)
+        with open(self.file("a.mesh")) as stream:
+            self.assertIn("TetrahedraP2\n%d\n" % len(m.tetrahedra), stream.read())
+
+    @unittest.skipIf(meshio is None, "meshio (python3-meshio) is not there")
+    def test_points_and_groups_that_are_none(self):
+        points = np.concatenate([[[5.0, 5, 5]], POINTS])
+        m = br.tetrahedralize(points, TRIANGLES + 1, size=0.4, patches=np.where(SIDES == 1, 0, SIDES),
+                              patch_names={2: 'two\n"lines"'})
+        for extension in (".msh", ".msh2", ".vtu", ".vtk", ".mesh"):
+            m.write(self.file("a" + extension))
+            r = meshio.read(self.file("a" + extension), file_format="gmsh" if extension == ".msh2" else None)
+            np.testing.assert_array_equal(r.points, m.points[1:])
+            tetrahedra = np.concatenate([c.data for c in r.cells if c.type == "tetra"])
+            np.testing.assert_array_equal(tetrahedra + 1, m.tetrahedra)
+            if extension.startswith(".msh"):
+                self.assertEqual(r.field_data["two 'lines'"].tolist(), [2, 2])
+                self.assertIn("boundary_of_region_1", r.field_data)
+        outside = br.recover_boundary(POINTS, TRIANGLES[1:], outside=True)
+        self.assertTrue((outside.regions == 0).all() and len(outside.tetrahedra) > 0)
+        outside.write(self.file("b.msh"))
+        self.assertEqual(meshio.read(self.file("b.msh")).field_data["outside"].tolist(), [1, 3])
 
     @unittest.skipIf(meshio is None, "meshio (python3-meshio) is not there")
     def test_meshio_reads_what_was_written(self):
@@ -97,11 +160,26 @@ class FilesTest(MeshTest):
                 os.rename(name, self.file("b.msh"))
                 name = self.file("b.msh")
             r = meshio.read(name)
-            tetrahedra = np.concatenate([c.data for c in r.cells if c.type == "tetra"])
-            triangles = np.concatenate([c.data for c in r.cells if c.type == "triangle"])
+            blocks = {kind: [i for i, c in enumerate(r.cells) if c.type == kind] for kind in ("tetra", "triangle")}
+            tetrahedra, triangles = (np.concatenate([r.cells[i].data for i in blocks[kind]]) for kind in blocks)
             self.assertEqual((len(tetrahedra), len(triangles)), (len(m.tetrahedra), len(m.triangles)), extension)
-            np.testing.assert_allclose(np.sort(r.points[tetrahedra].sum(axis=(1, 2))),
-                                       np.sort(m.points[m.tetrahedra].sum(axis=(1, 2))), rtol=1e-12)
+            if extension == ".inp":
+                np.testing.assert_allclose(r.points, m.points, rtol=1e-12)
+                continue
+            np.testing.assert_array_equal(r.points, m.points)
+            np.testing.assert_array_equal(tetrahedra, m.tetrahedra)
+            keys = {".msh": ("region", "gmsh:physical"), ".msh2": ("gmsh:physical",) * 2,
+                    ".mesh": ("medit:ref",) * 2}.get(extension, ("region", "patch"))
+            regions = np.concatenate([r.cell_data[keys[0]][i] for i in blocks["tetra"]]).ravel()
+            patches = np.concatenate([r.cell_data[keys[1]][i] for i in blocks["triangle"]]).ravel()
+            np.testing.assert_array_equal(regions, m.regions)
+            if "triangle" in r.cell_data:
+                numbers = np.concatenate([r.cell_data["triangle"][i] for i in blocks["triangle"]]).ravel().astype(int)
+                np.testing.assert_array_equal(TRIANGLES[numbers], triangles)
+                np.testing.assert_array_equal(self.patches[numbers], patches)
+            else:
+                self.assertNotIn(extension, (".msh", ".vtu", ".vtk"))
+                self.assertEqual(sorted(patches), sorted(m.patches))
             if extension in (".msh", ".msh2"):
                 self.assertEqual({k: v.tolist() for k, v in r.field_data.items()},
                                  {"inlet": [1, 2], "outlet": [2, 2], "wall": [3, 2], "region_1": [1, 3]})
@@ -125,6 +203,16 @@ class FilesTest(MeshTest):
         self.assertEqual(m.to_vtk(surface=False).GetNumberOfCells(), len(m.tetrahedra))
         ids = grid.GetCell(0).GetPointIds()
         self.assertEqual([ids.GetId(i) for i in range(4)], m.tetrahedra[0].tolist())
+        from vtkmodules.vtkIOLegacy import vtkUnstructuredGridReader
+        from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+        for extension, reader in ((".vtu", vtkXMLUnstructuredGridReader()), (".vtk", vtkUnstructuredGridReader())):
+            m.write(self.file("a" + extension))
+            reader.SetFileName(self.file("a" + extension))
+            reader.Update()
+            names = reader.GetOutput().GetFieldData()
+            self.assertEqual({names.GetArrayName(i): vtk_to_numpy(names.GetArray(i)).ravel().tolist()
+                              for i in range(names.GetNumberOfArrays())},
+                             {"inlet": [1, 2], "outlet": [2, 2], "wall": [3, 2], "region_1": [1, 3]})
 
 
 main()
