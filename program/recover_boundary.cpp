@@ -7,9 +7,9 @@
 #include "domain_quality.h"
 #include "print_summary.h"
 #include "program.h"
-#include "terminal.h"
 #include "recover_boundary_options.h"
 #include "recovered_domain.h"
+#include "terminal.h"
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

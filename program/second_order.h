@@ -47,24 +47,15 @@ std::array<Point_number, M + N> nodes_of_simplex(const std::array<Point_number, 
   return nodes;
 }
 
-// calls the function with the nodes of a tetrahedron, in the order of VTK and MEDIT
-template <typename Point, typename F>
-void with_nodes_of_tetrahedron(const Domain<Point>& domain, const std::size_t i, const F& f)
+// calls the function with the nodes of simplex `i`, in the order of VTK and MEDIT; a mesh of first order has no edges
+template <std::size_t M, std::size_t N, typename F>
+void with_nodes(const std::vector<std::array<Point_number, M> >& simplices,
+                const std::vector<std::array<Point_number, N> >& edges, const std::size_t i, const F& f)
 {
-  if(domain.is_second_order())
-    f(nodes_of_simplex(domain.tetrahedra[i], domain.edges_of_tetrahedra[i]));
+  if(edges.empty())
+    f(simplices[i]);
   else
-    f(domain.tetrahedra[i]);
-}
-
-// the same for a triangle, of which all formats have the same order
-template <typename Point, typename F>
-void with_nodes_of_triangle(const Domain<Point>& domain, const std::size_t i, const F& f)
-{
-  if(domain.is_second_order())
-    f(nodes_of_simplex(domain.triangles[i], domain.edges_of_triangles[i]));
-  else
-    f(domain.triangles[i]);
+    f(nodes_of_simplex(simplices[i], edges[i]));
 }
 
 #endif // BOUNDARY_RECOVERY_3_PROGRAM_SECOND_ORDER_H

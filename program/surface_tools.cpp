@@ -10,12 +10,6 @@
 #include <string>
 #include <vector>
 
-namespace {
-
-typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Point;
-
-} // namespace
-
 bool read_input_surface(const std::string& file, Input_surface& surface, std::string& message)
 {
   return read_surface(file, surface, message);
@@ -23,13 +17,13 @@ bool read_input_surface(const std::string& file, Input_surface& surface, std::st
 
 void divide_polygons(Input_surface& surface, const bool are_bent_allowed)
 {
-  Polygon_divider<Point> divide(surface);
+  Polygon_divider<Input_point> divide(surface);
   divide(are_bent_allowed);
 }
 
 std::vector<Hole> close_holes(Input_surface& surface, const double max_length)
 {
-  return Hole_closer<Point>(surface)(max_length);
+  return Hole_closer<Input_point>(surface)(max_length);
 }
 
 void divide_into_patches(Input_surface& surface, const double angle)

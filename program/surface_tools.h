@@ -11,7 +11,8 @@
 
 // What is done to surfaces before they are meshed, compiled once for all the programs.
 
-typedef Surface<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3> Input_surface;
+typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Input_point;
+typedef Surface<Input_point>                                         Input_surface;
 
 // returns `false` and says why if the file cannot be read
 bool read_input_surface(const std::string& file, Input_surface& surface, std::string& message);

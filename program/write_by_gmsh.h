@@ -38,15 +38,26 @@ inline bool is_format_of_gmsh(const std::string& extension)
 
 #ifdef BOUNDARY_RECOVERY_3_LIBGMSH
 
-// The library is loaded when it is asked for only: with the ninety others that it needs, that takes much longer than
-// small meshes do.
+// The library is loaded when it is asked for only, and once: with the ninety others that it needs, that takes much
+// longer than small meshes do.
 class Gmsh_library
 {
-  boost::dll::shared_library m_library{ BOUNDARY_RECOVERY_3_LIBGMSH };
+  boost::dll::fs::error_code m_error;
+  const boost::dll::shared_library m_library{ BOUNDARY_RECOVERY_3_LIBGMSH, m_error };
+
+  Gmsh_library() = default;
 
 public:
+  static const Gmsh_library& instance()
+  {
+    static const Gmsh_library library;
+    return library;
+  }
+
+  bool is_loaded() const { return ! m_error; }
+
   // returns `false` if Gmsh cannot read or write one of the files
-  bool convert(const std::string& from, const std::string& to)
+  bool convert(const std::string& from, const std::string& to) const
   {
     int error = 0;
     initialize(m_library.get<decltype(gmshInitialize)>("gmshInitialize"), error);
@@ -68,7 +79,7 @@ private:
   static void initialize(void (&f)(int, char**, int, int*), int& error) { f(0, nullptr, 0, &error); }
   static void initialize(void (&f)(int, char**, int, int, int*), int& error) { f(0, nullptr, 0, 0, &error); }
 
-  void set_number(const char* option, const double value)
+  void set_number(const char* option, const double value) const
   {
     int ignored = 0; // of an option that a version does not have
     m_library.get<decltype(gmshOptionSetNumber)>("gmshOptionSetNumber")(option, value, &ignored);
@@ -78,9 +89,7 @@ private:
 // empty if files of these formats can be written
 inline std::string reason_for_no_gmsh()
 {
-  boost::dll::fs::error_code error;
-  const boost::dll::shared_library library(BOUNDARY_RECOVERY_3_LIBGMSH, error);
-  return error ? "cannot load " BOUNDARY_RECOVERY_3_LIBGMSH : "";
+  return Gmsh_library::instance().is_loaded() ? "" : "cannot load " BOUNDARY_RECOVERY_3_LIBGMSH;
 }
 
 // A new folder for two files. It is the current one as long as this object lives, so that files that tell their own
@@ -127,7 +136,7 @@ bool write_by_gmsh(const std::string& file, const std::string& extension, const 
   Gmsh_writer<Point>(os, domain)();
   if(! os.close())
     return false;
-  const bool is_converted = Gmsh_library().convert(ours, theirs);
+  const bool is_converted = Gmsh_library::instance().convert(ours, theirs);
   errno = 0; // of what it looked for
   return is_converted && copy_bytes(theirs, target);
 }

@@ -19,7 +19,7 @@
 
 // Writes Gmsh's formats 4.1 and 2.2, as text. Each region is a volume, and all the triangles of a patch with the same
 // regions on both sides are a surface. Regions and patches are physical groups with names, so that a solver can put its
-// conditions there. The number of a triangle in the input is data.  If the parts of a mesh are given, the entities are
+// conditions there. The number of a triangle in the input is data. If the parts of a mesh are given, the entities are
 // divided by them, as Gmsh does it: what has the tetrahedra or the triangles is an entity for each part, or for each
 // two parts that meet; it has the whole one as its parent.
 template <typename Point>
@@ -30,10 +30,10 @@ class Gmsh_writer
   // what Gmsh calls an entity
   struct Entity
   {
-    int tag;                 // that of a volume is the number of its region
-    int group;               // the tag of its physical group
+    int tag;                            // that of a volume is the number of its region
+    int group;                          // the tag of its physical group
     int dimension;
-    Sides parts;     // on its sides, the smaller one first; of a volume, its part twice
+    Sides parts;                        // on its sides, the smaller one first; of a volume, its part twice
     std::vector<std::size_t> simplices; // triangles or tetrahedra, in ascending order; of a parent, the first one
     CGAL::Bbox_3 box;
     std::size_t parent;                 // its position; that of itself if it is one
@@ -184,9 +184,9 @@ private:
       std::for_each(nodes.begin(), nodes.end(), f);
     };
     if(dimension == 2)
-      with_nodes_of_triangle(m_domain, i, for_each);
+      with_nodes(m_domain.triangles, m_domain.edges_of_triangles, i, for_each);
     else
-      with_nodes_of_tetrahedron(m_domain, i, for_each);
+      with_nodes(m_domain.tetrahedra, m_domain.edges_of_tetrahedra, i, for_each);
   }
 
   static std::size_t number_of_entities(const std::vector<Entity>& entities, const int dimension)

@@ -17,11 +17,11 @@ void write_medit(Output_buffer& os, const Domain<Point>& domain)
   writer.write_vertices(domain.number_of_nodes(), [&](const std::size_t i) -> const Point& { return domain.node(i); });
   const bool is_second_order = domain.is_second_order();
   writer.write_simplices(is_second_order ? "TrianglesP2" : "Triangles", domain.triangles.size(),
-                         [&](const std::size_t i, const auto& f) { with_nodes_of_triangle(domain, i, f); },
-                         domain.patches);
+                         [&](const std::size_t i, const auto& f)
+                         { with_nodes(domain.triangles, domain.edges_of_triangles, i, f); }, domain.patches);
   writer.write_simplices(is_second_order ? "TetrahedraP2" : "Tetrahedra", domain.tetrahedra.size(),
-                         [&](const std::size_t i, const auto& f) { with_nodes_of_tetrahedron(domain, i, f); },
-                         domain.regions);
+                         [&](const std::size_t i, const auto& f)
+                         { with_nodes(domain.tetrahedra, domain.edges_of_tetrahedra, i, f); }, domain.regions);
   writer.write_end();
 }
 

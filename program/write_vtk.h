@@ -50,13 +50,13 @@ public:
     for(std::size_t i = 0; i < m_domain.tetrahedra.size(); ++i)
     {
       const Vtk_cell cell{ is_second_order ? 24 : 10, m_domain.regions[i], 0, -1 };
-      with_nodes_of_tetrahedron(m_domain, i, [&](const auto& nodes) { f(nodes, cell); });
+      with_nodes(m_domain.tetrahedra, m_domain.edges_of_tetrahedra, i, [&](const auto& nodes) { f(nodes, cell); });
     }
     for(std::size_t i = 0; i < m_domain.triangles.size(); ++i)
     {
       const Vtk_cell cell{ is_second_order ? 22 : 5, region_beside(m_sides[i]), m_domain.patches[i],
                            static_cast<std::int64_t>(m_domain.triangle_numbers[i]) }; // or -1
-      with_nodes_of_triangle(m_domain, i, [&](const auto& nodes) { f(nodes, cell); });
+      with_nodes(m_domain.triangles, m_domain.edges_of_triangles, i, [&](const auto& nodes) { f(nodes, cell); });
     }
   }
 };

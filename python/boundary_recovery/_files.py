@@ -144,7 +144,7 @@ def write(mesh: "Mesh", name: str, order: int) -> None:
     if order not in (1, 2):
         raise ValueError("order: 1 or 2 is needed, not %r" % (order,))
     if _core.writes_mesh_files(extension):
-        _core.write_mesh(os.fsencode(name), extension, _used_mesh(mesh), order)
+        _core.write_mesh(os.fsencode(name), _used_mesh(mesh), order)
     elif order == 2:
         raise ValueError("order: files %s are written with 1 only" % (extension or "without an extension"))
     else:

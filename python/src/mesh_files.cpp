@@ -4,7 +4,6 @@
 
 #include "domain.h"
 #include "second_order.h"
-#include "whole_file.h"
 #include "write_domain.h"
 
 #include <algorithm>
@@ -48,14 +47,12 @@ Domain<Point_3> make_domain(const Mesh_view& mesh)
 
 bool writes_mesh_files(const std::string& extension) { return is_output_format(extension); }
 
-int write_mesh_file(const std::string& file, const std::string& extension, const Mesh_view& mesh, const int order)
+int write_mesh_file(const std::string& file, const Mesh_view& mesh, const int order)
 {
   Domain<Point_3> domain = make_domain(mesh);
   if(order == 2)
     add_edge_points(domain);
-  errno = 0;
-  Whole_file whole(file);
-  if(write_domain(whole.name(), extension, domain) && whole.finish())
+  if(write_whole_domain(file, domain))
     return 0;
   return errno != 0 ? errno : EIO;
 }

@@ -577,14 +577,14 @@ Mesh_view view_of_mesh(const py::dict& mesh)
   return view;
 }
 
-void call_write_mesh(const py::bytes& file, const std::string& extension, const py::dict& mesh, const int order)
+void call_write_mesh(const py::bytes& file, const py::dict& mesh, const int order)
 {
   const std::string name = file;
   const Mesh_view view = view_of_mesh(mesh);
   const int error = [&]
   {
     const py::gil_scoped_release release;
-    return write_mesh_file(name, extension, view, order);
+    return write_mesh_file(name, view, order);
   }();
   if(error == 0)
     return;

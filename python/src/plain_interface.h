@@ -220,7 +220,7 @@ Surface_arrays read_surface_file(const std::string& file);
 Surface_arrays repair_surface(const Point_rows& points, const Index_rows& triangles, double tolerance);
 bool writes_mesh_files(const std::string& extension);
 // returns 0, or what `errno` tells of the file
-int write_mesh_file(const std::string& file, const std::string& extension, const Mesh_view& mesh, int order);
+int write_mesh_file(const std::string& file, const Mesh_view& mesh, int order);
 
 } // namespace boundary_recovery
 
