@@ -76,6 +76,13 @@ public:
   /// sets the size.
   void set_meshing_info(const FT& size) { m_size = size; }
 
+  /// returns what several threads that change the mesh at the same time note at the vertex: the part of the mesh that it
+  /// belongs to; 0: none.
+  std::uint16_t part() const { return m_part; }
+
+  /// sets that number.
+  void set_part(const std::uint16_t part) { m_part = part; }
+
   /// \name Facets of a Complex
   /// What `Mesh_complex_3_in_triangulation_3` remembers about the facets of the complex around the vertex.
   /// @{
@@ -109,6 +116,7 @@ private:
   std::uint32_t m_number_of_components = 0;
   signed char m_dimension = -1;
   bool m_is_complex_known = false;
+  std::uint16_t m_part = 0;
 };
 
 /*!

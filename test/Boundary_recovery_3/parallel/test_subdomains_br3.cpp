@@ -14,7 +14,7 @@
 #include <CGAL/Boundary_recovery_3/internal/parallel/Seam_part_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Seams_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Work_on_part_3.h>
-#include <CGAL/Boundary_recovery_3/internal/parallel/for_each_task.h>
+#include <CGAL/Boundary_recovery_3/internal/util/for_each_task.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Measure_quality_3.h>
 #include <CGAL/Boundary_recovery_3/mesh_quality.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>

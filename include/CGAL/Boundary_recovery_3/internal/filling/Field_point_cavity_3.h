@@ -138,10 +138,14 @@ public:
     m_coordinates = internal::coordinates_of(p);
     m_min_squared_distance = min_distance * min_distance;
     m_max_seam = max_seam;
+    m_is_at_border = false;
     return start(first) && grow()
         && ((! is_large() && are_faces_seen()) || shrink_until_seen())
         && is_no_vertex_inside() && ! has_constrained_edge_inside();
   }
+
+  // Whether the last search ended where the cavity would have gone on beyond the border of a part.
+  bool is_at_border() const { return m_is_at_border; }
 
   const Cells& cells() const { return m_cells; }
 
@@ -206,7 +210,7 @@ private:
   {
     const Cell_handle n = c->neighbor(i);
     const bool is_wall = m_domain.is_wall(c, i);
-    if(is_wall && is_at_large_seam(c, i))
+    if(is_wall && (is_at_large_seam(c, i) || goes_beyond_border(c, i)))
       return false;
     if(n->tds_data().is_in_conflict())
       return ! is_wall;
@@ -222,6 +226,13 @@ private:
   bool is_at_large_seam(const Cell_handle c, const int i) const
   {
     return m_domain.is_seam(c, i) && internal::longest_edge_of_facet(internal::corners(c), i) > m_max_seam;
+  }
+
+  bool goes_beyond_border(const Cell_handle c, const int i)
+  {
+    m_is_at_border = m_domain.is_border(c, i)
+                     && internal::is_in_circumsphere(internal::corners(c->neighbor(i)), m_coordinates);
+    return m_is_at_border;
   }
 
   bool is_large() const { return m_cells.size() >= max_number_of_hidden_cells; }
@@ -354,6 +365,7 @@ private:
   Coordinates_3 m_coordinates; // the same
   double m_min_squared_distance = 0;
   double m_max_seam = 0;
+  bool m_is_at_border = false;
   Cells m_cells;
   Cells m_cells_around; // those that are marked
   std::vector<Face> m_faces;

@@ -14,8 +14,11 @@
 
 #include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_result_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Fill_domain_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Fill_parts_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Ordinary_scale_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/vertex_owners.h>
+#include <CGAL/Boundary_recovery_3/internal/owners/Concurrency.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/Cell_shape_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/sizing/Region_sizes_3.h>
@@ -172,6 +175,9 @@ public:
   // of a mesh that is filled.
   void leave_sizes_of_field() { m_leaves_sizes_of_field = true; }
 
+  // To be called before the filling; else nothing is divided.
+  void set_concurrency(const Concurrency& concurrency) { m_concurrency = concurrency; }
+
   Result operator()(const std::size_t max_number_of_vertices, const double maximum_running_time);
 
   // The forecast, and whether that many cells are possible, without the filling.
@@ -316,7 +322,11 @@ private:
       m_sizes.set_walls(Wall_sizes_3<Tr>(m_cells, m_domain));
     Fill_domain_3<Tr> fill_domain(m_tr, m_domain, m_sizes, m_context);
     const double expected = m_result.forecast_of_vertices - static_cast<double>(m_tr.number_of_vertices());
-    fill_domain(m_cells, max_number_of_vertices, static_cast<std::size_t>(expected));
+    const std::size_t number_of_parts = m_concurrency.number_of_parts(m_result.forecast_of_cells / Fill_parts_3<Tr>::cells_per_cell_of_part);
+    if(number_of_parts > 1)
+      fill_parts(fill_domain, number_of_parts, max_number_of_vertices, static_cast<std::size_t>(expected));
+    else
+      fill_domain(m_cells, max_number_of_vertices, static_cast<std::size_t>(expected));
     if(m_leaves_sizes_of_field)
       m_sizes.restore_sizes_of_field();
     m_result.number_of_field_points = fill_domain.vertices().size();
@@ -332,6 +342,18 @@ private:
     }
   }
 
+  void fill_parts([[maybe_unused]] Fill_domain_3<Tr>& fill_domain, [[maybe_unused]] const std::size_t number_of_parts,
+                  [[maybe_unused]] const std::size_t max_number_of_vertices,
+                  [[maybe_unused]] const std::size_t expected_number)
+  {
+    if constexpr(Has_part<typename Tr::Vertex>::value && Has_meshing_info<typename Tr::Vertex>::value)
+      internal::with_threads(*m_concurrency.number_of_threads, [&]
+      {
+        Fill_parts_3<Tr> fill(m_tr, m_domain, m_sizes, m_context, fill_domain);
+        fill(m_cells, number_of_parts, max_number_of_vertices, expected_number);
+      });
+  }
+
   void refuse_size()
   {
     m_result.status = Meshing_status::invalid_input;
@@ -343,6 +365,7 @@ private:
   Sizes m_sizes;
   Recovery_context<Tr> m_context;
   const Forecast_effort m_effort;
+  Concurrency m_concurrency;
   bool m_minds_walls = true;
   bool m_leaves_sizes_of_field = false;
   Result m_result;

@@ -84,19 +84,71 @@ public:
   void operator()(const std::vector<Cell_handle>& cells, const std::size_t max_number_of_vertices,
                   const std::size_t expected_number)
   {
-    m_max_number_of_vertices = max_number_of_vertices;
+    const Encroached_walls_3 walls = large_walls(cells);
+    begin(walls, m_tr.number_of_vertices(), max_number_of_vertices, expected_number);
+    fill(cells);
+    shorten_long_edges();
+    if(can_go_on())
+      tell_progress(m_vertices.size());
+  }
+
+  // --- the same step by step ----------------------------------------------------------------------------------------
+
+  // The walls of the cells that are large compared with the sizes beside them; no seams, since these do not stay.
+  Encroached_walls_3 large_walls(const std::vector<Cell_handle>& cells);
+
+  // There are so many vertices by now.
+  void begin(const Encroached_walls_3& walls, const std::size_t number_of_vertices,
+             const std::size_t max_number_of_vertices, const std::size_t expected_number)
+  {
+    m_walls = &walls;
+    m_max_number_of_points = max_number_of_vertices - (std::min)(number_of_vertices, max_number_of_vertices);
     m_expected_number = expected_number;
-    m_search.add_vertices(m_tr.number_of_vertices());
-    m_walls = large_walls(cells);
+    m_search.add_vertices(number_of_vertices);
+  }
+
+  // Looks at these cells, and at those that come.
+  void fill(const std::vector<Cell_handle>& cells)
+  {
     for(std::size_t k = 0; k < cells.size() && can_go_on(); ++k)
       if(is_there(cells[k]))
       {
         look_at(cells[k]);
         look_around_new_vertices();
       }
-    shorten_long_edges();
-    if(can_go_on())
-      tell_progress(m_vertices.size());
+  }
+
+  // Looks at these cells, but not at those that come, until there are so many points. Returns the cells that are left to
+  // be looked at.
+  std::vector<Cell_handle> sweep(const std::vector<Cell_handle>& cells, const std::size_t number_of_points);
+
+  // The cells of a part whose points would have changed something beyond its border.
+  const std::vector<Cell_handle>& cells_put_off() const { return m_cells_put_off; }
+
+  // What was done in a part, and is not done there.
+  void take_over(const Fill_domain_3& part)
+  {
+    m_vertices.insert(m_vertices.end(), part.m_vertices.begin(), part.m_vertices.end());
+    m_long_cells.insert(m_long_cells.end(), part.m_long_cells.begin(), part.m_long_cells.end());
+    m_search.take_over(part.m_search);
+    m_search.add_vertices(part.m_vertices.size());
+    m_is_full = m_is_full || part.m_is_full;
+  }
+
+  void shorten_long_edges();
+
+  bool can_go_on() { return m_sizes.is_valid() && ! m_is_full && m_context.go_further_after_short_step(); }
+
+  // Whether the handle belongs to a cell without pending vertices. If the cell that had the handle is gone, a newer
+  // cell may have it, which does no harm.
+  bool is_there(const Cell_handle c) const
+  {
+    if(! m_tr.tds().cells().is_used(c))
+      return false;
+    for(int i = 0; i < 4; ++i)
+      if(m_sizes.is_pending(c->vertex(i)))
+        return false;
+    return true;
   }
 
   // The vertices that were inserted, in order.
@@ -123,20 +175,6 @@ private:
   static constexpr int max_number_of_steps = 100;
   static constexpr std::size_t number_of_reports = 200;
 
-  bool can_go_on() { return m_sizes.is_valid() && ! m_is_full && m_context.go_further_after_short_step(); }
-
-  // Whether the handle belongs to a cell without pending vertices. If the cell that had the handle is gone, a newer
-  // cell may have it, which does no harm.
-  bool is_there(const Cell_handle c) const
-  {
-    if(! m_tr.tds().cells().is_used(c))
-      return false;
-    for(int i = 0; i < 4; ++i)
-      if(m_sizes.is_pending(c->vertex(i)))
-        return false;
-    return true;
-  }
-
   // The last one first: what is near was touched a moment ago, and is in the cache.
   void look_around_new_vertices()
   {
@@ -157,17 +195,6 @@ private:
     for(const Cell_handle c : m_star)
       if(can_go_on() && is_there(c) && c->has_vertex(v))
         look_at(c);
-  }
-
-  // The walls that are large compared with the size in the cells beside them; no seams, since these do not stay.
-  Encroached_walls_3 large_walls(const std::vector<Cell_handle>& cells)
-  {
-    std::vector<Encroached_walls_3::Wall> walls;
-    for(std::size_t k = 0; k < cells.size() && can_go_on(); ++k)
-      for(int i = 0; i < 4; ++i)
-        if(is_wall_that_stays(cells[k], i))
-          add_if_large(cells[k], i, walls);
-    return Encroached_walls_3(walls);
   }
 
   void add_if_large(const Cell_handle c, const int i, std::vector<Encroached_walls_3::Wall>& walls)
@@ -191,18 +218,31 @@ private:
     const Corners p = internal::corners(c);
     const Sphere_3 sphere = internal::circumsphere(p);
     const double radius = std::sqrt(sphere.squared_radius);
+    m_is_at_border = false;
     if(radius <= largest_radius * m_sizes.least_size_at_centroid(c, p))
       return look_where_small(c, p, radius / largest_radius);
     const Coordinates_3 center = internal::centroid(p);
     const Size size = m_sizes(center, c);
     if(radius <= largest_radius * size.possible)
       return look_where_small(c, p, radius / largest_radius);
-    const Cell_handle at_center = walk(c, sphere.center);
-    if((at_center == Cell_handle() || ! try_point(sphere.center, at_center, m_sizes(sphere.center, at_center)))
-       && ! try_point(center, c, size) && ! try_point_beside_walls(center, c, size)
-       && ! try_where_small(c, p, size.possible)
+    if(! try_center(sphere.center, c) && ! try_point(center, c, size) && ! try_point_beside_walls(center, c, size)
+       && ! try_where_small(c, p, size.possible) && ! is_put_off(c)
        && internal::longest_edge(p).length > Length_rules::longest_edge * size.possible)
       m_long_cells.push_back(c);
+  }
+
+  bool try_center(const Coordinates_3& center, const Cell_handle c)
+  {
+    const Cell_handle at_center = walk(c, center);
+    return at_center != Cell_handle() && try_point(center, at_center, m_sizes(center, at_center));
+  }
+
+  // Whether the border of a part was in the way; then the cell is looked at later, and nothing else is tried there.
+  bool is_put_off(const Cell_handle c)
+  {
+    if(m_is_at_border)
+      m_cells_put_off.push_back(c);
+    return m_is_at_border;
   }
 
   // The cell is good for a size. No size is far smaller if sizes do not grow fast, since no corner is farther away from
@@ -210,13 +250,13 @@ private:
   void look_where_small(const Cell_handle c, const Corners& p, const double size)
   {
     constexpr double harmless_growth = (1 - Search::certain) / (1.5 * largest_radius);
-    if(! (m_sizes.grading() <= harmless_growth))
-      try_where_small(c, p, size);
+    if(! (m_sizes.grading() <= harmless_growth) && ! try_where_small(c, p, size))
+      is_put_off(c);
   }
 
   bool try_where_small(const Cell_handle c, const Corners& p, const double size)
   {
-    return m_search(c, p, size, [&](const Coordinates_3& q)
+    return ! m_is_at_border && m_search(c, p, size, [&](const Coordinates_3& q)
     {
       const Size at_q = m_sizes(q, c);
       return try_point(q, c, at_q) || try_point_beside_walls(q, c, at_q);
@@ -226,28 +266,11 @@ private:
   // If a place encroaches on walls, there may be one beside them.
   bool try_point_beside_walls(const Coordinates_3& place, const Cell_handle c, const Size& size)
   {
-    const Coordinates_3 p = m_walls.place_beside(place, size.possible);
-    if(p == place)
+    const Coordinates_3 p = m_walls->place_beside(place, size.possible);
+    if(p == place || m_is_at_border)
       return false;
     const Cell_handle at_p = walk(c, p);
     return at_p != Cell_handle() && try_point(p, at_p, m_sizes(p, at_p));
-  }
-
-  // What comes by the removal of an edge is looked at in the next round, and so are new cells without a point.
-  void shorten_long_edges()
-  {
-    m_number_of_edges_left = (std::max)(m_tr.number_of_vertices() / vertices_per_edge, least_number_of_edges);
-    for(int round = 0; round < max_number_of_rounds; ++round)
-    {
-      std::vector<Cell_handle> cells;
-      cells.swap(m_long_cells);
-      for(std::size_t k = 0; k < cells.size() && m_number_of_edges_left > 0 && can_go_on(); ++k)
-        if(is_there(cells[k]))
-        {
-          shorten_long_edge(cells[k]);
-          look_around_new_vertices();
-        }
-    }
   }
 
   // Goes through the edges of the cell that are too long, the longest one first, until one is removed, or else divided
@@ -301,13 +324,14 @@ private:
 
   // The cell that contains a point, found by a walk from c in floating point numbers; none if a wall is in the way, or
   // if it takes too many steps. A wrong answer makes another cavity, not an invalid one.
-  Cell_handle walk(const Cell_handle start, const Coordinates_3& q) const
+  Cell_handle walk(const Cell_handle start, const Coordinates_3& q)
   {
     if(! std::isfinite(q[0] + q[1] + q[2]))
       return Cell_handle();
     const auto facet_towards = [&](const Cell_handle c) { return internal::facet_towards(c, q); };
     const auto cell_behind = [&](const Cell_handle c, const int i)
     {
+      m_is_at_border = m_is_at_border || m_domain.is_border(c, i);
       return m_domain.is_wall(c, i) ? std::nullopt : std::optional<Cell_handle>(c->neighbor(i));
     };
     const auto last = internal::walk_to(start, max_number_of_steps, facet_towards, cell_behind);
@@ -343,13 +367,14 @@ private:
   bool try_point(const Coordinates_3& coordinates, const Cell_handle c, const double min_distance, const Size& size,
                  const Is_star_good& is_star_good)
   {
-    if(! (size.possible > 0) // there is none
-       || m_walls.are_encroached_by(coordinates, size.possible))
+    if(m_is_at_border || ! (size.possible > 0) // there is none
+       || m_walls->are_encroached_by(coordinates, size.possible))
       return false;
     const Point_3 p(coordinates[0], coordinates[1], coordinates[2]);
     const bool is_good = m_cavity.find(p, c, min_distance * size.possible, largest_seam * size.possible)
                          && is_star_good();
-    m_is_full = m_is_full || (is_good && m_tr.number_of_vertices() >= m_max_number_of_vertices);
+    m_is_at_border = m_cavity.is_at_border();
+    m_is_full = m_is_full || (is_good && m_vertices.size() >= m_max_number_of_points);
     if(is_good && ! m_is_full)
       insert(p, size);
     else
@@ -410,17 +435,70 @@ private:
   Search m_search;
   Insert_field_point_3<Tr> m_insert;
   Remove_edge m_remove_edge;
-  Encroached_walls_3 m_walls; // the large ones
+  const Encroached_walls_3* m_walls = nullptr; // the large ones
   Vertices m_vertices;
   Vertices m_pending; // those around which nobody has looked yet
   std::vector<Cell_handle> m_star;
   std::vector<Cell_handle> m_long_cells; // those that may have an edge that is too long
+  std::vector<Cell_handle> m_cells_put_off;
+  bool m_is_at_border = false; // at the cell that is looked at, the border of a part was met
   std::size_t m_number_of_edges_left = 0;
-  std::size_t m_max_number_of_vertices = 0;
+  std::size_t m_max_number_of_points = 0;
   bool m_is_full = false;
   std::size_t m_expected_number = 0;
   std::size_t m_next_report = 0;
 };
+
+template <typename Tr>
+Encroached_walls_3 Fill_domain_3<Tr>::large_walls(const std::vector<Cell_handle>& cells)
+{
+  std::vector<Encroached_walls_3::Wall> walls;
+  for(std::size_t k = 0; k < cells.size() && can_go_on(); ++k)
+    for(int i = 0; i < 4; ++i)
+      if(is_wall_that_stays(cells[k], i))
+        add_if_large(cells[k], i, walls);
+  return Encroached_walls_3(walls);
+}
+
+template <typename Tr>
+std::vector<typename Tr::Cell_handle>
+Fill_domain_3<Tr>::sweep(const std::vector<Cell_handle>& cells, const std::size_t number_of_points)
+{
+  std::size_t k = 0;
+  for(; k < cells.size() && m_vertices.size() < number_of_points && can_go_on(); ++k)
+    if(is_there(cells[k]))
+      look_at(cells[k]);
+  std::vector<Cell_handle> left(cells.begin() + k, cells.end());
+  while(! m_pending.empty())
+  {
+    const Vertex_handle v = m_pending.back();
+    m_pending.pop_back();
+    m_sizes.settle(v);
+    m_star.clear();
+    m_tr.tds().incident_cells(v, std::back_inserter(m_star));
+    std::copy_if(m_star.begin(), m_star.end(), std::back_inserter(left),
+                 [this](const Cell_handle c) { return this->is_there(c); });
+  }
+  return left;
+}
+
+// What comes by the removal of an edge is looked at in the next round, and so are new cells without a point.
+template <typename Tr>
+void Fill_domain_3<Tr>::shorten_long_edges()
+{
+  m_number_of_edges_left = (std::max)(m_tr.number_of_vertices() / vertices_per_edge, least_number_of_edges);
+  for(int round = 0; round < max_number_of_rounds; ++round)
+  {
+    std::vector<Cell_handle> cells;
+    cells.swap(m_long_cells);
+    for(std::size_t k = 0; k < cells.size() && m_number_of_edges_left > 0 && can_go_on(); ++k)
+      if(is_there(cells[k]))
+      {
+        shorten_long_edge(cells[k]);
+        look_around_new_vertices();
+      }
+  }
+}
 
 } // namespace CGAL::Boundary_recovery_3::internal
 

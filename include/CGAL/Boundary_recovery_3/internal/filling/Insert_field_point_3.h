@@ -52,6 +52,7 @@ public:
     const Subdomain_index region = cavity.cells().front()->subdomain_index();
     v->set_point(typename Tr::Point(p));
     v->set_cell(m_new_cells.front());
+    m_domain.own(v);
     if constexpr(Has_vertex_indices<typename Tr::Vertex>::value)
       internal::set_vertex_indices(*v, 3, region);
     glue_facets(cavity.faces(), region);

@@ -13,6 +13,7 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_indices.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/vertex_owners.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Mesh_visitor_3.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -71,6 +72,17 @@ public:
   // The facets of cells without a region that are on no surface are seams.
   void set_has_seams() { m_has_seams = true; }
 
+  // From now on, it consists of the inner cells of a part, see `vertex_owners.h`.
+  void select_part(const Part_number part) { m_part = part; }
+
+  // A new vertex belongs to that part.
+  void own([[maybe_unused]] const Vertex_handle v) const
+  {
+    if constexpr(Has_part<typename Tr::Vertex>::value)
+      if(m_part != 0)
+        v->set_part(m_part);
+  }
+
   // Whether there can be constrained edges at all.
   bool has_constrained_edges() const { return bool(m_is_constrained); }
 
@@ -78,7 +90,7 @@ public:
   bool has_seams() const { return m_has_seams; }
 
   // Whether there can be cells in the regions of the domain that are not selected.
-  bool has_selection() const { return bool(m_selection); }
+  bool has_selection() const { return bool(m_selection) || m_part != 0; }
 
   bool contains(const Cell_handle c) const
   {
@@ -89,8 +101,30 @@ public:
   bool is_wall(const Cell_handle c, const int i) const
   {
     const Cell_handle n = c->neighbor(i);
-    return c->is_facet_on_surface(i) || n->subdomain_index() != c->subdomain_index() || ! is_selected(n);
+    return c->is_facet_on_surface(i) || n->subdomain_index() != c->subdomain_index() || is_border(c, i)
+        || (m_selection && ! m_selection->contains(n));
   }
+
+  // Whether that is so only because the cell behind the facet, which is of the same region, is no inner one of the part.
+  bool is_border([[maybe_unused]] const Cell_handle c, [[maybe_unused]] const int i) const
+  {
+    if constexpr(Has_part<typename Tr::Vertex>::value)
+      if(m_part != 0 && internal::is_facet_on_border(*c, i) && internal::owner_of_cell(*c->neighbor(i)) != m_part)
+        return m_is_border_met = true;
+    return false;
+  }
+
+  // Whether a cell of a part has a vertex on the border.
+  bool is_at_border([[maybe_unused]] const Cell_handle c) const
+  {
+    if constexpr(Has_part<typename Tr::Vertex>::value)
+      return m_part != 0 && internal::is_at_border(*c);
+    return false;
+  }
+
+  // Whether the border was in the way since the last call of the second function.
+  bool is_border_met() const { return m_is_border_met; }
+  void forget_border() const { m_is_border_met = false; }
 
   // Whether it must stay for now only.
   bool is_seam(const Cell_handle c, const int i) const
@@ -136,7 +170,13 @@ private:
     Map map;
   };
 
-  bool is_selected(const Cell_handle c) const { return ! m_selection || m_selection->contains(c); }
+  bool is_selected(const Cell_handle c) const
+  {
+    if constexpr(Has_part<typename Tr::Vertex>::value)
+      if(m_part != 0 && internal::owner_of_cell(*c) != m_part)
+        return false;
+    return ! m_selection || m_selection->contains(c);
+  }
 
   void set_selected(const Cell_handle c, const bool is_selected)
   {
@@ -148,6 +188,8 @@ private:
   std::shared_ptr<Selection> m_selection;            // none: all cells
   std::function<bool(const Edge&)> m_is_constrained; // none: no edge
   bool m_has_seams = false;
+  Part_number m_part = 0; // 0: all cells
+  mutable bool m_is_border_met = false;
 };
 
 // The domain that the named parameters `cell_is_selected_map` and `edge_is_constrained_map` select.

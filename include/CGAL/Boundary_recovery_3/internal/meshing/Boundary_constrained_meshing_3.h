@@ -276,13 +276,15 @@ private:
   void mesh_undivided(const Size_field& size)
   {
     Selected_domain_3<Tr> domain = internal::domain_with_edges(m_tr, m_result.constrained_edges);
-    m_result.filling = Field_point_insertion_3<Tr>(m_tr, domain, size, m_visitor)(m_options.max_number_of_vertices,
-                                                                                  m_context.seconds_left());
+    Field_point_insertion_3<Tr> insert_field_points(m_tr, domain, size, m_visitor);
+    insert_field_points.set_concurrency(m_options.concurrency);
+    m_result.filling = insert_field_points(m_options.max_number_of_vertices, m_context.seconds_left());
     m_result.status = m_result.improvement.status = m_result.filling.status;
     if(! m_result.filling || ! m_options.improve_quality)
       return;
     Hold_recovered_vertices_3<Tr> hold(m_tr, m_result.recovery);
     Improve_quality_3<Tr, Quality> improve(m_tr, domain, m_quality, m_options.max_number_of_vertices, m_visitor);
+    improve.set_concurrency(m_options.concurrency);
     m_result.improvement = improve(m_options.min_dihedral_angle, m_options.effort, m_context.seconds_left());
     m_result.status = m_result.improvement.status;
     hold.forget_lost_steiner_vertices();

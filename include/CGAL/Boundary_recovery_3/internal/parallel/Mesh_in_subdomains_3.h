@@ -20,7 +20,7 @@
 #include <CGAL/Boundary_recovery_3/internal/parallel/Part_triangulation_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Seams_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Work_on_part_3.h>
-#include <CGAL/Boundary_recovery_3/internal/parallel/for_each_task.h>
+#include <CGAL/Boundary_recovery_3/internal/util/for_each_task.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Explain_bad_cells_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Improve_quality_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Measure_quality_3.h>
@@ -37,17 +37,6 @@
 #include <vector>
 
 namespace CGAL::Boundary_recovery_3::internal {
-
-// What was changed elsewhere at the same time: there are as many rounds as where there are most.
-inline void add_counts(Quality_improvement_counts& sum, const Quality_improvement_counts& counts)
-{
-  sum.number_of_rounds = (std::max)(sum.number_of_rounds, counts.number_of_rounds);
-  sum.number_of_removed_edges += counts.number_of_removed_edges;
-  sum.number_of_removed_facets += counts.number_of_removed_facets;
-  sum.number_of_moved_vertices += counts.number_of_moved_vertices;
-  sum.number_of_inserted_points += counts.number_of_inserted_points;
-  sum.number_of_removed_vertices += counts.number_of_removed_vertices;
-}
 
 /*
  * Steps 6 and 7 in sub-domains [CZZ+17, Section 5.2.2]: a coarse background mesh is divided into parts, which are
@@ -90,9 +79,7 @@ private:
     std::vector<Part> pieces;
   };
 
-  // Numbers with reference counts are not for several threads.
-  typedef std::conditional_t<std::is_floating_point<typename Tr::Geom_traits::FT>::value,
-                             Parallel_if_available_tag, Sequential_tag> Concurrency_tag;
+  typedef Concurrency_tag_of<Tr> Concurrency_tag;
 
   Domain whole_domain() const { return internal::domain_with_edges(m_tr, m_result.constrained_edges); }
 

@@ -13,7 +13,7 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/parallel/Seam_part_3.h>
-#include <CGAL/Boundary_recovery_3/internal/parallel/for_each_task.h>
+#include <CGAL/Boundary_recovery_3/internal/util/for_each_task.h>
 
 #include <CGAL/tags.h>
 

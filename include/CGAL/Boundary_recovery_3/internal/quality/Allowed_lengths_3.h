@@ -64,6 +64,9 @@ public:
     : m_tr(tr), m_of_constraints(Range{ std::numeric_limits<double>::infinity(), 0 })
   { }
 
+  // What is not known here is what is known of the whole mesh, which is not to change meanwhile.
+  void set_whole(const Allowed_lengths_3& whole) { m_whole = &whole; }
+
   // The constrained facets of a cell of the domain are taken into account.
   void add(const Selected_domain_3<Tr>& domain, const Cell_handle c)
   {
@@ -71,6 +74,13 @@ public:
       for(int i = 0; i < 4; ++i)
         if(may_be_wall(domain, c, i) && domain.is_wall(c, i))
           add_facet(c, i);
+  }
+
+  // Whether add() may have anything to do.
+  static bool may_have_wall(const Selected_domain_3<Tr>& domain, const Cell_handle c)
+  {
+    return may_be_wall(domain, c, 0) || may_be_wall(domain, c, 1) || may_be_wall(domain, c, 2)
+        || may_be_wall(domain, c, 3);
   }
 
   // To be called when all cells were added. `goes_on` is asked after each vertex; if it says no, nobody may need this.
@@ -100,7 +110,8 @@ public:
   // What is known of the constraints at a vertex, for another one that takes its place.
   const Range& of_constraints(const Vertex_handle v) const
   {
-    const auto& table = m_of_constraints;
+    const auto& table = m_whole == nullptr || m_of_constraints.is_defined(v) ? m_of_constraints
+                                                                             : m_whole->m_of_constraints;
     return table[v];
   }
   void set_of_constraints(const Vertex_handle v, const Range& range) { m_of_constraints[v] = range; }
@@ -215,6 +226,7 @@ private:
   const Tr& m_tr;
   std::vector<Vertex_handle> m_constrained_vertices; // until all is known
   Unique_hash_map<Vertex_handle, Range> m_of_constraints; // for looking up only
+  const Allowed_lengths_3* m_whole = nullptr; // where this is about a part of a mesh
 };
 
 /*

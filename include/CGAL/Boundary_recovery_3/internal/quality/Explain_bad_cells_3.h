@@ -186,10 +186,16 @@ public:
     m_certificate.min_dihedral_angle = min_dihedral_angle;
   }
 
+  // Whether a cell with these angles is bad.
+  bool is_bad(const Cell_angles_3& angles) const
+  {
+    return ! (angles.square_of_largest_cotangent() < m_surely_good) && angles.smallest() < target();
+  }
+
   // Lists the cell if it is bad.
   void add(const Cell_handle c, const Cell_angles_3& angles)
   {
-    if(angles.square_of_largest_cotangent() < m_surely_good || ! (angles.smallest() < target()))
+    if(! is_bad(angles))
       return;
     const int* const ends = edges_of_cell[angles.edge_of_smallest()];
     Bad_cell bad;

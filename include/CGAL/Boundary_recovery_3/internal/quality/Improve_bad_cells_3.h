@@ -185,6 +185,9 @@ public:
                                     parts_of_progress);
   }
 
+  // The bad cells of a part that nothing helped, where its border was in the way.
+  const std::vector<Cell_handle>& cells_put_off() const { return m_cells_put_off; }
+
   // From now on, rounds are those of the work on the worst cells.
   void begin_worst_cells(const std::size_t number_of_worst_cells)
   {
@@ -296,11 +299,24 @@ private:
     const bool was_left_out = m_visits_only_changed && c.time < m_begin;
     if(is_as_before && (m_round > first_expensive_round || was_left_out))
       m_bad_cells.put_back(c);
-    else if(! improve(c.cell, is_as_before ? m_round : 1))
+    else if(m_mesh.domain().is_at_border(c.cell))
+      m_cells_put_off.push_back(c.cell);
+    else if(! improve_unless_at_border(c.cell, is_as_before ? m_round : 1))
     {
       m_bad_cells.push(c.cell, m_mesh.time());
       ++m_number_of_failures;
     }
+  }
+
+  // The same as `improve()`, but cells where nothing helped because of the border of a part are put off.
+  bool improve_unless_at_border(const Cell_handle c, const int first_round)
+  {
+    m_mesh.domain().forget_border();
+    if(improve(c, first_round))
+      return true;
+    if(m_mesh.domain().is_border_met())
+      m_cells_put_off.push_back(c);
+    return m_mesh.domain().is_border_met();
   }
 
   // Tries the operations whose first round is at least `first_round` and has come, until one of them changes the mesh.
@@ -373,6 +389,7 @@ private:
   Table m_table;
   Quality_improvement_counts m_counts;
   std::vector<Cell_handle> m_stack;
+  std::vector<Cell_handle> m_cells_put_off;
   int m_round = 0;
   std::size_t m_begin = 0; // of these rounds, in changes of the mesh
   double m_gain = 0; // of an operation in a row

@@ -15,10 +15,12 @@
 #include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/sort_in_space.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/vertex_owners.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Bad_cells_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Badness_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Cell_angles_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Improve_bad_cells_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Improve_parts_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Insert_vertex_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Move_vertex_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
@@ -28,6 +30,7 @@
 #include <CGAL/Random.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -214,14 +217,31 @@ public:
   {
     ++m_number_of_cells;
     m_mesh.add_lengths(c);
-    m_worst = (std::min)(m_worst, m_bad_cells.push(c));
+    note_quality(m_bad_cells.push(c));
+  }
+
+  // Instead: the number of cells, and only those have to be added that this is true for. It is asked about all cells,
+  // maybe by several threads.
+  void set_number_of_cells(const std::size_t number) { m_number_of_cells = number; }
+  bool concerns(const Cell_handle c)
+  {
+    const double quality = m_quality(internal::corners(c));
+    note_quality(quality);
+    return quality < m_mesh.enough() || m_mesh.allowed_lengths().may_have_wall(m_mesh.domain(), c);
   }
 
   // Nothing is tolerated. For a mesh that is improved several times: that would add up.
   void be_strict() { m_mesh.be_strict(); }
 
   // No vertices are inserted beyond that number.
-  void set_max_number_of_vertices(const std::size_t number) { m_mesh.set_max_number_of_vertices(number); }
+  void set_max_number_of_vertices(const std::size_t number)
+  {
+    m_mesh.set_max_number_of_new_vertices(
+      number - (std::min)(number, std::size_t(m_mesh.triangulation().number_of_vertices())));
+  }
+
+  // So many parts of the mesh are improved at the same time. The domain has no selection, nor constrained edges.
+  void set_number_of_parts(const std::size_t number) { m_number_of_parts = number; }
 
   // Whether one was not inserted for that.
   bool was_full() const { return m_mesh.was_full(); }
@@ -262,17 +282,31 @@ private:
     }
   }
 
+  void note_quality(const double quality)
+  {
+    double worst = m_worst;
+    while(quality < worst && ! m_worst.compare_exchange_weak(worst, quality)) { }
+  }
+
   void improve()
   {
     m_mesh.spread_lengths([this] { return m_context.go_further_after_short_step(); });
     m_improve.open_accounts(m_effort, m_number_of_cells);
     m_improve.progress().begin(m_number_of_cells, m_bad_cells.size(), m_mesh.triangulation().number_of_vertices(),
                                m_effort);
-    m_improve();
+    improve_bad_cells();
     if(m_target > really_bad_angle && ! m_mesh.is_strict() && m_context.go_further())
       improve_worst_cells();
     if(m_context.go_further())
       center_vertices();
+  }
+
+  void improve_bad_cells()
+  {
+    if constexpr(Has_part<typename Tr::Vertex>::value)
+      if(m_number_of_parts > 1)
+        return Improve_parts_3<Tr, Quality>(m_improve, m_quality, m_context, m_number_of_parts).improve(m_effort);
+    m_improve();
   }
 
   // A mesh is as good as its worst cell, so nearly flat ones are worth any effort. There are few of them.
@@ -330,10 +364,13 @@ private:
   // If all cells are better than asked for, none gets worse than the worst one was.
   void center_vertices()
   {
-    m_mesh.set_enough((std::max)(m_quality.of_angle(m_target), m_worst));
+    m_mesh.set_enough((std::max)(m_quality.of_angle(m_target), double(m_worst)));
     m_mesh.note_no_more_changes();
     const auto all = m_mesh.triangulation().finite_vertex_handles();
     std::vector<Vertex_handle> vertices(all.begin(), all.end());
+    if constexpr(Has_part<typename Tr::Vertex>::value)
+      if(m_number_of_parts > 1)
+        vertices = Improve_parts_3<Tr, Quality>(m_improve, m_quality, m_context, m_number_of_parts).center(vertices);
     internal::sort_in_space(vertices, &Mesh::coordinates, [this] { return m_context.go_further_after_short_step(); });
     for(std::size_t i = 0; i < vertices.size() && m_context.go_further_after_long_step(); ++i)
     {
@@ -356,7 +393,8 @@ private:
   double m_target = 0;
   Improvement_effort m_effort = Improvement_effort::normal;
   std::size_t m_number_of_cells = 0;
-  double m_worst = std::numeric_limits<double>::infinity(); // of the qualities of all cells at first
+  std::size_t m_number_of_parts = 1;
+  std::atomic<double> m_worst{ std::numeric_limits<double>::infinity() }; // of the qualities of all cells at first
 };
 
 template <typename Tr, typename Quality>

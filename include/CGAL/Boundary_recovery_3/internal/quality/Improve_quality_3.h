@@ -17,6 +17,7 @@
 #include <CGAL/Boundary_recovery_3/internal/mesh/Ordinary_scale_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Cell_angles_3.h>
+#include <CGAL/Boundary_recovery_3/internal/owners/Concurrency.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Explain_bad_cells_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Improve_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Measure_quality_3.h>
@@ -46,6 +47,7 @@ struct Improvement_options
   Improvement_effort effort = Improvement_effort::normal;
   std::size_t        max_number_of_vertices = (std::numeric_limits<std::size_t>::max)();
   double             maximum_running_time = std::numeric_limits<double>::infinity(); // seconds
+  Concurrency        concurrency;
 };
 
 template <typename NamedParameters>
@@ -88,6 +90,9 @@ public:
       m_context(visitor)
   { }
 
+  // To be called before the improvement; else nothing is divided.
+  void set_concurrency(const Concurrency& concurrency) { m_concurrency = concurrency; }
+
   Result operator()(const double min_dihedral_angle, const Improvement_effort effort,
                     const double maximum_running_time);
 
@@ -100,7 +105,8 @@ private:
     const Figures before = change_mesh(min_dihedral_angle, effort, is_begun);
     const bool is_done = ! m_context.is_stopped();
     Explain_bad_cells_3<Tr> explain(m_tr, m_domain, min_dihedral_angle);
-    const Figures after = measure([&](const Cell_handle c, const Cell_angles_3& angles) { explain.add(c, angles); });
+    const Figures after = measure([&](Cell_handle, const Cell_angles_3& angles) { return explain.is_bad(angles); },
+                                  [&](const Cell_handle c, const Cell_angles_3& angles) { explain.add(c, angles); });
     if(before)
       m_result.before = *before;
     internal::set_last_figures(m_result, after || is_begun ? after : before);
@@ -116,7 +122,11 @@ private:
     improve_domain.set_target(min_dihedral_angle);
     improve_domain.set_effort(effort);
     improve_domain.set_max_number_of_vertices(m_max_number_of_vertices);
-    const Figures before = measure([&](const Cell_handle c, const Cell_angles_3&) { improve_domain.add(c); });
+    const Figures before = measure([&](const Cell_handle c, const Cell_angles_3&) { return improve_domain.concerns(c); },
+                                   [&](const Cell_handle c, const Cell_angles_3&) { improve_domain.add(c); });
+    if(before)
+      improve_domain.set_number_of_cells(before->number_of_cells);
+    improve_domain.set_number_of_parts(m_concurrency.number_of_parts(double(m_tr.number_of_finite_cells())));
     is_begun = m_context.go_further();
     if(is_begun)
       improve_domain();
@@ -124,17 +134,20 @@ private:
     return before;
   }
 
-  template <typename Examine>
-  Figures measure(const Examine& examine)
+  // Only cells that are concerned have to be examined.
+  template <typename Concerns, typename Examine>
+  Figures measure(const Concerns& concerns, const Examine& examine)
   {
-    return Measure_quality_3<Tr>(m_tr, m_domain)(
-      examine, [this] { return m_context.can_finish_after_short_step(); });
+    const auto goes_on = [this] { return m_context.can_finish_after_short_step(); };
+    return m_concurrency.number_of_threads ? Measure_blocks_3<Tr>(m_tr, m_domain)(concerns, examine, goes_on)
+                                           : Measure_quality_3<Tr>(m_tr, m_domain)(examine, goes_on);
   }
 
   Tr& m_tr;
   Domain& m_domain;
   const Quality& m_quality;
   const std::size_t m_max_number_of_vertices;
+  Concurrency m_concurrency;
   Recovery_context<Tr> m_context;
   Result m_result;
 };
@@ -147,8 +160,11 @@ Improve_quality_3<Tr, Quality>::operator()(const double min_dihedral_angle, cons
   m_context.set_maximum_running_time(maximum_running_time);
   if(is_possible_target(min_dihedral_angle))
   {
-    m_context.run(Phase::quality_improvement, [&] { improve(min_dihedral_angle, effort); },
-                  [this](Phase_report& report)
+    const auto improve_with_threads = [&]
+    {
+      internal::with_threads(m_concurrency.number_of_threads.value_or(1), [&] { improve(min_dihedral_angle, effort); });
+    };
+    m_context.run(Phase::quality_improvement, improve_with_threads, [this](Phase_report& report)
     {
       report.number_of_vertices = m_tr.number_of_vertices();
       report.number_of_cells = m_tr.number_of_finite_cells();

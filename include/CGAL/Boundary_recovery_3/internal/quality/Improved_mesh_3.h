@@ -30,6 +30,7 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -87,7 +88,8 @@ public:
 
   Improved_mesh_3(Tr& tr, Domain& domain, const Quality_& quality, Mesh_visitor_3<Tr>& visitor)
     : m_tr(tr), m_domain(domain), m_uncounted_quality(quality), m_quality(quality), m_domain_keeper(domain, visitor),
-      m_editor(tr, m_domain_keeper), m_orientation(tr.geom_traits().orientation_3_object()), m_lengths(tr), m_times(0)
+      m_editor(tr, m_domain_keeper), m_orientation(tr.geom_traits().orientation_3_object()), m_lengths(tr), m_times(0),
+      m_number_of_old_vertices(tr.number_of_vertices())
   { }
 
   Tr& triangulation() { return m_tr; }
@@ -228,14 +230,45 @@ public:
 
   static double size(const Vertex_handle v) { return Allowed_lengths_3<Tr>::size(v); }
 
-  // From now on, operations do not make the triangulation have more vertices than that.
-  void set_max_number_of_vertices(const std::size_t number) { m_max_number_of_vertices = number; }
+  // This mesh is a part of a whole one, which is asked for the same: what counts as good enough, how long edges may be.
+  void begin_part(const Improved_mesh_3& whole)
+  {
+    set_measure_of_badness(whole.m_badness);
+    m_is_strict = whole.m_is_strict;
+    m_are_changes_noted = whole.m_are_changes_noted;
+    m_lengths.set_whole(whole.m_lengths);
+    m_part_vertices.emplace();
+  }
 
-  // Whether it may have one more: operations that insert one ask that before they search.
+  // The whole mesh takes over what is known about the vertices of a part that are new.
+  void end_part(const Improved_mesh_3& part)
+  {
+    for(const Vertex_handle v : *part.m_part_vertices)
+      m_lengths.set_of_constraints(v, part.m_lengths.of_constraints(v));
+    m_was_full = m_was_full || part.m_was_full;
+  }
+
+  // From now on, operations do not make the triangulation have so many vertices more.
+  void set_max_number_of_new_vertices(const std::size_t number)
+  {
+    m_number_of_old_vertices = m_tr.number_of_vertices();
+    m_max_number_of_new_vertices = static_cast<std::ptrdiff_t>(
+      (std::min)(number, static_cast<std::size_t>((std::numeric_limits<std::ptrdiff_t>::max)())));
+  }
+
+  // Whether it may have one more: operations that insert one ask that before they search. The numbers of vertices of a
+  // part of a mesh, which may lose more than it had got itself, count modulo 2^64.
   bool has_room()
   {
-    m_was_full = m_was_full || m_tr.number_of_vertices() >= m_max_number_of_vertices;
-    return m_tr.number_of_vertices() < m_max_number_of_vertices;
+    const bool has_room = number_of_new_vertices() < m_max_number_of_new_vertices;
+    m_was_full = m_was_full || ! has_room;
+    return has_room;
+  }
+
+  // By how many vertices there are more since then; negative: less.
+  std::ptrdiff_t number_of_new_vertices() const
+  {
+    return static_cast<std::ptrdiff_t>(m_tr.number_of_vertices() - m_number_of_old_vertices);
   }
 
   // Whether that was denied once.
@@ -460,6 +493,9 @@ private:
   Vertex_handle create_vertex(const Point_3& p, const Subdomain_index& region, const double size, const double least)
   {
     const Vertex_handle v = m_editor.create_vertex(typename Tr::Point(p));
+    m_domain.own(v);
+    if(m_part_vertices)
+      m_part_vertices->push_back(v);
     if constexpr(Has_vertex_indices<typename Tr::Vertex>::value)
       internal::set_vertex_indices(*v, 3, region);
     if constexpr(Has_meshing_info<typename Tr::Vertex>::value)
@@ -488,8 +524,10 @@ private:
   std::size_t m_time = 1;
   std::size_t m_time_of_measure = 1;
   Unique_hash_map<Vertex_handle, std::size_t> m_times; // of the last change, by vertex; for looking up only
-  std::size_t m_max_number_of_vertices = (std::numeric_limits<std::size_t>::max)();
+  std::size_t m_number_of_old_vertices;
+  std::ptrdiff_t m_max_number_of_new_vertices = (std::numeric_limits<std::ptrdiff_t>::max)();
   bool m_was_full = false;
+  std::optional<std::vector<Vertex_handle> > m_part_vertices; // those that came, and maybe went; none: this is no part
 };
 
 } // namespace CGAL::Boundary_recovery_3::internal

@@ -22,6 +22,7 @@
 #include <CGAL/Boundary_recovery_3/internal/shape/Unit_frame_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/sizing/Vertex_sizes_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/for_each_task.h>
 
 #include <CGAL/number_utils.h>
 
@@ -82,6 +83,16 @@ public:
         if(m_domain.contains(c))
           measure(c, examine);
       }
+    finish();
+    return m_quality;
+  }
+
+  // The same for some cells of the domain, as a part of the sum that `Sum_of_qualities_3` makes.
+  template <typename CellRange, typename Examine>
+  Mesh_quality_3 of_cells(const CellRange& cells, const Examine& examine)
+  {
+    for(const Cell_handle c : cells)
+      measure(c, examine);
     finish();
     return m_quality;
   }
@@ -283,6 +294,88 @@ private:
   Mesh_quality_3 m_sum;
   double m_radius_ratios = 0;
   double m_edges_in_size = 0;
+};
+
+/*
+ * The figures of a mesh by several threads, which take blocks of cells. They are added up in the order of the blocks,
+ * so they do not depend on the threads.
+ */
+template <typename Tr>
+class Measure_blocks_3
+{
+public:
+  typedef typename Tr::Cell_handle   Cell_handle;
+  typedef std::vector<Cell_handle>   Cells;
+  typedef Selected_domain_3<Tr>      Domain;
+
+  Measure_blocks_3(const Tr& tr, const Domain& domain) : m_tr(tr), m_domain(domain) { }
+
+  // `concerns(c, angles)` is asked by all threads about each cell. If it says yes, `examine(c, angles)` is called
+  // afterwards by one thread. `goes_on` is asked now and then; if it says no, there are no figures.
+  template <typename Concerns, typename Examine, typename Question>
+  std::optional<Mesh_quality_3> operator()(const Concerns& concerns, const Examine& examine, const Question& goes_on)
+  {
+    Sum_of_qualities_3 sum;
+    auto cell = m_tr.finite_cell_handles().begin();
+    const auto end = m_tr.finite_cell_handles().end();
+    while(cell != end)
+    {
+      std::vector<Block> blocks;
+      while(blocks.size() < blocks_at_a_time && cell != end)
+        blocks.push_back(next_block(cell, end));
+      const std::vector<std::size_t> weights(blocks.size(), 1);
+      internal::for_each_task(weights, [&](const std::size_t k) { measure(blocks[k], concerns); },
+                              Concurrency_tag_of<Tr>());
+      for(const Block& block : blocks)
+      {
+        sum.add(block.quality);
+        for(const Cell_handle c : block.cells)
+          if(! goes_on())
+            return std::nullopt;
+          else
+            examine(c, Cell_angles_3(internal::corners(c)));
+      }
+      if(! goes_on())
+        return std::nullopt;
+    }
+    return sum.quality();
+  }
+
+private:
+  static constexpr std::size_t cells_per_block = 8192;
+  static constexpr std::size_t blocks_at_a_time = 256;
+
+  struct Block
+  {
+    Cells cells; // at last, those that are to be examined
+    Mesh_quality_3 quality;
+  };
+
+  template <typename Iterator>
+  Block next_block(Iterator& cell, const Iterator end) const
+  {
+    Block block;
+    for(; block.cells.size() < cells_per_block && cell != end; ++cell)
+      if(m_domain.contains(*cell))
+        block.cells.push_back(*cell);
+    return block;
+  }
+
+  template <typename Concerns>
+  void measure(Block& block, const Concerns& concerns) const
+  {
+    Cells concerned;
+    block.quality = Measure_quality_3<Tr>(m_tr, m_domain).of_cells(block.cells,
+                                                                   [&](const Cell_handle c, const Cell_angles_3& angles)
+    {
+      if(concerns(c, angles))
+        concerned.push_back(c);
+    });
+    block.cells.swap(concerned);
+  }
+
+  const Tr& m_tr;
+  const Domain& m_domain;
 };
 
 inline Mesh_quality_3 sum_of_qualities(const std::vector<Mesh_quality_3>& qualities)

@@ -30,6 +30,8 @@
 
 namespace CGAL::Boundary_recovery_3::internal {
 
+struct Part_of_sizes { };
+
 /*
  * The sizes that the filling asks for: sizes at points in cells, from the size field, and lower bounds of sizes, which
  * follow from the sizes at vertices without asking the field.
@@ -52,6 +54,12 @@ public:
   struct Size { double asked, possible; };
 
   Region_sizes_3(const Tr& tr, const Size_field_3<Point_3>& field) : m_query(field), m_at_vertices(tr) { }
+
+  // The same sizes, for a part of the mesh; those of the whole may not change meanwhile.
+  Region_sizes_3(const Region_sizes_3& whole, Part_of_sizes)
+    : m_query(whole.m_query), m_whole(&whole), m_has_different_regions(whole.m_has_different_regions),
+      m_constant(whole.m_constant)
+  { }
 
   // Asks the field for the sizes at the vertices of these cells. At a vertex of several regions, it asks for the size
   // in each of them, and the smallest one counts. Returns false if the field has no size at one of the vertices.
@@ -92,6 +100,14 @@ public:
           m_at_vertices.set(v, walls[v]);
         }
       }
+  }
+
+  // The whole has to take over what changes in a part.
+  void take_over(const Region_sizes_3& part)
+  {
+    m_lowered.insert(m_lowered.end(), part.m_lowered.begin(), part.m_lowered.end());
+    if(m_query.is_valid() && ! part.is_valid())
+      m_query = part.m_query;
   }
 
   // At all vertices, old and new ones, the sizes are those of the field again.
@@ -227,11 +243,13 @@ private:
   // the other side.
   double size_of_mesh(const Vertex_handle v) const
   {
-    return m_has_different_regions && m_between_regions.is_defined(v) ? m_between_regions[v] : m_at_vertices[v];
+    const auto& between_regions = m_whole == nullptr ? m_between_regions : m_whole->m_between_regions;
+    return m_has_different_regions && between_regions.is_defined(v) ? between_regions[v] : m_at_vertices[v];
   }
 
   Query m_query;
   Vertex_sizes_3<Tr> m_at_vertices;
+  const Region_sizes_3* m_whole = nullptr; // where these are sizes of a part
   std::vector<std::pair<Vertex_handle, double> > m_lowered; // where sizes are smaller than the field's, and these
   Unique_hash_map<Vertex_handle, double> m_between_regions; // walls' sizes where the field has several; for looking up
   bool m_has_different_regions = false;

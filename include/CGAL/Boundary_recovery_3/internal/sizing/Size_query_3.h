@@ -226,11 +226,11 @@ public:
 
   // It keeps a reference to the field only.
   explicit Size_query_3(const Field& field)
-    : m_field(field), m_grading(field.grading()), m_is_constant(field.is_constant())
+    : m_field(&field), m_grading(field.grading()), m_is_constant(field.is_constant())
   { }
 
   bool is_constant() const { return m_is_constant; }
-  bool tells_least_sizes() const { return m_field.tells_least_sizes(); }
+  bool tells_least_sizes() const { return m_field->tells_least_sizes(); }
 
   // The size at p; NaN if there is none here, or was none somewhere before.
   double operator()(const Point_3& p, const int dimension, const int index)
@@ -248,7 +248,7 @@ public:
     ++m_number_of_queries;
     try
     {
-      return m_scale * m_field.least_size_around(place_in_field(p), radius / m_scale, index);
+      return m_scale * m_field->least_size_around(place_in_field(p), radius / m_scale, index);
     }
     catch(...)
     {
@@ -291,7 +291,7 @@ private:
   {
     try
     {
-      return m_field(p, dimension, index);
+      return (*m_field)(p, dimension, index);
     }
     catch(const std::exception& e)
     {
@@ -312,7 +312,7 @@ private:
     return std::numeric_limits<double>::quiet_NaN();
   }
 
-  const Field& m_field;
+  const Field* m_field;
   double m_grading;
   bool m_is_constant;
   double m_scale = 1;

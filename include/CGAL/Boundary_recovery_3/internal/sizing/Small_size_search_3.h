@@ -79,6 +79,13 @@ public:
     return false;
   }
 
+  // Of a part of the mesh.
+  void take_over(const Small_size_search_3& part)
+  {
+    m_is_bounded = m_is_bounded && part.m_is_bounded;
+    m_is_complete = m_is_complete && part.m_is_complete;
+  }
+
   // Whether nothing was given up.
   bool is_complete() const { return m_is_complete; }
 

@@ -65,6 +65,10 @@ class Vertex_sizes_3
 public:
   typedef typename Tr::Vertex_handle Vertex_handle;
 
+  // Those that are in the vertices.
+  Vertex_sizes_3() = default;
+
+  // None is known as yet.
   explicit Vertex_sizes_3(const Tr& tr)
   {
     for(const Vertex_handle v : tr.finite_vertex_handles())

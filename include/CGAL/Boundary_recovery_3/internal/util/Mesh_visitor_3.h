@@ -63,6 +63,9 @@ public:
   virtual bool go_further() { return true; }
   virtual void before_cells_removal(const Cells&) { }
   virtual void after_cells_creation(const Cells&) { }
+
+  // Whether anything is done when it is told of cells: threads need not wait for each other to tell nobody.
+  virtual bool watches_cells() const { return false; }
 };
 
 // Hands on everything to a visitor of another type, `Visitor`, or to the one that `Visitor` is a reference to. Cells
@@ -98,6 +101,11 @@ public:
       m_visitor.after_cells_creation(cells);
   }
 
+  bool watches_cells() const override
+  {
+    return tells_cells && ! std::is_same<std::decay_t<Visitor>, Default_meshing_visitor_3>::value;
+  }
+
 private:
   Visitor m_visitor;
 };
@@ -127,6 +135,7 @@ public:
   bool go_further() override { return m_visitor.go_further(); }
   void before_cells_removal(const Cells& cells) override { m_visitor.before_cells_removal(cells); }
   void after_cells_creation(const Cells& cells) override { m_visitor.after_cells_creation(cells); }
+  bool watches_cells() const override { return m_visitor.watches_cells(); }
 
 protected:
   Visitor& m_visitor;

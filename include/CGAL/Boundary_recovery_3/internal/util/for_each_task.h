@@ -7,8 +7,8 @@
 //
 // Author(s)     : The Boundary_recovery_3 authors
 
-#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_PARALLEL_FOR_EACH_TASK_H
-#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_PARALLEL_FOR_EACH_TASK_H
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_UTIL_FOR_EACH_TASK_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_UTIL_FOR_EACH_TASK_H
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
@@ -24,11 +24,19 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <limits>
 #include <mutex>
 #include <numeric>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Boundary_recovery_3::internal {
+
+// Whether triangulations of this type can be worked on by several threads: numbers with reference counts are not for
+// them.
+template <typename Tr>
+using Concurrency_tag_of = std::conditional_t<std::is_floating_point<typename Tr::Geom_traits::FT>::value,
+                                              Parallel_if_available_tag, Sequential_tag>;
 
 #ifdef CGAL_LINKED_WITH_TBB
 
@@ -65,12 +73,27 @@ void for_each_task(const std::vector<std::size_t>& weights, const Work& work, co
   internal::for_each_in_order(order, work, tag);
 }
 
+// Work that asks for the nearest number of threads that there can be; 0: as many as there are. Without the TBB, all is
+// done by one.
+template <typename Work>
+void with_threads([[maybe_unused]] const std::size_t number_of_threads, const Work& work)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  const std::size_t most = static_cast<std::size_t>((std::numeric_limits<int>::max)());
+  tbb::task_arena arena(number_of_threads == 0 ? static_cast<int>(tbb::task_arena::automatic)
+                                               : static_cast<int>((std::min)(number_of_threads, most)));
+  arena.execute(work);
+#else
+  work();
+#endif
+}
+
 /*
  * Stands between the tasks of several threads and the visitor, which is called by one of them at a time. It is not told
  * of cells, since those that tasks change are not its.
  */
 template <typename Tr>
-class Task_visitor_3 final
+class Task_visitor_3
   : public Mesh_visitor_3<Tr>
 {
 public:
@@ -101,15 +124,55 @@ public:
     return ! m_is_stopped;
   }
 
-private:
+protected:
   Mesh_visitor_3<Tr>& m_visitor;
   std::mutex m_mutex;
+
+private:
   std::atomic<bool> m_is_stopped{ false };
   Phase m_phase = Phase::field_point_insertion;
   std::size_t m_done = 0;
   std::size_t m_total = 0;
 };
 
+// The same where the cells that tasks change are the visitor's.
+template <typename Tr>
+class Part_visitor_3 final
+  : public Task_visitor_3<Tr>
+{
+  typedef Task_visitor_3<Tr> Base;
+  typedef typename Mesh_visitor_3<Tr>::Cells Cells;
+  using Base::m_mutex;
+  using Base::m_visitor;
+
+public:
+  explicit Part_visitor_3(Mesh_visitor_3<Tr>& visitor) : Base(visitor), m_watches_cells(visitor.watches_cells()) { }
+
+  void before_cells_removal(const Cells& cells) override
+  {
+    tell([&] { m_visitor.before_cells_removal(cells); });
+  }
+
+  void after_cells_creation(const Cells& cells) override
+  {
+    tell([&] { m_visitor.after_cells_creation(cells); });
+  }
+
+  bool watches_cells() const override { return m_watches_cells; }
+
+private:
+  template <typename Tell>
+  void tell(const Tell& tell)
+  {
+    if(! m_watches_cells)
+      return;
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    tell();
+  }
+
+  const bool m_watches_cells;
+};
+
 } // namespace CGAL::Boundary_recovery_3::internal
 
-#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_PARALLEL_FOR_EACH_TASK_H
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_UTIL_FOR_EACH_TASK_H

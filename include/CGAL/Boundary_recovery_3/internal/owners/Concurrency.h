@@ -1,0 +1,42 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_OWNERS_CONCURRENCY_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_OWNERS_CONCURRENCY_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/internal/mesh/vertex_owners.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+
+namespace CGAL::Boundary_recovery_3::internal {
+
+/*
+ * Whether, and by how many threads, parts of a mesh are worked on at the same time. How many parts there are follows
+ * from the size of the mesh, never from the number of threads, so that the mesh does not depend on the machine.
+ */
+struct Concurrency
+{
+  std::optional<std::size_t> number_of_threads; // 0: as many as the machine has; none: nothing is divided
+  double                     cells_per_part = 150000; // see "Tuning constants" in the manual
+
+  // Of a mesh with so many cells. A small one is not divided.
+  std::size_t number_of_parts(const double number_of_cells) const
+  {
+    const double number = (std::min)(number_of_cells / cells_per_part, double(max_number_of_parts - 1));
+    return number_of_threads && number >= 2 ? static_cast<std::size_t>(number) : 1;
+  }
+};
+
+} // namespace CGAL::Boundary_recovery_3::internal
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_OWNERS_CONCURRENCY_H

@@ -1,0 +1,208 @@
+// Copyright (c) 2026  The Boundary_recovery_3 authors.
+// All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Boundary_recovery_3 authors
+
+#ifndef CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_IMPROVE_PARTS_3_H
+#define CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_IMPROVE_PARTS_3_H
+
+#include <CGAL/license/Boundary_recovery_3.h>
+
+#include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
+#include <CGAL/Boundary_recovery_3/internal/geometry/sort_in_space.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/vertex_owners.h>
+#include <CGAL/Boundary_recovery_3/internal/owners/Owned_parts_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Bad_cells_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Improve_bad_cells_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Move_vertex_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
+#include <CGAL/Boundary_recovery_3/internal/util/for_each_task.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <deque>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Boundary_recovery_3::internal {
+
+// What was changed elsewhere at the same time: there are as many rounds as where there are most.
+inline void add_counts(Quality_improvement_counts& sum, const Quality_improvement_counts& counts)
+{
+  sum.number_of_rounds = (std::max)(sum.number_of_rounds, counts.number_of_rounds);
+  sum.number_of_removed_edges += counts.number_of_removed_edges;
+  sum.number_of_removed_facets += counts.number_of_removed_facets;
+  sum.number_of_moved_vertices += counts.number_of_moved_vertices;
+  sum.number_of_inserted_points += counts.number_of_inserted_points;
+  sum.number_of_removed_vertices += counts.number_of_removed_vertices;
+}
+
+/*
+ * Improves parts of a mesh at the same time, in rounds, each with other borders. What is bad at a border, or on it, is
+ * left to the next round; what is left after the last one, to one thread. Bad cells that nothing helped are not tried
+ * again, but where a border was in the way.
+ */
+template <typename Tr, typename Quality>
+class Improve_parts_3
+{
+public:
+  typedef typename Tr::Vertex_handle           Vertex_handle;
+  typedef typename Tr::Cell_handle             Cell_handle;
+  typedef Improve_bad_cells_3<Tr, Quality>     Improve_bad_cells;
+  typedef typename Improve_bad_cells::Mesh     Mesh;
+  typedef typename Improve_bad_cells::Bad_cell Bad_cell;
+
+  // What is improved is that of `improve`.
+  Improve_parts_3(Improve_bad_cells& improve, const Quality& quality, Recovery_context<Tr>& context,
+                  const std::size_t number_of_parts)
+    : m_improve(improve), m_quality(quality), m_context(context), m_visitor(context.visitor()),
+      m_number_of_parts(number_of_parts)
+  { }
+
+  // The bad cells; those that stay bad are in the list again, as visited.
+  void improve(const Improvement_effort effort)
+  {
+    std::vector<Bad_cell> waiting = bad_cells().take(), stuck;
+    for(int round = 0; round < max_number_of_rounds && pays(waiting.size()); ++round)
+      improve_parts(round, effort, waiting, stuck);
+    bad_cells().put_back(waiting);
+    m_improve();
+    for(const Bad_cell& c : stuck)
+      if(bad_cells().contains(c.cell))
+        bad_cells().push(c.cell, m_improve.mesh().time());
+  }
+
+  // Vertices, as `Center_vertex_3` does. Returns those that are left.
+  std::vector<Vertex_handle> center(std::vector<Vertex_handle> vertices)
+  {
+    for(int round = 0; round < max_number_of_rounds && pays(vertices.size()); ++round)
+      vertices = center_in_parts(round, vertices);
+    return vertices;
+  }
+
+private:
+  typedef Owned_parts_3<Tr> Parts;
+
+  // See "Tuning constants" in the manual.
+  static constexpr int max_number_of_rounds = 4;
+  static constexpr double least_share = 0.02; // of the vertices
+
+  // The work on one part, by a thread.
+  struct Task
+  {
+    Task(typename Parts::Part& part, const Mesh& whole, const Quality& quality, Mesh_visitor_3<Tr>& visitor,
+         const double seconds_left)
+      : context(visitor), improve(part.triangulation(), part.domain(), quality, context)
+    {
+      context.set_maximum_running_time(seconds_left);
+      improve.mesh().begin_part(whole);
+    }
+
+    Recovery_context<Tr> context;
+    Improve_bad_cells improve;
+  };
+
+  Bad_cells_3<Mesh>& bad_cells() { return m_improve.bad_cells(); }
+
+  Parts divide(const int round)
+  {
+    return Parts(m_improve.mesh().triangulation(), m_improve.mesh().domain(), m_number_of_parts, round,
+                 [](Vertex_handle) { return 1.; });
+  }
+
+  // Where little is left, one thread does it sooner than the mesh is divided.
+  bool pays(const std::size_t number_of_items)
+  {
+    return number_of_items > least_share * m_improve.mesh().triangulation().number_of_vertices()
+        && m_context.go_further();
+  }
+
+  // `work(task, k)` is done for each part; the numbers tell how much that is.
+  template <typename Work>
+  void work_on(Parts& parts, const std::vector<std::size_t>& amounts, const Work& work, std::deque<Task>& tasks)
+  {
+    for(std::size_t k = 0; k < parts.size(); ++k)
+      tasks.emplace_back(parts[k], m_improve.mesh(), m_quality, m_visitor, m_context.seconds_left());
+    internal::for_each_task(amounts, [&](const std::size_t k) { work(tasks[k], k); }, Concurrency_tag_of<Tr>());
+    for(Task& task : tasks)
+    {
+      internal::add_counts(m_improve.counts(), task.improve.counts());
+      m_improve.mesh().end_part(task.improve.mesh());
+    }
+  }
+
+  // Cells that are inner to a part are improved; those that wait for the next round are left.
+  void improve_parts(const int round, const Improvement_effort effort, std::vector<Bad_cell>& waiting,
+                     std::vector<Bad_cell>& stuck)
+  {
+    Parts parts = divide(round);
+    std::vector<std::size_t> numbers_of_cells(parts.size() + 1, 0);
+    parts.mark_border(m_improve.mesh().domain(), [&](Cell_handle, const std::size_t k) { ++numbers_of_cells[k]; });
+    std::vector<std::vector<Bad_cell> > cells(parts.size() + 1);
+    for(const Bad_cell& c : waiting)
+      if(bad_cells().contains(c.cell))
+        cells[parts.part_of(c.cell)].push_back(c);
+    waiting = std::move(cells.back());
+    cells.pop_back();
+    std::deque<Task> tasks;
+    work_on(parts, sizes_of(cells), [&](Task& task, const std::size_t k)
+    {
+      task.improve.open_accounts(effort, round == 0 ? numbers_of_cells[k] : cells[k].size());
+      task.improve.bad_cells().put_back(cells[k]);
+      task.improve.operator()();
+    }, tasks);
+    for(Task& task : tasks)
+    {
+      for(const Cell_handle c : task.improve.cells_put_off())
+        if(bad_cells().contains(c))
+          waiting.push_back(Bad_cell{ 0, c, 0 });
+      const std::vector<Bad_cell> left = task.improve.bad_cells().take();
+      stuck.insert(stuck.end(), left.begin(), left.end());
+    }
+  }
+
+  std::vector<Vertex_handle> center_in_parts(const int round, const std::vector<Vertex_handle>& vertices)
+  {
+    Parts parts = divide(round);
+    parts.mark_border(m_improve.mesh().domain(), [](Cell_handle, std::size_t) { });
+    std::vector<std::vector<Vertex_handle> > inner(parts.size());
+    std::vector<Vertex_handle> waiting;
+    for(const Vertex_handle v : vertices)
+      (internal::is_on_border(v) ? waiting : inner[internal::owner(v) - std::size_t(1)]).push_back(v);
+    std::deque<Task> tasks;
+    work_on(parts, sizes_of(inner), [&](Task& task, const std::size_t k) { center(task, inner[k]); }, tasks);
+    return waiting;
+  }
+
+  static void center(Task& task, std::vector<Vertex_handle>& vertices)
+  {
+    Center_vertex_3<Mesh> center(task.improve.mesh());
+    internal::sort_in_space(vertices, &Mesh::coordinates,
+                            [&task] { return task.context.go_further_after_short_step(); });
+    for(std::size_t i = 0; i < vertices.size() && task.context.go_further_after_long_step(); ++i)
+      task.improve.counts().number_of_moved_vertices += center(vertices[i]);
+  }
+
+  template <typename Item>
+  static std::vector<std::size_t> sizes_of(const std::vector<std::vector<Item> >& lists)
+  {
+    std::vector<std::size_t> sizes;
+    for(const auto& list : lists)
+      sizes.push_back(list.size());
+    return sizes;
+  }
+
+  Improve_bad_cells& m_improve;
+  const Quality& m_quality;
+  Recovery_context<Tr>& m_context;
+  Part_visitor_3<Tr> m_visitor;
+  const std::size_t m_number_of_parts;
+};
+
+} // namespace CGAL::Boundary_recovery_3::internal
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_QUALITY_IMPROVE_PARTS_3_H
