@@ -469,8 +469,8 @@ def draw_strip(options):
         height, lines = draw(mesh, left, width, options)
         parts += lines
         left += width + GAP
-    return "\n".join(['<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 %d %d">'
-                      % (SCALE * (left - GAP), SCALE * height),
+    return "\n".join(['<svg xmlns="http://www.w3.org/2000/svg" width="%d" height="%d" viewBox="0 0 %d %d">'
+                      % (left - GAP, height, SCALE * (left - GAP), SCALE * height),
                       '<rect width="100%" height="100%" fill="#fff"/>'] + parts + ["</svg>", ""])
 
 

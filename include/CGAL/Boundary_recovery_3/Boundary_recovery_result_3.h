@@ -174,7 +174,7 @@ struct Boundary_recovery_result_3
 
   std::vector<Phase_report> phases;           ///< one entry for each run of a phase; those with Steiner points run
                                               ///< again if other points have to be tried, up to six times
-  std::vector<Recursion_level_report> levels; ///< one entry for each pass of [CZZ+17, Alg. 5]
+  std::vector<Recursion_level_report> levels; ///< one entry for each pass of [CZZ+17, Alg.\ 5]
 
   /// returns the mesh facets that the surface consists of, in the order of the constrained facets: such a facet
   /// itself, its parts if there are Steiner points on it (mode `conforming` only), or nothing if it is missing.

@@ -130,7 +130,7 @@ namespace parameters {
 CGAL_BOUNDARY_RECOVERY_3_PARAMETER(recovery_mode)
 
 /// \ingroup PkgBoundaryRecovery3Functions
-/// the recursion level (`l_max` in [CZZ+17, Alg. 1]) that is never exceeded, an integer.
+/// the recursion level (`l_max` in [CZZ+17, Alg.\ 1]) that is never exceeded, an integer.
 CGAL_BOUNDARY_RECOVERY_3_PARAMETER(max_recursion_level)
 
 /// \ingroup PkgBoundaryRecovery3Functions

@@ -75,6 +75,11 @@ DEVELOPER_PAGES = ["doc/%s/Developers_%s.txt" % (PACKAGE, name) for name in ("co
 FOLDERS_OF_DEVELOPER_PAGES = ["include/CGAL/", "include/CGAL/%s/internal/" % PACKAGE, "test/%s/" % PACKAGE,
                               "test/%s/oracles/" % PACKAGE, "benchmark/%s/" % PACKAGE, "doc/%s/fig/" % PACKAGE, ""]
 LISTED_FLOORS = ["shell", "operations", "lost", "steiner"]
+# The manual for users: as many words as somebody reads, and a picture at the top of each page.
+PAGES_FOR_USERS = ["doc/%s/%s.txt" % (PACKAGE, name) for name in
+                   (PACKAGE, "meshing", "names_and_files", "sizes", "quality", "guarantees", "recovery", "moving_bodies",
+                    "parallel", "python")]
+MAX_NUMBER_OF_WORDS = 9000
 FORBIDDEN_IN_HEADERS = {
     r"\bstd::(cout|cerr|clog)\b|\b(printf|fprintf|puts)\s*\(": "prints",
     r"\b(exit|abort|_Exit|quick_exit|terminate)\s*\(": "ends the program",
@@ -158,6 +163,7 @@ class Checker:
         self.check_programs()
         self.check_package_info()
         self.check_readme()
+        self.check_pages_for_users()
         self.check_developer_pages(headers)
         self.check_sizes()
         return self.complaints
@@ -312,6 +318,15 @@ class Checker:
         for link in re.findall(r"\]\((?!https?:)([^)#]+)\)", read(self.root, "README.md")):
             self.require(os.path.exists(os.path.join(self.root, link)), "README.md", "links to %s, which does not exist" % link)
 
+    def check_pages_for_users(self):
+        number_of_words = 0
+        for path in PAGES_FOR_USERS:
+            text = read(self.root, path)
+            number_of_words += len(text.split())
+            self.require("\\cgalFigureBegin" in text.split("\\section")[0], path, "has no picture at the top")
+        self.require(number_of_words <= MAX_NUMBER_OF_WORDS, PAGES_FOR_USERS[0],
+                     "%d words in the manual for users" % number_of_words)
+
     def check_developer_pages(self, headers):
         """What the pages for developers name is there; they name each floor, the headers of some, and all constants."""
         names, constants = set(), set()
@@ -420,6 +435,8 @@ def self_test(scratch, root):
         "wrong licence": append("package_info/%s/license.txt" % PACKAGE, "or not\n"),
         "not sorted": append("package_info/%s/dependencies" % PACKAGE, "AABB_tree\n"),
         "does not show": append(examples + "make_boundary_constrained_mesh.cpp", "// more\n"),
+        "has no picture": replace("doc/%s/sizes.txt" % PACKAGE, "\\cgalFigureBegin", "\\section"),
+        "words in the manual": append(PAGES_FOR_USERS[0], 9000 * "x\n"),
         "names lost/Recover_constraint_3.h, which does not exist": lambda copy: os.remove(os.path.join(copy, lost)),
         "names lost/x.h": lambda copy: write(copy, os.path.dirname(lost) + "/x.h", read(copy, lost)),
         "max_number_of_shells is not 256 in": replace(lost, "max_number_of_shells = 256;", "max_number_of_shells = 257;"),
