@@ -20,7 +20,6 @@
 #include "round_number.h"
 #include "second_order.h"
 #include "terminal.h"
-#include "thread_limit.h"
 #include "write_mesh_report.h"
 
 #include <CGAL/Boundary_constrained_mesh_triangulation_3.h>
@@ -132,11 +131,12 @@ Result mesh(Triangulation& tr, const Surface<Point>& surface, const Size& size, 
   const auto angle = CGAL::parameters::min_dihedral_angle(options.min_angle);
   const auto effort = CGAL::parameters::improvement_effort(options.effort);
   const auto subdomains = CGAL::parameters::number_of_subdomains(options.number_of_subdomains);
+  const auto threads = CGAL::parameters::number_of_threads(options.number_of_threads);
   const auto voids = CGAL::parameters::void_points(surface.voids);
-  const Thread_limit limit(options.number_of_threads);
   return CGAL::make_boundary_constrained_mesh_3(tr, surface.points, surface.faces,
                                                 options.insert_field_points ? size : Size::unbounded(),
-                                                common, defects, vertices, improve, angle, effort, subdomains, voids);
+                                                common, defects, vertices, improve, angle, effort, subdomains, threads,
+                                                voids);
 }
 
 // the regions, unless they are not known: only what is outside would be written otherwise

@@ -155,13 +155,12 @@ private:
                "mesh nothing if more vertices than that are needed; the improvement does without more",
                largest_integer);
     add_time_limit("stop after that time, and write what there is if the surface is recovered by then");
-    CLI::Option* const subdomains =
-      add_number("--subdomains", "N", m_options.number_of_subdomains, Number_kind::integer,
-                 "divide the inside into N parts, which are meshed at the same time; their seams are meshed\n"
-                 "again. The mesh depends on N, but not on the number of threads", largest_number_of_subdomains);
     add_number("--threads", "T", m_options.number_of_threads, Number_kind::positive,
-               "use at most T threads for the parts; default: as many as the machine has", largest_number_of_threads)
-      ->needs(subdomains);
+               "use at most T threads; default: as many as the machine has. The mesh does not depend on it",
+               largest_number_of_threads);
+    add_number("--subdomains", "N", m_options.number_of_subdomains, Number_kind::integer,
+               "mesh N parts of the inside one by one, and their seams again, as mesh_surface_mpi does. The\n"
+               "mesh depends on N", largest_number_of_subdomains);
   }
 
   void add_remeshing_options()

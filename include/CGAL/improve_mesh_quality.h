@@ -94,6 +94,13 @@ namespace CGAL {
  *     \cgalParamType{`std::size_t`}
  *     \cgalParamDefault{no limit}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{number_of_threads}
+ *     \cgalParamDescription{how many threads may work at the same time, see `make_boundary_constrained_mesh_3()`}
+ *     \cgalParamType{`std::size_t`}
+ *     \cgalParamDefault{0, that is, as many as there are, if the triangulation has the concurrency tag
+ *                       `CGAL::Parallel_tag`; else nothing is divided}
+ *     \cgalParamExtra{Nothing is divided if cells are selected. `edge_is_constrained_map` is read by several threads.}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_running_time}
  *     \cgalParamDescription{the time in seconds after which the improvement stops soon, with a valid triangulation}
  *     \cgalParamType{`double`}
@@ -127,9 +134,10 @@ improve_mesh_quality(Triangulation& tr, const CGAL_NP_CLASS& np = parameters::de
   auto visitor = BR3::mesh_visitor<Triangulation>(np);
   const auto quality = parameters::choose_parameter<Boundary_recovery_3::Dihedral_angle_quality_3>(
     parameters::get_parameter(np, BR3::cell_quality));
-  const BR3::Improvement_options options = BR3::improvement_options(np);
+  const BR3::Improvement_options options = BR3::improvement_options<Triangulation>(np);
   BR3::Improve_quality_3<Triangulation, std::decay_t<decltype(quality)> >
     improve(tr, domain, quality, options.max_number_of_vertices, visitor);
+  improve.set_concurrency(options.concurrency);
   return improve(options.min_dihedral_angle, options.effort, options.maximum_running_time);
 }
 

@@ -87,6 +87,13 @@ namespace CGAL {
  *     \cgalParamType{`std::size_t`}
  *     \cgalParamDefault{no limit but that of the memory}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{number_of_threads}
+ *     \cgalParamDescription{how many threads may work at the same time, see `make_boundary_constrained_mesh_3()`}
+ *     \cgalParamType{`std::size_t`}
+ *     \cgalParamDefault{0, that is, as many as there are, if the triangulation has the concurrency tag
+ *                       `CGAL::Parallel_tag`; else nothing is divided}
+ *     \cgalParamExtra{Nothing is divided if cells are selected. `edge_is_constrained_map` is read by several threads.}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_running_time}
  *     \cgalParamDescription{the time in seconds after which the insertion stops soon, with a valid triangulation}
  *     \cgalParamType{`double`}
@@ -123,6 +130,7 @@ insert_field_points(Triangulation& tr, const SizingField& size, const CGAL_NP_CL
                                                       std::numeric_limits<double>::infinity());
   const BR3::Any_size_field_3<typename Triangulation::Geom_traits, SizingField> any_size(size);
   BR3::Field_point_insertion_3<Triangulation> insert(tr, domain, any_size, visitor);
+  insert.set_concurrency(BR3::concurrency<Triangulation>(np));
   return insert(max_number_of_vertices, maximum_running_time);
 }
 

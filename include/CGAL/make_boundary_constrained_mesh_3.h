@@ -83,7 +83,7 @@ make_mesh(Tr& tr, Surface_to_mesh_3<Tr>& surface, const SizingField& size, const
                 "CGAL::Boundary_constrained_mesh_triangulation_3<Kernel>::type, and traits without a state.");
   const auto quality = parameters::choose_parameter<Dihedral_angle_quality_3>(
     parameters::get_parameter(np, internal::cell_quality));
-  const Meshing_options options = internal::meshing_options(np);
+  const Meshing_options options = internal::meshing_options<Tr>(np);
   auto visitor = internal::mesh_visitor<Tr>(np);
   Boundary_constrained_meshing_3<Tr, std::decay_t<decltype(quality)> > mesh(tr, quality, options, visitor);
   if constexpr(std::is_same<SizingField, Sizes_from_surface>::value)
@@ -239,6 +239,19 @@ make_mesh_of_surface(Tr& tr, const FaceListGraph& surface, const SizingField& si
  *     \cgalParamDefault{1: the domain is not divided}
  *     \cgalParamExtra{With more than 1, several threads call the size field and the quality. One thread at a time calls
  *                     the visitor, which is not told of single cells.}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{number_of_threads}
+ *     \cgalParamDescription{how many threads may work at the same time, if `CGAL_LINKED_WITH_TBB` is defined and the
+ *                           number type of the kernel is a built-in one; 0: as many as there are. A mesh of some hundred
+ *                           thousand cells or more is divided into parts then, in rounds with other parts each; how many
+ *                           follows from its size. The mesh does not depend on the number of threads}
+ *     \cgalParamType{`std::size_t`}
+ *     \cgalParamDefault{0 if the triangulation has the concurrency tag `CGAL::Parallel_tag`; else nothing is divided,
+ *                       but into sub-domains}
+ *     \cgalParamExtra{Several threads call the size field and the quality. One thread at a time calls the visitor, while
+ *                     others change other cells.}
+ *     \cgalParamExtra{In a triangulation with the tag `CGAL::Parallel_tag`, the order of cells depends on threads, so the
+ *                     mesh does, too.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_running_time}
  *     \cgalParamDescription{the time in seconds, for all steps together, after which the work stops soon, with a valid

@@ -44,6 +44,7 @@ enum cell_region_map_t           { cell_region_map };
 enum constrained_facets_t        { constrained_facets };
 enum number_of_layers_t          { number_of_layers };
 enum number_of_subdomains_t      { number_of_subdomains };
+enum number_of_threads_t         { number_of_threads };
 enum void_points_t               { void_points };
 
 // A pack with all the parameters of both packs; those of the second win.
@@ -188,6 +189,10 @@ CGAL_BOUNDARY_RECOVERY_3_PARAMETER(number_of_layers)
 /// \ingroup PkgBoundaryRecovery3Functions
 /// the number of sub-domains that are meshed at the same time, an integer.
 CGAL_BOUNDARY_RECOVERY_3_PARAMETER(number_of_subdomains)
+
+/// \ingroup PkgBoundaryRecovery3Functions
+/// the largest number of threads that work on parts of a mesh at the same time, an integer; 0: as many as there are.
+CGAL_BOUNDARY_RECOVERY_3_PARAMETER(number_of_threads)
 
 /// \ingroup PkgBoundaryRecovery3Functions
 /// one place in each region that is to be empty: a range of points.

@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_result_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Encroached_walls_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Fill_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
@@ -48,9 +49,6 @@ public:
   typedef Region_sizes_3<Tr>         Sizes;
   typedef Fill_domain_3<Tr>          Fill_domain;
 
-  // Parts are larger than elsewhere: where the mesh is coarse, borders are broad.
-  static constexpr double cells_per_cell_of_part = 5; // see "Tuning constants" in the manual
-
   // `fill` is that for the domain as a whole.
   Fill_parts_3(Tr& tr, Domain& domain, Sizes& sizes, Recovery_context<Tr>& context, Fill_domain& fill)
     : m_tr(tr), m_domain(domain), m_sizes(sizes), m_context(context), m_visitor(context.visitor()), m_fill(fill)
@@ -67,7 +65,7 @@ public:
     while(! waiting.empty() && m_fill.vertices().size() < first_number && m_fill.can_go_on())
       waiting = m_fill.sweep(waiting, first_number);
     for(int round = 0; round < max_number_of_rounds && pays(waiting.size()); ++round)
-      fill_parts(number_of_parts, round, max_number_of_vertices, walls, waiting);
+      fill_parts(number_of_parts, round, max_number_of_vertices, expected_number, walls, waiting);
     m_fill.fill(waiting);
     m_fill.shorten_long_edges();
   }
@@ -116,7 +114,7 @@ private:
 
   // Looks at cells that wait; afterwards, those wait that have to be looked at in the next round.
   void fill_parts(const std::size_t number_of_parts, const int round, const std::size_t max_number_of_vertices,
-                  const Encroached_walls_3& walls, Cells& waiting)
+                  const std::size_t expected_number, const Encroached_walls_3& walls, Cells& waiting)
   {
     const Unique_hash_map<Vertex_handle, double> work = round == 0 ? work_at_vertices(waiting)
                                                                    : Unique_hash_map<Vertex_handle, double>(1);
@@ -136,8 +134,12 @@ private:
       tasks.back().fill.begin(walls, m_tr.number_of_vertices() / parts.size(), max_number_of_vertices, 0);
       amounts.push_back(cells[k].size());
     }
-    internal::for_each_task(amounts, [&](const std::size_t k) { tasks[k].fill.fill(cells[k]); },
-                            Concurrency_tag_of<Tr>());
+    m_visitor.begin(Phase::field_point_insertion, m_fill.vertices().size(), expected_number);
+    internal::for_each_task(amounts, [&](const std::size_t k)
+    {
+      tasks[k].fill.fill(cells[k]);
+      m_visitor.end_task(tasks[k].fill.vertices().size());
+    }, Concurrency_tag_of<Tr>());
     for(const Task& task : tasks)
     {
       m_fill.take_over(task.fill);

@@ -113,11 +113,11 @@ struct Meshing_options
   std::size_t number_of_subdomains = 1;
 };
 
-template <typename NamedParameters>
+template <typename Tr, typename NamedParameters>
 Meshing_options meshing_options(const NamedParameters& np)
 {
   Meshing_options options;
-  static_cast<Improvement_options&>(options) = internal::improvement_options(np);
+  static_cast<Improvement_options&>(options) = internal::improvement_options<Tr>(np);
   options.grading = parameter_or(np, internal::grading, options.grading);
   options.improve_quality = parameter_or(np, internal::improve_quality, options.improve_quality);
   options.number_of_subdomains = parameter_or(np, internal::number_of_subdomains, options.number_of_subdomains);
@@ -269,7 +269,8 @@ private:
   {
     if constexpr(Can_be_divided<Tr>::value)
       if(m_options.number_of_subdomains > 1)
-        return mesh_in_subdomains(size);
+        return internal::with_threads(m_options.concurrency.number_of_threads.value_or(0),
+                                      [&] { mesh_in_subdomains(size); });
     mesh_undivided(size);
   }
 

@@ -13,10 +13,14 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/mesh/vertex_owners.h>
+#include <CGAL/Boundary_recovery_3/parameters.h>
+
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <type_traits>
 
 namespace CGAL::Boundary_recovery_3::internal {
 
@@ -36,6 +40,22 @@ struct Concurrency
     return number_of_threads && number >= 2 ? static_cast<std::size_t>(number) : 1;
   }
 };
+
+// That of the named parameter `number_of_threads`. Triangulations with a concurrent container are divided by default.
+template <typename Tr, typename NamedParameters>
+Concurrency concurrency(const NamedParameters& np)
+{
+  constexpr bool is_default = parameters::is_default_parameter<NamedParameters, internal::number_of_threads_t>::value;
+  static_assert(is_default || Has_part<typename Tr::Vertex>::value,
+                "Several threads need vertices with part(), as those of "
+                "CGAL::Boundary_constrained_mesh_triangulation_3<Kernel>::type.");
+  Concurrency result;
+  if constexpr(! is_default)
+    result.number_of_threads = internal::parameter_or(np, internal::number_of_threads, std::size_t(0));
+  else if(std::is_same<typename Tr::Concurrency_tag, Parallel_tag>::value && Has_part<typename Tr::Vertex>::value)
+    result.number_of_threads = 0;
+  return result;
+}
 
 } // namespace CGAL::Boundary_recovery_3::internal
 

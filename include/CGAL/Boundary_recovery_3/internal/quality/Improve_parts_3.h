@@ -25,6 +25,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <deque>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -69,6 +70,7 @@ public:
     std::vector<Bad_cell> waiting = bad_cells().take(), stuck;
     for(int round = 0; round < max_number_of_rounds && pays(waiting.size()); ++round)
       improve_parts(round, effort, waiting, stuck);
+    m_improve.progress().end_parts_of_rounds();
     bad_cells().put_back(waiting);
     m_improve();
     for(const Bad_cell& c : stuck)
@@ -81,6 +83,7 @@ public:
   {
     for(int round = 0; round < max_number_of_rounds && pays(vertices.size()); ++round)
       vertices = center_in_parts(round, vertices);
+    m_improve.progress().end_parts_of_centering();
     return vertices;
   }
 
@@ -121,13 +124,26 @@ private:
         && m_context.go_further();
   }
 
-  // `work(task, k)` is done for each part; the numbers tell how much that is.
-  template <typename Work>
-  void work_on(Parts& parts, const std::vector<std::size_t>& amounts, const Work& work, std::deque<Task>& tasks)
+  // `work(task, k)` is done for each part; the numbers tell how much that is. `tell(part)` tells which part of it is
+  // done.
+  template <typename Work, typename Tell>
+  void work_on(Parts& parts, const std::vector<std::size_t>& amounts, const Work& work, const Tell& tell,
+               std::deque<Task>& tasks)
   {
+    const std::size_t all = std::accumulate(amounts.begin(), amounts.end(), std::size_t(1));
+    std::size_t done = 0;
     for(std::size_t k = 0; k < parts.size(); ++k)
       tasks.emplace_back(parts[k], m_improve.mesh(), m_quality, m_visitor, m_context.seconds_left());
-    internal::for_each_task(amounts, [&](const std::size_t k) { work(tasks[k], k); }, Concurrency_tag_of<Tr>());
+    internal::for_each_task(amounts, [&](const std::size_t k)
+    {
+      work(tasks[k], k);
+      m_visitor.do_alone([&]
+      {
+        done += amounts[k];
+        tell(double(done) / double(all));
+        m_improve.tell_progress();
+      });
+    }, Concurrency_tag_of<Tr>());
     for(Task& task : tasks)
     {
       internal::add_counts(m_improve.counts(), task.improve.counts());
@@ -153,8 +169,8 @@ private:
     {
       task.improve.open_accounts(effort, round == 0 ? numbers_of_cells[k] : cells[k].size());
       task.improve.bad_cells().put_back(cells[k]);
-      task.improve.operator()();
-    }, tasks);
+      task.improve();
+    }, [&](const double part) { m_improve.progress().visit_in_parts(part); }, tasks);
     for(Task& task : tasks)
     {
       for(const Cell_handle c : task.improve.cells_put_off())
@@ -174,7 +190,8 @@ private:
     for(const Vertex_handle v : vertices)
       (internal::is_on_border(v) ? waiting : inner[internal::owner(v) - std::size_t(1)]).push_back(v);
     std::deque<Task> tasks;
-    work_on(parts, sizes_of(inner), [&](Task& task, const std::size_t k) { center(task, inner[k]); }, tasks);
+    work_on(parts, sizes_of(inner), [&](Task& task, const std::size_t k) { center(task, inner[k]); },
+            [&](const double part) { m_improve.progress().center_in_parts(part); }, tasks);
     return waiting;
   }
 

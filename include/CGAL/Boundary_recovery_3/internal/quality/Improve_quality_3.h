@@ -50,7 +50,7 @@ struct Improvement_options
   Concurrency        concurrency;
 };
 
-template <typename NamedParameters>
+template <typename Tr, typename NamedParameters>
 Improvement_options improvement_options(const NamedParameters& np)
 {
   Improvement_options options;
@@ -59,6 +59,7 @@ Improvement_options improvement_options(const NamedParameters& np)
   options.max_number_of_vertices = parameter_or(np, internal::maximum_number_of_vertices,
                                                 options.max_number_of_vertices);
   options.maximum_running_time = parameter_or(np, internal_np::maximum_running_time, options.maximum_running_time);
+  options.concurrency = internal::concurrency<Tr>(np);
   return options;
 }
 
@@ -126,7 +127,8 @@ private:
                                    [&](const Cell_handle c, const Cell_angles_3&) { improve_domain.add(c); });
     if(before)
       improve_domain.set_number_of_cells(before->number_of_cells);
-    improve_domain.set_number_of_parts(m_concurrency.number_of_parts(double(m_tr.number_of_finite_cells())));
+    if(! m_domain.has_selection())
+      improve_domain.set_number_of_parts(m_concurrency.number_of_parts(double(m_tr.number_of_finite_cells())));
     is_begun = m_context.go_further();
     if(is_begun)
       improve_domain();

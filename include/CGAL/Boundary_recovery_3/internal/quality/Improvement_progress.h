@@ -18,6 +18,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace CGAL::Boundary_recovery_3::internal {
 
@@ -40,6 +41,7 @@ public:
     m_last = measuring_again * cells;
     m_centering = price_of_centering * double(number_of_vertices);
     m_factor = effort == Improvement_effort::low ? low_factor : effort == Improvement_effort::high ? high_factor : 1;
+    m_number_of_bad_cells = double(number_of_bad_cells);
     m_stubborn_share = double(number_of_bad_cells) / cells;
   }
 
@@ -68,6 +70,14 @@ public:
     m_to_come = left * (spent + first * price) / (visited + first) + all_stubborn * price_later + m_centering;
     m_share = (std::max)(m_share, share(double(evaluations)));
   }
+
+  // So much of the rounds, or of the centering, is done in parts of the mesh.
+  void visit_in_parts(const double part) { tell_part(part, price_of_rounds(), m_centering); }
+  void center_in_parts(const double part) { tell_part(part, m_centering, 0); }
+
+  // That was all of it.
+  void end_parts_of_rounds() { m_done += price_of_rounds(); }
+  void end_parts_of_centering() { m_done += std::exchange(m_centering, 0); }
 
   // Now, the worst cells are looked at alone.
   void begin_worst_cells(const std::size_t number_of_worst_cells, const std::size_t number_of_bad_cells,
@@ -111,6 +121,20 @@ private:
   static constexpr double low_factor = 0.4;
   static constexpr double high_factor = 10;
 
+  double price_of_rounds() const
+  {
+    double price = price_of_stubborn_cell * m_stubborn_share;
+    for(std::size_t r = 0; r < 2; ++r)
+      price += prices[r];
+    return price * m_number_of_bad_cells;
+  }
+
+  void tell_part(const double part, const double price, const double price_later)
+  {
+    m_to_come = (1 - part) * price + price_later;
+    m_share = (std::max)(m_share, share(part * price));
+  }
+
   double price_in_round(const std::size_t round) const { return round < 2 ? prices[round] : m_factor * prices[round]; }
 
   double share(const double evaluations) const
@@ -123,6 +147,7 @@ private:
   double m_last = 1;
   double m_centering = 0;
   double m_factor = 1;
+  double m_number_of_bad_cells = 0; // at first
   double m_stubborn_share = 0;
   double m_evaluations = 0; // before this round
   double m_number_of_cells = 0;

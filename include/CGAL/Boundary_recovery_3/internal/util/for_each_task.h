@@ -24,7 +24,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
-#include <limits>
 #include <mutex>
 #include <numeric>
 #include <type_traits>
@@ -73,19 +72,19 @@ void for_each_task(const std::vector<std::size_t>& weights, const Work& work, co
   internal::for_each_in_order(order, work, tag);
 }
 
-// Work that asks for the nearest number of threads that there can be; 0: as many as there are. Without the TBB, all is
-// done by one.
+// Does work by at most so many threads; 0: by as many as the caller's arena has.
 template <typename Work>
 void with_threads([[maybe_unused]] const std::size_t number_of_threads, const Work& work)
 {
 #ifdef CGAL_LINKED_WITH_TBB
-  const std::size_t most = static_cast<std::size_t>((std::numeric_limits<int>::max)());
-  tbb::task_arena arena(number_of_threads == 0 ? static_cast<int>(tbb::task_arena::automatic)
-                                               : static_cast<int>((std::min)(number_of_threads, most)));
-  arena.execute(work);
-#else
-  work();
+  if(number_of_threads > 0)
+  {
+    constexpr std::size_t most = 1 << 16;
+    tbb::task_arena arena(static_cast<int>((std::min)(number_of_threads, most)));
+    return arena.execute(work);
+  }
 #endif
+  work();
 }
 
 /*
@@ -103,16 +102,32 @@ public:
   void begin(const Phase phase, const std::size_t round, const std::size_t number_of_rounds,
              const std::size_t weight)
   {
+    begin(phase, round * weight, number_of_rounds * weight);
+  }
+
+  // The same where so much of the phase is done, of about that much.
+  void begin(const Phase phase, const std::size_t done, const std::size_t total)
+  {
     m_phase = phase;
-    m_done = round * weight;
-    m_total = number_of_rounds * weight;
+    m_done = done;
+    m_total = total;
   }
 
   void end_task(const std::size_t weight)
   {
+    do_alone([&]
+    {
+      m_done += weight;
+      m_visitor.on_progress(m_phase, m_done, (std::max)(m_done, m_total));
+    });
+  }
+
+  // Something that has to do with the visitor, while no other thread does.
+  template <typename Work>
+  void do_alone(const Work& work)
+  {
     const std::lock_guard<std::mutex> lock(m_mutex);
-    m_done += weight;
-    m_visitor.on_progress(m_phase, m_done, m_total);
+    work();
   }
 
   // Threads that find the visitor busy go on for now.
