@@ -76,8 +76,8 @@ public:
   /// sets the size.
   void set_meshing_info(const FT& size) { m_size = size; }
 
-  /// returns what several threads that change the mesh at the same time note at the vertex: the part of the mesh that it
-  /// belongs to; 0: none.
+  /// returns what is noted at the vertex while several threads change the mesh: the part of the mesh that it belongs
+  /// to; 0: none.
   std::uint16_t part() const { return m_part; }
 
   /// sets that number.
@@ -200,7 +200,8 @@ private:
  * \brief provides the best triangulation type for `make_boundary_constrained_mesh_3()`.
  *
  * \tparam Kernel a model of `BoundaryRecoveryTraits_3`
- * \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` for the parallel insertion of points before the recovery
+ * \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` for the parallel insertion of points before the recovery,
+ *         and for several threads after it, see `number_of_threads` of `make_boundary_constrained_mesh_3()`
  */
 template <typename Kernel, typename ConcurrencyTag = Sequential_tag>
 struct Boundary_constrained_mesh_triangulation_3

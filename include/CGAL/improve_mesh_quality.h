@@ -99,7 +99,8 @@ namespace CGAL {
  *     \cgalParamType{`std::size_t`}
  *     \cgalParamDefault{0, that is, as many as there are, if the triangulation has the concurrency tag
  *                       `CGAL::Parallel_tag`; else nothing is divided}
- *     \cgalParamExtra{Nothing is divided if cells are selected. `edge_is_constrained_map` is read by several threads.}
+ *     \cgalParamExtra{Nothing is divided if cells are selected, or with `maximum_number_of_vertices`.
+ *                     `edge_is_constrained_map` is read by several threads.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_running_time}
  *     \cgalParamDescription{the time in seconds after which the improvement stops soon, with a valid triangulation}

@@ -242,16 +242,17 @@ make_mesh_of_surface(Tr& tr, const FaceListGraph& surface, const SizingField& si
  *   \cgalParamNEnd
  *   \cgalParamNBegin{number_of_threads}
  *     \cgalParamDescription{how many threads may work at the same time, if `CGAL_LINKED_WITH_TBB` is defined and the
- *                           number type of the kernel is a built-in one; 0: as many as there are. A mesh of some hundred
- *                           thousand cells or more is divided into parts then, in rounds with other parts each; how many
- *                           follows from its size. The mesh does not depend on the number of threads}
+ *                           number type of the kernel is a built-in one; 0: as many as there are. A mesh of some
+ *                           hundred thousand cells or more is divided into parts, again and again in other ways. How
+ *                           many parts there are follows from its size, so the mesh does not depend on the number of
+ *                           threads. With `maximum_number_of_vertices`, nothing is divided}
  *     \cgalParamType{`std::size_t`}
- *     \cgalParamDefault{0 if the triangulation has the concurrency tag `CGAL::Parallel_tag`; else nothing is divided,
+ *     \cgalParamDefault{0 if the triangulation has the concurrency tag `CGAL::Parallel_tag`; else, nothing is divided
  *                       but into sub-domains}
- *     \cgalParamExtra{Several threads call the size field and the quality. One thread at a time calls the visitor, while
- *                     others change other cells.}
- *     \cgalParamExtra{In a triangulation with the tag `CGAL::Parallel_tag`, the order of cells depends on threads, so the
- *                     mesh does, too.}
+ *     \cgalParamExtra{Several threads call the size field and the quality. One thread at a time calls the visitor;
+ *                     meanwhile, others change other cells.}
+ *     \cgalParamExtra{In a triangulation with the tag `CGAL::Parallel_tag`, the order of cells depends on threads, and
+ *                     so does the mesh.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_running_time}
  *     \cgalParamDescription{the time in seconds, for all steps together, after which the work stops soon, with a valid

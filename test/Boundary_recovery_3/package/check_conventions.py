@@ -54,6 +54,7 @@ FLOORS = [
     "Boundary_recovery_3/Source_sizing_field_3.h",
     "Boundary_recovery_3/Background_mesh_sizing_field_3.h",
     "Boundary_recovery_3/Combined_sizing_fields_3.h",
+    "owners",       # which thread may change what, and the rounds of the parts that they work on
     "filling",      # field points [CZZ+17, Section 4.1, step 6]
     "insert_field_points.h",
     "Boundary_recovery_3/Cell_quality_3.h",

@@ -208,7 +208,7 @@ private:
   // See "Tuning constants" in the manual.
   static constexpr double cells_per_forecast_cell = 1.32;
   static constexpr double cells_per_wall = 1.2;
-  static constexpr double cells_per_cell_of_part = 5; // parts are larger here: where a mesh is coarse, borders are broad
+  static constexpr double cells_per_cell_of_part = 5; // of other parts: where a mesh is coarse, borders are broad
   static constexpr double cells_per_inner_vertex = 6.6;
   static constexpr double cells_per_surface_vertex = 2;
   static constexpr std::size_t least_number_of_questions = 2000;
@@ -324,8 +324,9 @@ private:
       m_sizes.set_walls(Wall_sizes_3<Tr>(m_cells, m_domain));
     Fill_domain_3<Tr> fill_domain(m_tr, m_domain, m_sizes, m_context);
     const double expected = m_result.forecast_of_vertices - static_cast<double>(m_tr.number_of_vertices());
-    if(number_of_parts() > 1)
-      fill_parts(fill_domain, max_number_of_vertices, static_cast<std::size_t>(expected));
+    const std::size_t number_of_parts = this->number_of_parts(max_number_of_vertices);
+    if(number_of_parts > 1)
+      fill_parts(fill_domain, number_of_parts, static_cast<std::size_t>(expected));
     else
       fill_domain(m_cells, max_number_of_vertices, static_cast<std::size_t>(expected));
     if(m_leaves_sizes_of_field)
@@ -345,21 +346,21 @@ private:
 
   typedef std::conjunction<Has_part<typename Tr::Vertex>, Has_meshing_info<typename Tr::Vertex> > Can_have_parts;
 
-  std::size_t number_of_parts() const
+  std::size_t number_of_parts(const std::size_t max_number_of_vertices) const
   {
     return Can_have_parts::value && ! m_domain.has_selection()
-         ? m_concurrency.number_of_parts(m_result.forecast_of_cells / cells_per_cell_of_part) : 1;
+         ? m_concurrency.number_of_parts(m_result.forecast_of_cells / cells_per_cell_of_part, max_number_of_vertices)
+         : 1;
   }
 
-  void fill_parts([[maybe_unused]] Fill_domain_3<Tr>& fill_domain,
-                  [[maybe_unused]] const std::size_t max_number_of_vertices,
+  void fill_parts([[maybe_unused]] Fill_domain_3<Tr>& fill_domain, [[maybe_unused]] const std::size_t number_of_parts,
                   [[maybe_unused]] const std::size_t expected_number)
   {
     if constexpr(Can_have_parts::value)
       internal::with_threads(*m_concurrency.number_of_threads, [&]
       {
         Fill_parts_3<Tr> fill(m_tr, m_domain, m_sizes, m_context, fill_domain);
-        fill(m_cells, number_of_parts(), max_number_of_vertices, expected_number);
+        fill(m_cells, number_of_parts, expected_number);
       });
   }
 

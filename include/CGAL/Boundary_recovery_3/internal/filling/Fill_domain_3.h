@@ -118,8 +118,8 @@ public:
       }
   }
 
-  // Looks at these cells, but not at those that come, until there are so many points. Returns the cells that are left to
-  // be looked at.
+  // Looks at these cells, but not at those that come, until there are so many points. Returns the cells that have to be
+  // looked at later.
   std::vector<Cell_handle> sweep(const std::vector<Cell_handle>& cells, const std::size_t number_of_points);
 
   // The cells of a part whose points would have changed something beyond its border.

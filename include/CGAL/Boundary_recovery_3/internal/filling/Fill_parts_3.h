@@ -27,6 +27,7 @@
 #include <cmath>
 #include <cstddef>
 #include <deque>
+#include <limits>
 #include <vector>
 
 namespace CGAL::Boundary_recovery_3::internal {
@@ -55,17 +56,16 @@ public:
   { }
 
   // Fills the domain, which has these cells, see `Fill_domain_3`.
-  void operator()(const Cells& cells, const std::size_t number_of_parts, const std::size_t max_number_of_vertices,
-                  const std::size_t expected_number)
+  void operator()(const Cells& cells, const std::size_t number_of_parts, const std::size_t expected_number)
   {
     const Encroached_walls_3 walls = m_fill.large_walls(cells);
-    m_fill.begin(walls, m_tr.number_of_vertices(), max_number_of_vertices, expected_number);
+    m_fill.begin(walls, m_tr.number_of_vertices(), no_limit, expected_number);
     Cells waiting = spread(cells);
     const std::size_t first_number = expected_number / points_per_first_point;
     while(! waiting.empty() && m_fill.vertices().size() < first_number && m_fill.can_go_on())
       waiting = m_fill.sweep(waiting, first_number);
     for(int round = 0; round < max_number_of_rounds && pays(waiting.size()); ++round)
-      fill_parts(number_of_parts, round, max_number_of_vertices, expected_number, walls, waiting);
+      fill_parts(number_of_parts, round, expected_number, walls, waiting);
     m_fill.fill(waiting);
     m_fill.shorten_long_edges();
   }
@@ -73,11 +73,14 @@ public:
 private:
   typedef Owned_parts_3<Tr> Parts;
 
+  static constexpr std::size_t no_limit = (std::numeric_limits<std::size_t>::max)(); // of the number of vertices
+
   // See "Tuning constants" in the manual.
   static constexpr std::size_t points_per_first_point = 30;
   static constexpr int max_number_of_rounds = 4;
   static constexpr double least_share = 0.15;  // of cells that wait in the number of vertices
   static constexpr double likely_growth = 0.2; // of sizes
+  static constexpr std::size_t stride = 64;    // from one first cell to the next one
 
   // The work on one part, by a thread.
   struct Task
@@ -97,7 +100,6 @@ private:
   // them are left out several times.
   static Cells spread(const Cells& cells)
   {
-    constexpr std::size_t stride = 64;
     Cells result;
     result.reserve(cells.size());
     for(std::size_t first = 0; first < stride; ++first)
@@ -113,8 +115,8 @@ private:
   }
 
   // Looks at cells that wait; afterwards, those wait that have to be looked at in the next round.
-  void fill_parts(const std::size_t number_of_parts, const int round, const std::size_t max_number_of_vertices,
-                  const std::size_t expected_number, const Encroached_walls_3& walls, Cells& waiting)
+  void fill_parts(const std::size_t number_of_parts, const int round, const std::size_t expected_number,
+                  const Encroached_walls_3& walls, Cells& waiting)
   {
     const Unique_hash_map<Vertex_handle, double> work = round == 0 ? work_at_vertices(waiting)
                                                                    : Unique_hash_map<Vertex_handle, double>(1);
@@ -131,7 +133,7 @@ private:
     for(std::size_t k = 0; k < parts.size(); ++k)
     {
       tasks.emplace_back(parts[k], m_sizes, m_visitor, m_context.seconds_left());
-      tasks.back().fill.begin(walls, m_tr.number_of_vertices() / parts.size(), max_number_of_vertices, 0);
+      tasks.back().fill.begin(walls, m_tr.number_of_vertices() / parts.size(), no_limit, 0);
       amounts.push_back(cells[k].size());
     }
     m_visitor.begin(Phase::field_point_insertion, m_fill.vertices().size(), expected_number);
@@ -149,8 +151,8 @@ private:
     }
   }
 
-  // At each vertex, about how many points the cells that wait there are going to have. That is for the first round: later
-  // on, borders would be where most of the work is.
+  // At each vertex, about how many points the cells that wait there are going to have. That is for the first round:
+  // later on, borders would be where most of the work is.
   Unique_hash_map<Vertex_handle, double> work_at_vertices(const Cells& waiting) const
   {
     Unique_hash_map<Vertex_handle, double> work(0); // for looking up only

@@ -105,7 +105,7 @@ public:
         || (m_selection && ! m_selection->contains(n));
   }
 
-  // Whether that is so only because the cell behind the facet, which is of the same region, is no inner one of the part.
+  // Whether that is so only because the cell behind the facet, of the same region, is no inner cell of the part.
   bool is_border([[maybe_unused]] const Cell_handle c, [[maybe_unused]] const int i) const
   {
     if constexpr(Has_part<typename Tr::Vertex>::value)

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <type_traits>
 
@@ -33,11 +34,13 @@ struct Concurrency
   std::optional<std::size_t> number_of_threads; // 0: as many as the machine has; none: nothing is divided
   double                     cells_per_part = 150000; // see "Tuning constants" in the manual
 
-  // Of a mesh with so many cells. A small one is not divided.
-  std::size_t number_of_parts(const double number_of_cells) const
+  // Of a mesh with so many cells. A small one is not divided, nor one that may have no more vertices than a number: the
+  // parts do not know of each other how many they have.
+  std::size_t number_of_parts(const double number_of_cells, const std::size_t max_number_of_vertices) const
   {
     const double number = (std::min)(number_of_cells / cells_per_part, double(max_number_of_parts - 1));
-    return number_of_threads && number >= 2 ? static_cast<std::size_t>(number) : 1;
+    const bool is_limited = max_number_of_vertices < (std::numeric_limits<std::size_t>::max)();
+    return number_of_threads && ! is_limited && number >= 2 ? static_cast<std::size_t>(number) : 1;
   }
 };
 

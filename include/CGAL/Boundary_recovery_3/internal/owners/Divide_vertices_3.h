@@ -29,8 +29,8 @@ namespace CGAL::Boundary_recovery_3::internal {
  * borders.
  *
  * Each round of work has axes of its own, so that its borders are elsewhere: they meet those of another round only
- * where two planes meet. In a long body, all axes put the vertices into the same order; so the borders of each round are
- * also shifted by a part of the work of a part.
+ * where two planes meet. In a long body, all axes put the vertices into the same order; so the borders of each round
+ * are also shifted by a part of the work of a part.
  */
 template <typename Vertex_handle>
 class Divide_vertices_3
@@ -46,8 +46,8 @@ public:
                             work, m_items.size(), v });
   }
 
-  // Gives all vertices owners, parts from 1 on, with the work of one of `number` equal parts. Returns how many parts there
-  // are: one more if the first and the last one share the work of one of these.
+  // Gives all vertices owners, parts from 1 on, with the work of one of `number` equal parts. Returns how many parts
+  // there are: one more if the first and the last one share the work of one of these.
   std::size_t operator()(const std::size_t number)
   {
     m_number = number;
@@ -77,13 +77,13 @@ private:
   // Orthogonal, and all of the same length; those of the later ones are turned, each in another way.
   static Axes axes_of_round(const int round)
   {
-    static constexpr std::array<Axes, 4> axes = {{
+    static const Axes axes[] = {
       {{ {{ 3, 0, 0 }}, {{ 0, 3, 0 }}, {{ 0, 0, 3 }} }},
       {{ {{ 1, 2, 2 }}, {{ 2, 1, -2 }}, {{ 2, -2, 1 }} }},
       {{ {{ -1, 2, 2 }}, {{ 2, -1, 2 }}, {{ 2, 2, -1 }} }},
       {{ {{ 1, -2, 2 }}, {{ -2, 1, 2 }}, {{ 2, 2, 1 }} }}
-    }};
-    return axes[static_cast<std::size_t>(round) % axes.size()];
+    };
+    return axes[round % 4];
   }
 
   // Of the positions of the parts, the last one is the one behind them.

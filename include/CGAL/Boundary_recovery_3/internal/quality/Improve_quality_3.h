@@ -123,12 +123,13 @@ private:
     improve_domain.set_target(min_dihedral_angle);
     improve_domain.set_effort(effort);
     improve_domain.set_max_number_of_vertices(m_max_number_of_vertices);
-    const Figures before = measure([&](const Cell_handle c, const Cell_angles_3&) { return improve_domain.concerns(c); },
-                                   [&](const Cell_handle c, const Cell_angles_3&) { improve_domain.add(c); });
+    const auto concerns = [&](const Cell_handle c, const Cell_angles_3&) { return improve_domain.concerns(c); };
+    const Figures before = measure(concerns, [&](const Cell_handle c, const Cell_angles_3&) { improve_domain.add(c); });
     if(before)
       improve_domain.set_number_of_cells(before->number_of_cells);
     if(! m_domain.has_selection())
-      improve_domain.set_number_of_parts(m_concurrency.number_of_parts(double(m_tr.number_of_finite_cells())));
+      improve_domain.set_number_of_parts(m_concurrency.number_of_parts(double(m_tr.number_of_finite_cells()),
+                                                                      m_max_number_of_vertices));
     is_begun = m_context.go_further();
     if(is_begun)
       improve_domain();

@@ -24,6 +24,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <mutex>
 #include <numeric>
 #include <type_traits>
@@ -79,7 +81,7 @@ void with_threads([[maybe_unused]] const std::size_t number_of_threads, const Wo
 #ifdef CGAL_LINKED_WITH_TBB
   if(number_of_threads > 0)
   {
-    constexpr std::size_t most = 1 << 16;
+    const std::size_t most = static_cast<std::size_t>((std::numeric_limits<std::int16_t>::max)());
     tbb::task_arena arena(static_cast<int>((std::min)(number_of_threads, most)));
     return arena.execute(work);
   }

@@ -1,0 +1,369 @@
+// Parts of a mesh are filled and improved by several threads: the mesh is the same for any number of them, valid, and
+// as good as that of one thread. Visitors that throw, or say no, in the middle. To be run with ThreadSanitizer, too.
+#undef NDEBUG
+
+#include "mesh_validity_br3.h"
+
+#include <CGAL/Boundary_constrained_mesh_triangulation_3.h>
+#include <CGAL/Boundary_recovery_3/Cell_quality_3.h>
+#include <CGAL/Boundary_recovery_3/Meshing_visitor_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Field_point_insertion_3.h>
+#include <CGAL/Boundary_recovery_3/internal/filling/Fill_parts_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/vertex_owners.h>
+#include <CGAL/Boundary_recovery_3/internal/owners/Concurrency.h>
+#include <CGAL/Boundary_recovery_3/internal/owners/Divide_vertices_3.h>
+#include <CGAL/Boundary_recovery_3/internal/owners/Owned_parts_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Improve_parts_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Improve_quality_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Measure_quality_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Mesh_visitor_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/mark_domain.h>
+#include <CGAL/recover_boundary.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace BR3 = CGAL::Boundary_recovery_3;
+namespace internal = CGAL::Boundary_recovery_3::internal;
+typedef CGAL::Exact_predicates_inexact_constructions_kernel      K;
+typedef CGAL::Boundary_constrained_mesh_triangulation_3<K>::type Tr;
+typedef Tr::Vertex_handle                                        Vertex_handle;
+typedef Tr::Cell_handle                                          Cell_handle;
+typedef std::array<std::size_t, 3>                               Triangle;
+
+struct Interruption { };
+
+// Keeps an account of the cells of the domain, and throws, or says no, at one of the calls.
+struct Visitor final
+  : public internal::Mesh_visitor_3<Tr>
+{
+  void before_cells_removal(const Cells& gone) override
+  {
+    if(number_of_changes++ == last_change)
+      throw Interruption();
+    for(const Cell_handle c : gone)
+      assert(cells.erase(&*c) == 1);
+  }
+
+  void after_cells_creation(const Cells& come) override
+  {
+    for(const Cell_handle c : come)
+      assert(cells.insert(&*c).second);
+  }
+
+  bool go_further() override { return number_of_questions++ != last_question; }
+  bool watches_cells() const override { return true; }
+
+  void on_progress(const BR3::Phase phase, const std::size_t done, const std::size_t total) override
+  {
+    assert(done <= total);
+    const double share = total > 0 ? double(done) / double(total) : 1;
+    if(phase == BR3::Phase::quality_improvement)
+    {
+      assert(share >= last_share && share < 1);
+      last_share = share;
+    }
+  }
+
+  std::set<const void*> cells;
+  std::size_t number_of_changes = 0, last_change = std::size_t(-1);
+  std::size_t number_of_questions = 0, last_question = std::size_t(-1);
+  double last_share = 0;
+};
+
+// Two octahedra, one in the other one, whose triangles are divided into four again and again.
+struct Surface
+{
+  explicit Surface(const int number_of_divisions)
+  {
+    for(const double radius : { 1., 0.5 })
+    {
+      const std::size_t first = points.size();
+      for(int i = 0; i < 6; ++i)
+        points.emplace_back(i / 2 == 0 ? sign(i) * radius : 0, i / 2 == 1 ? sign(i) * radius : 0,
+                            i / 2 == 2 ? sign(i) * radius : 0);
+      for(int i = 0; i < 8; ++i)
+      {
+        const std::size_t x = first + (i & 1), y = first + 2 + ((i >> 1) & 1), z = first + 4 + (i >> 2);
+        const bool is_even = ((i & 1) + ((i >> 1) & 1) + (i >> 2)) % 2 == 0;
+        divide(is_even ? Triangle{{ x, y, z }} : Triangle{{ x, z, y }}, number_of_divisions);
+      }
+    }
+  }
+
+  std::vector<K::Point_3> points;
+  std::vector<Triangle> triangles;
+
+private:
+  static int sign(const int i) { return i % 2 == 0 ? 1 : -1; }
+
+  std::size_t middle(const std::size_t i, const std::size_t j)
+  {
+    const auto inserted = m_middles.insert({ std::minmax(i, j), points.size() });
+    if(inserted.second)
+      points.push_back(CGAL::midpoint(points[i], points[j]));
+    return inserted.first->second;
+  }
+
+  void divide(const Triangle& t, const int n)
+  {
+    if(n == 0)
+      return triangles.push_back(t);
+    const std::size_t a = middle(t[1], t[2]), b = middle(t[2], t[0]), c = middle(t[0], t[1]);
+    divide({{ t[0], c, b }}, n - 1);
+    divide({{ c, t[1], a }}, n - 1);
+    divide({{ b, a, t[2] }}, n - 1);
+    divide({{ a, b, c }}, n - 1);
+  }
+
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> m_middles;
+};
+
+// The mesh of a surface, in steps, with parts of a size for tests.
+struct Scene
+{
+  Scene()
+    : surface(3), recovery(CGAL::recover_boundary(tr, surface.points, surface.triangles))
+  {
+    assert(recovery);
+    assert(CGAL::mark_domain(tr, recovery.surface_facets()) == 2);
+    note_cells();
+  }
+
+  void set_threads(const std::size_t number)
+  {
+    concurrency.number_of_threads = number;
+    concurrency.cells_per_part = 1200;
+  }
+
+  void note_cells()
+  {
+    visitor.cells.clear();
+    for(const Cell_handle c : tr.finite_cell_handles())
+      if(c->subdomain_index() != 0)
+        visitor.cells.insert(&*c);
+  }
+
+  BR3::Field_points_result_3<Tr> fill(const double h = 0.09, const std::size_t max_number = std::size_t(-1))
+  {
+    const internal::Any_size_field_3<K, double> size(h);
+    internal::Selected_domain_3<Tr> domain(tr);
+    internal::Field_point_insertion_3<Tr> insert(tr, domain, size, visitor);
+    insert.set_concurrency(concurrency);
+    return insert(max_number, std::numeric_limits<double>::infinity());
+  }
+
+  BR3::Quality_improvement_result_3<Tr> improve(const std::size_t max_number = std::size_t(-1))
+  {
+    const BR3::Dihedral_angle_quality_3 quality;
+    internal::Selected_domain_3<Tr> domain(tr);
+    internal::Improve_quality_3<Tr, BR3::Dihedral_angle_quality_3> improve(tr, domain, quality, max_number, visitor);
+    improve.set_concurrency(concurrency);
+    return improve(25, BR3::Improvement_effort::normal, std::numeric_limits<double>::infinity());
+  }
+
+  // Valid, and with all triangles; the containers know what they have.
+  void check()
+  {
+    assert(br3_test::is_valid_mesh(tr));
+    assert(tr.is_valid());
+    for(const Triangle& t : surface.triangles)
+      assert(tr.is_facet(recovery.vertices[t[0]], recovery.vertices[t[1]], recovery.vertices[t[2]],
+                         facet.first, i, j, facet.second)
+             && facet.first->is_facet_on_surface(6 - i - j - facet.second));
+    std::size_t number = 0;
+    for(const Cell_handle c : tr.finite_cell_handles())
+      if(c->subdomain_index() != 0)
+      {
+        ++number;
+        assert(visitor.cells.count(&*c) == 1);
+      }
+    assert(visitor.cells.size() == number);
+    assert(std::size_t(std::distance(tr.tds().vertices().begin(), tr.tds().vertices().end()))
+           == tr.tds().number_of_vertices());
+  }
+
+  // The cells in their order.
+  std::vector<K::Point_3> portrait() const
+  {
+    std::vector<K::Point_3> points;
+    for(const Cell_handle c : tr.finite_cell_handles())
+      for(int k = 0; k < 4; ++k)
+        points.push_back(c->vertex(k)->point());
+    return points;
+  }
+
+  Surface surface;
+  Tr tr;
+  BR3::Boundary_recovery_result_3<Tr> recovery;
+  internal::Concurrency concurrency;
+  Visitor visitor;
+  std::pair<Cell_handle, int> facet;
+  int i = 0, j = 0;
+};
+
+// All parts have about the same work; the first and the last one have it together in some rounds.
+void test_division()
+{
+  Scene scene;
+  std::vector<std::vector<Vertex_handle> > all(4);
+  for(int round = 0; round < 4; ++round)
+  {
+    internal::Divide_vertices_3<Vertex_handle> divide(round);
+    for(const Vertex_handle v : scene.tr.finite_vertex_handles())
+      divide.add(v, v->point().x() < 0 ? 3 : 1);
+    const std::size_t number = divide(7);
+    assert(number == (round == 0 ? 7 : 8));
+    std::vector<double> work(number + 1, 0);
+    double sum = 0;
+    for(const Vertex_handle v : scene.tr.finite_vertex_handles())
+    {
+      assert(internal::owner(v) > 0 && ! internal::is_on_border(v));
+      const double w = v->point().x() < 0 ? 3 : 1;
+      work.at(internal::owner(v)) += w;
+      sum += w;
+    }
+    if(round > 0)
+      work[1] += work[number];
+    for(std::size_t k = 1; k <= 7; ++k)
+      assert(std::abs(work[k] - sum / 7) < 0.05 * sum / 7);
+  }
+}
+
+// The rules of `vertex_owners.h` hold when all parts are marked; a mesh without work is what it was.
+void test_border()
+{
+  Scene scene;
+  assert(scene.fill());
+  const auto before = scene.portrait();
+  {
+    const internal::Selected_domain_3<Tr> domain(scene.tr);
+    internal::Owned_parts_3<Tr> parts(scene.tr, domain, 9, 2, [](Vertex_handle) { return 1.; });
+    std::vector<std::size_t> numbers(parts.size() + 1, 0);
+    parts.mark_border(domain, [&](Cell_handle, const std::size_t k) { ++numbers[k]; });
+    for(const std::size_t number : numbers)
+      assert(number > 0);
+    for(const Cell_handle c : scene.tr.finite_cell_handles())
+      if(domain.contains(c))
+        for(std::size_t k = 0; k < parts.size(); ++k)
+        {
+          const bool is_inner = parts.part_of(c) == k;
+          assert(parts[k].domain().contains(c) == is_inner);
+          for(int i = 0; is_inner && i < 4; ++i)
+          {
+            const Cell_handle n = c->neighbor(i);
+            assert(parts[k].domain().is_wall(c, i) == (domain.is_wall(c, i) || parts.part_of(n) != k));
+          }
+        }
+  }
+  assert(scene.portrait() == before);
+  scene.check();
+}
+
+void test_threads()
+{
+  Scene undivided;
+  assert(undivided.fill() && undivided.improve());
+  undivided.check();
+  std::vector<K::Point_3> first;
+  for(const std::size_t number_of_threads : { 1, 2, 3, 8 })
+  {
+    Scene scene;
+    scene.set_threads(number_of_threads);
+    const auto filling = scene.fill();
+    assert(filling);
+    assert(scene.concurrency.number_of_parts(filling.forecast_of_cells / 5, std::size_t(-1)) > 2);
+    assert(scene.tr.number_of_vertices() == scene.surface.points.size() + filling.number_of_field_points);
+    scene.check();
+    const auto improvement = scene.improve();
+    assert(improvement);
+    scene.check();
+    assert(improvement.counts.number_of_moved_vertices > 0);
+    const double cells = double(scene.visitor.cells.size()), expected = double(undivided.visitor.cells.size());
+    assert(std::abs(cells - expected) < 0.05 * expected);
+    const auto measured = internal::Measure_quality_3<Tr>(scene.tr, internal::Selected_domain_3<Tr>(scene.tr))(
+      [](Cell_handle, const internal::Cell_angles_3&) { });
+    assert(measured.number_of_cells == improvement.after.number_of_cells);
+    assert(measured.histogram == improvement.after.histogram);
+    assert(measured.min_dihedral_angle == improvement.after.min_dihedral_angle);
+    assert(measured.min_dihedral_angle > 20);
+    assert(std::abs(measured.share_of_edges_in_size - improvement.after.share_of_edges_in_size) < 1e-12);
+    if(first.empty())
+      first = scene.portrait();
+    assert(scene.portrait() == first);
+  }
+}
+
+// Somebody throws at one of the changes, in whichever thread that is.
+void test_exceptions()
+{
+  std::size_t number_of_exceptions = 0;
+  for(std::size_t n = 500; ; n = 2 * n + 1)
+  {
+    Scene scene;
+    scene.set_threads(3);
+    scene.visitor.last_change = n;
+    try {
+      assert(scene.fill() && scene.improve());
+      break;
+    } catch(const Interruption&) {
+      ++number_of_exceptions;
+    }
+    scene.check();
+    assert(scene.fill() && scene.improve());
+    scene.check();
+  }
+  assert(number_of_exceptions > 3);
+}
+
+void test_stops()
+{
+  std::size_t number_of_stops = 0;
+  for(std::size_t n = 4; ; n = 2 * n + 1)
+  {
+    Scene scene;
+    scene.set_threads(2);
+    scene.visitor.last_question = n;
+    const auto filling = scene.fill();
+    const auto improvement = scene.improve();
+    scene.check();
+    if(scene.visitor.number_of_questions <= n)
+      break;
+    number_of_stops += filling.status == BR3::Meshing_status::stopped
+                       || improvement.status == BR3::Meshing_status::stopped;
+  }
+  assert(number_of_stops > 2);
+}
+
+// Nothing is divided then, so that the limit is kept.
+void test_limit()
+{
+  Scene scene;
+  scene.set_threads(2);
+  const std::size_t max_number = scene.tr.number_of_vertices() + 2000;
+  assert(scene.fill(0.09, max_number).status == BR3::Meshing_status::too_large);
+  assert(scene.tr.number_of_vertices() <= max_number);
+  assert(scene.improve(scene.tr.number_of_vertices()));
+  assert(scene.tr.number_of_vertices() <= max_number);
+  scene.check();
+}
+
+int main()
+{
+  test_division();
+  test_border();
+  test_threads();
+  test_exceptions();
+  test_stops();
+  test_limit();
+}
