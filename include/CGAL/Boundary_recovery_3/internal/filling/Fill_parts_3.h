@@ -142,6 +142,8 @@ private:
       tasks[k].fill.fill(cells[k]);
       m_visitor.end_task(tasks[k].fill.vertices().size());
     }, Concurrency_tag_of<Tr>());
+    if(m_visitor.is_stopped())
+      m_context.stop();
     for(const Task& task : tasks)
     {
       m_fill.take_over(task.fill);

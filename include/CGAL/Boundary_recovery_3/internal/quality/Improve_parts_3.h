@@ -144,6 +144,8 @@ private:
         m_improve.tell_progress();
       });
     }, Concurrency_tag_of<Tr>());
+    if(m_visitor.is_stopped())
+      m_context.stop();
     for(Task& task : tasks)
     {
       internal::add_counts(m_improve.counts(), task.improve.counts());

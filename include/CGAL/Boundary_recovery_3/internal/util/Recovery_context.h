@@ -94,6 +94,9 @@ public:
 
   bool is_stopped() const { return m_is_stopped; }
 
+  // The visitor has said no to somebody else who asked.
+  void stop() { stop(seconds()); }
+
   // Calls `examine` once, when more work than this is done.
   void examine_after(const std::size_t work, std::function<void()> examine)
   {

@@ -17,6 +17,7 @@
 #include <CGAL/tags.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 #endif
@@ -24,8 +25,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
-#include <cstdint>
-#include <limits>
 #include <mutex>
 #include <numeric>
 #include <type_traits>
@@ -74,14 +73,14 @@ void for_each_task(const std::vector<std::size_t>& weights, const Work& work, co
   internal::for_each_in_order(order, work, tag);
 }
 
-// Does work by at most so many threads; 0: by as many as the caller's arena has.
+// Does work by at most so many threads, and no more than the TBB allows for; 0: by as many as the caller's arena has.
 template <typename Work>
 void with_threads([[maybe_unused]] const std::size_t number_of_threads, const Work& work)
 {
 #ifdef CGAL_LINKED_WITH_TBB
   if(number_of_threads > 0)
   {
-    const std::size_t most = static_cast<std::size_t>((std::numeric_limits<std::int16_t>::max)());
+    const std::size_t most = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
     tbb::task_arena arena(static_cast<int>((std::min)(number_of_threads, most)));
     return arena.execute(work);
   }
@@ -131,6 +130,9 @@ public:
     const std::lock_guard<std::mutex> lock(m_mutex);
     work();
   }
+
+  // Whether it has said no.
+  bool is_stopped() const { return m_is_stopped; }
 
   // Threads that find the visitor busy go on for now.
   bool go_further() override
