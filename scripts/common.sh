@@ -43,8 +43,9 @@ mpi_packages=(libboost-mpi-dev openmpi-bin libopenmpi-dev)
 # What the programs read their arguments with.
 program_packages=(libcli11-dev)
 
-# What the Python module and its tests take, and for CMake the Python that has them.
-python_packages=(pybind11-dev python3-dev python3-numpy python3-scipy python3-meshio python3-vtk9 xvfb xauth)
+# What the Python module takes, and its tests, and for CMake the Python that has them.
+python_build_packages=(pybind11-dev python3-dev)
+python_packages=("${python_build_packages[@]}" python3-numpy python3-scipy python3-meshio python3-vtk9 xvfb xauth)
 with_python=(-DBR3_BUILD_PYTHON=ON -DPython_EXECUTABLE=/usr/bin/python3)
 
 # For CMake, which takes the name of precompiled headers of C++ from the compiler of C.
