@@ -46,8 +46,8 @@ def tetrahedralize(points: Any, triangles: Any, size: Size = None, patches: Any 
                  interpolated in it. Of all sizes, the smallest one wins.
     max_vertices how many points the mesh may have; if the forecast is higher, no point is inserted ("too_large")
     time_limit   seconds after which the work stops soon ("stopped"), with a valid mesh
-    threads      how many threads may work. It has no effect today: one thread makes the mesh, as the surface is not
-                 divided into sub-domains here. The mesh will not depend on it.
+    threads      how many threads may work on a large mesh, which does not depend on it; default: as many as there are.
+                 One does if `size` is a function, which is called by the thread that calls this.
     repair       whether a surface that intersects itself, or has gaps, is repaired first where that is possible; a
                  number is the distance below which points are the same. `points` of the result begin with those of the
                  repaired surface then, `triangle_numbers` tell of which triangles the new ones are parts, and
@@ -72,7 +72,7 @@ def tetrahedralize(points: Any, triangles: Any, size: Size = None, patches: Any 
         repaired = _repair(points, triangles, -1.0 if repair is True else float(repair))
         points, triangles, changes = repaired["points"], repaired["triangles"], repaired["changes"]
     options = _options(min_angle=min_angle, effort=effort, improve=bool(improve), max_vertices=max_vertices,
-                       time_limit=time_limit)
+                       time_limit=time_limit, threads=1 if callable(size) else threads)
     sizes = size_arguments(size, len(points), grading, sources, background)
     data = _core.tetrahedralize(points, triangles, as_indices(edges, 2, "edges"), sizes, options, progress)
     if changes is not None:

@@ -379,6 +379,7 @@ Options options_of(const py::dict& dict)
   set(dict, "min_angle", options.min_angle);
   set(dict, "time_limit", options.time_limit);
   set(dict, "max_vertices", options.max_vertices);
+  set(dict, "threads", options.threads);
   set(dict, "max_defects", options.max_defects);
   set(dict, "layers", options.layers);
   return options;

@@ -134,7 +134,7 @@ struct Options
   std::string mode = "constrained", recovery_effort = "more_time", effort = "normal";
   bool insert_field_points = true, improve = true, list_defects = false, is_outside_wanted = false;
   double min_angle = 25, time_limit = infinity;
-  std::size_t max_vertices = no_limit, max_defects = 10000, layers = 2;
+  std::size_t max_vertices = no_limit, max_defects = 10000, layers = 2, threads = 0;
 };
 
 // A defect of the input: what kind of simplices, and which; `no_index` for those that have no number.

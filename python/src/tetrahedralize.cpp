@@ -25,7 +25,7 @@ Result make_mesh(Triangulation& tr, const Point_rows& points, const Index_rows& 
     params::visitor(std::ref(visitor)).maximum_running_time(options.time_limit),
     params::recovery_mode(mode), params::effort(effort), params::constrained_edges(as_rows<2>(edges)),
     params::list_defects(options.list_defects), params::maximum_number_of_defects(options.max_defects),
-    params::maximum_number_of_vertices(options.max_vertices),
+    params::maximum_number_of_vertices(options.max_vertices), params::number_of_threads(options.threads),
     params::improve_quality(options.improve && options.insert_field_points),
     params::min_dihedral_angle(options.min_angle), params::improvement_effort(effort_of(options)));
 }

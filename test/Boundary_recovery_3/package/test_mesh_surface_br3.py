@@ -670,8 +670,8 @@ def test_command_line():
                   ['--size', 'nan'], ['--size', 'inf'], ['--size', '1e999'], ['--size', '1m'], ['--size', ''],
                   ['--grading', '-1'], ['--grading', 'nan'], ['--grading', '0.3', '--size', '1'], ['--sources'],
                   ['--background'], ['--max-vertices', '-1'], ['--max-vertices', '1.5'], ['--max-vertices', '1e300'],
-                  ['--time-limit', 'soon'], ['--subdomains', '0'], ['--subdomains', '1.5'], ['--threads', '2'],
-                  ['--subdomains', '2', '--threads', '0'], ['--threads'], ['--tolerance', '1'], ['--conforming'], ['--min-angle'],
+                  ['--time-limit', 'soon'], ['--subdomains', '0'], ['--subdomains', '1.5'],
+                  ['--threads', '0'], ['--threads'], ['--tolerance', '1'], ['--conforming'], ['--min-angle'],
                   ['--min-angle', '-1'], ['--min-angle', '70.6'], ['--min-angle', 'nan'], ['--no-improvement', '1'],
                   ['--effort'], ['--effort', 'much'], ['--effort', ''], ['-o', 'out.stl'], ['-o', 'out']):
         check_file_error(surface, *wrong)
