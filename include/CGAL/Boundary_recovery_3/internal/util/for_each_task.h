@@ -40,9 +40,9 @@ using Concurrency_tag_of = std::conditional_t<std::is_floating_point<typename Tr
 
 #ifdef CGAL_LINKED_WITH_TBB
 
-// Each thread takes the next task when it is ready, so not more of them are under way than there are threads. All that
-// was done before is known to the tasks, and what they do afterwards, as the atomic numbers say: ThreadSanitizer does not
-// see what the TBB does for that.
+// Each thread takes the next task when it is ready, so not more of them are under way than there are threads. What was
+// done before the tasks and in them is seen in them and after them, as the atomic numbers also tell ThreadSanitizer,
+// which does not look into the TBB.
 template <typename Work>
 void for_each_in_order(const std::vector<std::size_t>& order, const Work& work, Parallel_tag)
 {
