@@ -223,6 +223,10 @@ private:
   // The recursion level is multiplied by this from pass to pass: passes at low levels change the mesh without much use.
   static constexpr int recursion_level_factor = 6;
 
+  // A pass at the maximal level is worthwhile if it takes away more than one part of so many. Attempts that fail are
+  // most of the work, and Steiner points cost less then.
+  static constexpr std::size_t least_gain = 20;
+
   // Bound on the shells that one calling of Alg. 5 visits, for each constraint that is lost at its start: in planar
   // fans of hundreds of triangles, recursion goes astray.
   static constexpr std::size_t max_number_of_shells_per_constraint = 1000;
@@ -264,7 +268,7 @@ private:
   }
 
   // recvBndEdgesByST_Wrap of [CZZ+17, Alg. 5]: raises the recursion level from pass to pass up to its maximum, until
-  // nothing is lost, or until a pass there did not improve the measure.
+  // nothing is lost, or until a pass there improved the measure too little.
   template <typename Pass>
   void raise_recursion_level(const Phase phase, const int max_recursion_level, std::size_t Report::* const measure,
                              const Pass& pass)
@@ -276,7 +280,7 @@ private:
     {
       pass(l_max);
       const std::size_t value = add_level(phase, l_max).*measure;
-      if(value >= best && l_max == max_recursion_level)
+      if(l_max == max_recursion_level && least_gain * value >= (least_gain - 1) * best)
         return;
       best = (std::min)(best, value);
     }

@@ -32,6 +32,8 @@
 #include <cstddef>
 #include <iterator>
 #include <optional>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Boundary_recovery_3::internal {
@@ -125,6 +127,34 @@ private:
 };
 
 /*
+ * Where reconnection of growing cavities failed. It fails again as long as the Steiner points in the cavity are there:
+ * all else around it stays much the same.
+ */
+template <typename Ledger>
+class Failed_growths_3
+{
+public:
+  typedef typename Ledger::Vertex_handle Vertex_handle;
+  typedef std::vector<Vertex_handle>     Points;
+
+  explicit Failed_growths_3(const Ledger& ledger) : m_ledger(ledger) { }
+
+  // `points` are the free points in the cavity around v, with v.
+  void insert(const Vertex_handle v, Points points) { m_points[&*v] = std::move(points); }
+
+  bool contains(const Vertex_handle v) const
+  {
+    const auto it = m_points.find(&*v);
+    return it != m_points.end() && std::all_of(it->second.begin(), it->second.end(),
+                                               [this](const Vertex_handle w) { return m_ledger.is_free(w); });
+  }
+
+private:
+  const Ledger& m_ledger;
+  std::unordered_map<const void*, Points> m_points; // by addresses of vertices, only looked up
+};
+
+/*
  * The postprocessing of [CZZ+17, Section 4.3]: removes Steiner points that are on no constraint.
  *
  * Points are first removed one by one, and those that stay move to the deepest point of their kernel. Where that does
@@ -190,6 +220,8 @@ public:
   std::size_t number_of_transformations() const { return m_suppress.number_of_transformations(); }
 
 private:
+  typedef Failed_growths_3<typename Mesh::Ledger> Failed_growths;
+
   // Where there is a domain, the points in its exterior are not worth much time.
   enum Points { ALL_POINTS, POINTS_OF_DOMAIN };
 
@@ -234,10 +266,9 @@ private:
   {
     const std::size_t before = number_of_points();
     merge_points();
-    std::vector<Vertex_handle> hopeless;
     for(const auto growth : { Growing_cavity::AROUND, Growing_cavity::TOWARD_DEAD_ENDS })
       if(! is_worthwhile(before))
-        reconnect_points(growth, hopeless);
+        reconnect_points(growth);
     return is_worthwhile(before);
   }
 
@@ -277,15 +308,16 @@ private:
   // --- ways to remove points ----------------------------------------------------------------------------------------
 
   // Tries to remove each of the points by reconnection of a growing cavity around it, as long as this does not fail too
-  // often. Those in the exterior are left alone: that hardly ever helped one. Adds the points that no growth helps to
-  // the `hopeless` ones, and does not try these; the list is empty again once one is removed.
-  void reconnect_points(const typename Growing_cavity::Growth growth, std::vector<Vertex_handle>& hopeless)
+  // often. Those in the exterior are left alone: that hardly ever helped one. Nor are those tried where the same
+  // failed before.
+  void reconnect_points(const typename Growing_cavity::Growth growth)
   {
+    Failed_growths& failed = m_failed_growths[growth == Growing_cavity::AROUND ? 0 : 1];
     const std::size_t before = number_of_points();
     std::size_t number_of_failures = 0;
     for_each_point(POINTS_OF_DOMAIN, [&](const Vertex_handle v)
     {
-      if(! is_success_likely(before, number_of_failures) || internal::contains(hopeless, v) || ! collect_star(v))
+      if(! is_success_likely(before, number_of_failures) || failed.contains(v) || ! collect_star(v))
         return;
       const auto& bounds = growth == Growing_cavity::AROUND ? around_bounds : dead_ends_bounds;
       const auto outcome = m_growing_cavity(m_star, v, m_mesh.ledger.free_points(), growth, bounds, m_mesh.context);
@@ -293,13 +325,25 @@ private:
       {
         internal::replace_and_forget(m_mesh.editor, m_mesh.ledger, m_growing_cavity.cells(),
                                      m_growing_cavity.tetrahedra(), m_growing_cavity.dropped_points());
-        hopeless.clear();
         return;
       }
       ++number_of_failures;
-      if(outcome == Growing_cavity::NONE)
-        hopeless.push_back(v);
+      if(outcome == Growing_cavity::NONE) // no growth helps
+        for(Failed_growths& f : m_failed_growths)
+          f.insert(v, points_in_cavity());
+      else
+        failed.insert(v, points_in_cavity());
     });
+  }
+
+  // Those of the cavity that grew last.
+  std::vector<Vertex_handle> points_in_cavity()
+  {
+    std::vector<Vertex_handle> result;
+    for(const Vertex_handle v : m_growing_cavity.vertices())
+      if(m_mesh.ledger.is_free(v))
+        result.push_back(v);
+    return result;
   }
 
   // Makes one point of two neighbors, where one sees the boundary of both stars.
@@ -374,6 +418,7 @@ private:
   Merge_points_3<Tr> m_merge;
   Round_free_point_3<Tr> m_round;
   Growing_cavity m_growing_cavity;
+  std::array<Failed_growths, 2> m_failed_growths{{ Failed_growths(m_mesh.ledger), Failed_growths(m_mesh.ledger) }};
   std::optional<std::vector<Vertex_handle> > m_exterior_points; // where there is a domain; none until asked for
   std::vector<Cell_handle> m_star;
 };
