@@ -89,6 +89,9 @@ public:
     return m_walk.crossings();
   }
 
+  // Those that were collected last: after a call that failed, what was left then.
+  const std::vector<Crossing>& crossings() const { return m_walk.crossings(); }
+
   // The crossings that were collected so far, those that were collected again included: with the shells, a measure of
   // the work.
   std::size_t number_of_crossings() const { return m_number_of_crossings; }
