@@ -223,6 +223,10 @@ private:
   // The recursion level is multiplied by this from pass to pass: passes at low levels change the mesh without much use.
   static constexpr int recursion_level_factor = 6;
 
+  // Shells visited in one attempt below the maximal recursion level: what needs more comes back with less work there,
+  // once the others have.
+  static constexpr std::size_t max_number_of_shells_below = N == 2 ? 64 : 256;
+
   // Bound on the shells that one calling of Alg. 5 visits, for each constraint that is lost at its start: in planar
   // fans of hundreds of triangles, recursion goes astray.
   static constexpr std::size_t max_number_of_shells_per_constraint = 1000;
@@ -269,6 +273,7 @@ private:
     m_hopeless_since.assign(all().size(), never);
     m_failures.assign(all().size(), Failure());
     m_max_number_of_shells = max_number_of_shells;
+    m_recover.set_max_number_of_shells(m_recover.default_max_number_of_shells);
   }
 
   // recvBndEdgesByST_Wrap of [CZZ+17, Alg. 5]: raises the recursion level from pass to pass up to its maximum, until
@@ -282,6 +287,8 @@ private:
     for(int l_max = (std::min)(1, max_recursion_level); ! m_lost.empty() && m_context.go_further();
         l_max = next_recursion_level(l_max, max_recursion_level))
     {
+      m_recover.set_max_number_of_shells(l_max < max_recursion_level ? max_number_of_shells_below
+                                                                     : m_recover.default_max_number_of_shells);
       pass(l_max);
       const std::size_t value = add_level(phase, l_max).*measure;
       if(value >= best && l_max == max_recursion_level)
