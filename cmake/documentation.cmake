@@ -29,6 +29,8 @@ if(DOXYGEN_FOUND)
   set(CGAL_DOC_PACKAGE_DEFAULTS ${CMAKE_CURRENT_BINARY_DIR}/defaults.dxy)
   configure_file(doc/standalone_defaults.dxy.in ${CGAL_DOC_PACKAGE_DEFAULTS})
   configure_file(doc/Boundary_recovery_3/Doxyfile.in Boundary_recovery_3.dxy)
+  # CGAL puts its version before the title; outside of CGAL it would be that of another project.
+  file(APPEND ${CMAKE_CURRENT_BINARY_DIR}/Boundary_recovery_3.dxy "PROJECT_NAME = \"3D Boundary Recovery\"\n")
   add_custom_target(doc COMMAND Doxygen::doxygen Boundary_recovery_3.dxy ${br3_copy_mathjax}
                     WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR} VERBATIM)
 endif()

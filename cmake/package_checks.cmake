@@ -95,6 +95,15 @@ if(DOXYGEN_FOUND)
 else()
   br3_add_skipped_test(manual_builds_without_warning "no doxygen was found")
 endif()
+if(DOXYGEN_FOUND AND Python3_FOUND)
+  add_test(NAME manual_has_no_dead_link COMMAND Python3::Interpreter
+           ${br3_package_tests}/check_manual.py ${CMAKE_CURRENT_BINARY_DIR}/doc_output)
+  set_tests_properties(manual_has_no_dead_link PROPERTIES FIXTURES_REQUIRED manual)
+  add_test(NAME dead_links_are_found COMMAND Python3::Interpreter
+           ${br3_package_tests}/check_manual.py --self-test ${CMAKE_CURRENT_BINARY_DIR}/manual_self_test)
+else()
+  br3_add_skipped_test(manual_has_no_dead_link "no doxygen or no python3 was found")
+endif()
 if(DOXYGEN_FOUND AND BR3_MATHJAX_DIR)
   add_test(NAME formulas_need_no_network COMMAND ${CMAKE_COMMAND}
            -DPAGES=${CMAKE_CURRENT_BINARY_DIR}/doc_output -P ${br3_package_tests}/check_formulas.cmake)

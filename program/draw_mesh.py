@@ -26,6 +26,16 @@ recovered_gear.svg is the default surface of recover_boundary:
   recover_boundary -o gear.mesh && draw_mesh.py gear.mesh recovered_gear.svg
 recovered_schoenhardt.svg is the smallest surface of data/meshes that takes a point:
   recover_boundary schoenhardt_br3.off -o prism.mesh && draw_mesh.py prism.mesh recovered_schoenhardt.svg 440
+The pages of the manual begin with these, of surfaces of data/meshes:
+  mesh_surface two_cubes_br3.off --remesh-surface 0.2 --size 0.4 --sources left_cube.txt -o materials.mesh
+  draw_mesh.py materials.mesh meshed_materials.svg 560 --references --cut 0,-1,0,-0.5 --view -60,25
+  mesh_surface nut_br3.stl --repair --remesh-surface 0.3 --size 0.3 -o nut.vtu
+  draw_mesh.py nut.vtu meshed_nut.svg 460 --cut 0.3,-1,0,0.5 --view -55,40
+  mesh_surface wing_br3.off --sources wake.txt --grading 0.3 -o sources.mesh
+  draw_mesh.py sources.mesh meshed_sources.svg 560 --cut 0,-1,0,0 --view -90,0 --around 2.3,0,0,1.5
+  mesh_surface gear_br3.off --remesh-surface 0.9 -o gear.vtu
+  draw_mesh.py gear.vtu meshed_gear.svg 560 --chart --view -60,35
+with 'box 0 0 0 1 1 1 0.1 0 10' in left_cube.txt, and the sources of the example mesh_with_sources.cpp in wake.txt.
 
 Without --cut, tetrahedra whose centroid lies to the right and to the front of the middle (larger x, smaller y) are left
 out; with it, those whose centroid p has (X,Y,Z) * p > D. Surfaces inside the outer one are drawn as a whole all the same.
@@ -459,8 +469,8 @@ def draw_strip(options):
         height, lines = draw(mesh, left, width, options)
         parts += lines
         left += width + GAP
-    return "\n".join(['<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 %d %d">'
-                      % (SCALE * (left - GAP), SCALE * height),
+    return "\n".join(['<svg xmlns="http://www.w3.org/2000/svg" width="%d" height="%d" viewBox="0 0 %d %d">'
+                      % (left - GAP, height, SCALE * (left - GAP), SCALE * height),
                       '<rect width="100%" height="100%" fill="#fff"/>'] + parts + ["</svg>", ""])
 
 

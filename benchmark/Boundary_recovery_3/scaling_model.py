@@ -163,7 +163,7 @@ def draw(curves, cells, path):
     left, top, width, height, largest = 62, 34, 420, 300, 10
     def x(ranks): return left + width * math.log2(ranks) / largest
     def y(factor): return top + height * (1 - math.log2(factor) / largest)
-    lines = ['<svg xmlns="http://www.w3.org/2000/svg" width="680" height="390" font-family="sans-serif" font-size="12">',
+    lines = ['<svg xmlns="http://www.w3.org/2000/svg" width="680" height="390" viewBox="0 0 680 390" font-family="sans-serif" font-size="12">',
              '<rect width="680" height="390" fill="white"/>',
              '<text x="%d" y="20">%s tetrahedra, speed-up against one rank (model)</text>' % (left, cells)]
     for k in range(0, largest + 1, 2):

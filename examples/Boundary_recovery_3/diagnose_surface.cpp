@@ -44,12 +44,14 @@ int main()
   points.insert(points.end(), { Point(.2, .7, 2), Point(.4, .7, 2), Point(.3, .9, 2), Point(.3, .8, .5) });
   triangles.insert(triangles.end(), { {{ a, b, c }}, {{ a, d, b }}, {{ b, d, c }}, {{ c, d, a }} });
 
+  //! [diagnosis]
   // Intersections are looked for first, and nothing is flipped if there are any.
   Triangulation tr;
   const auto result = CGAL::recover_boundary(tr, points, triangles, CGAL::parameters::list_defects(true));
   std::cout << to_string(result.status) << std::endl;
   for(const auto& defect : result.defects)
     std::cout << "  " << defect << std::endl;
+  //! [diagnosis]
 
   const std::size_t n = write_offending_triangles("offending_triangles.off", result, points, triangles);
   std::cout << n << " triangles are in offending_triangles.off" << std::endl;

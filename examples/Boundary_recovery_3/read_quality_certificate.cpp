@@ -32,12 +32,14 @@ int main()
     {{ 1, 2, 4 }}, {{ 4, 2, 5 }}, {{ 4, 5, 7 }}, {{ 7, 5, 8 }},   // the thick end
     {{ 0, 2, 1 }}, {{ 6, 7, 8 }} };
 
-  //! [certificate]
+  //! [improvement]
   Triangulation tr;
   const auto result = CGAL::make_boundary_constrained_mesh_3(tr, points, triangles, 1.,
                                                              CGAL::parameters::min_dihedral_angle(15.));
   std::cout << result.improvement << std::endl;
+  //! [improvement]
 
+  //! [certificate]
   std::set<int> blamed; // triangles of the input
   for(const Bad_cell& bad : result.improvement.certificate.cells)
   {

@@ -28,7 +28,7 @@ namespace Boundary_recovery_3 {
 /*!
  * \ingroup PkgBoundaryRecovery3Classes
  *
- * \brief a vertex base with what CGAL's mesh packages want to know of a vertex, and nothing else.
+ * \brief a vertex base with the dimension, the index and the size that CGAL's mesh packages ask vertices for.
  *
  * The members have the names, and the meaning, that they have in `MeshVertexBase_3`, so that the same code takes
  * vertices of triangulations over CGAL's own bases. A vertex has 56 bytes over
@@ -114,8 +114,8 @@ private:
 /*!
  * \ingroup PkgBoundaryRecovery3Classes
  *
- * \brief a cell base with what CGAL's mesh packages want to know of a cell, and nothing else: the region that it is
- * in, and for each of its facets the patch of the surface that it is on.
+ * \brief a cell base with the region of the cell and the patches of its facets, as CGAL's mesh packages ask cells for
+ * them.
  *
  * The members have the names, and the meaning, that they have in `MeshCellBase_3`, so that the same code takes cells of
  * triangulations over CGAL's own bases. A cell has 88 bytes over `Exact_predicates_inexact_constructions_kernel`,
@@ -189,7 +189,7 @@ private:
 /*!
  * \ingroup PkgBoundaryRecovery3Classes
  *
- * \brief provides the triangulation type that `make_boundary_constrained_mesh_3()` is best used with.
+ * \brief provides the best triangulation type for `make_boundary_constrained_mesh_3()`.
  *
  * \tparam Kernel a model of `BoundaryRecoveryTraits_3`
  * \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` for the parallel insertion of points before the recovery

@@ -242,10 +242,10 @@ public:
   /// quality nor recursion.
   void remove_without_recursion() { flips().remove_without_recursion(); }
 
-  /// is the first calling of [CZZ+17, Alg. 5]: under BRC1, with the vector [Q', Q'', Q_1].
+  /// is the first calling of [CZZ+17, Alg.\ 5]: under BRC1, with the vector [Q', Q'', Q_1].
   void recover_edges_brc1() { flips().recover_edges_brc1(m_max_recursion_level); }
 
-  /// is the second calling of [CZZ+17, Alg. 5]: under BRC3, with the vector [Q_2, Q', Q''].
+  /// is the second calling of [CZZ+17, Alg.\ 5]: under BRC3, with the vector [Q_2, Q', Q''].
   void recover_edges_brc3() { flips().recover_edges_brc3(m_max_recursion_level); }
 
   /// tries small polyhedron reconnection on the cells around each lost edge, as long as this helps.
@@ -294,7 +294,7 @@ public:
   /// constraint is without such a position.
   bool round_steiner_points() { return m_points.round_points(); }
 
-  /// is the second half of the main procedure [CZZ+17, Alg. A.1 to A.5]: takes the Steiner points off the constraints.
+  /// is the second half of the main procedure [CZZ+17, Alg.\ A.1 to A.5]: takes the Steiner points off the constraints.
   /// Returns whether none is left there.
   ///
   /// \pre all constraints are unions of mesh simplices.

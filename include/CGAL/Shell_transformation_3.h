@@ -127,7 +127,7 @@ public:
   Shell_transformation_3& operator=(const Shell_transformation_3&) = delete;
 
   /*!
-   * transforms the shell of an edge once [CZZ+17, Alg. 3].
+   * transforms the shell of an edge once [CZZ+17, Alg.\ 3].
    *
    * \param e the supporting edge. An edge at the infinite vertex and a constrained one that cannot be kept are left
    * alone.
@@ -151,7 +151,7 @@ public:
   }
 
   /*!
-   * removes an edge by recursive shell transformations [CZZ+17, Alg. 1].
+   * removes an edge by recursive shell transformations [CZZ+17, Alg.\ 1].
    *
    * \param e the edge
    * \param l_max the maximal recursion level; 0: only the shell of `e` itself is transformed
@@ -170,7 +170,7 @@ public:
   }
 
   /*!
-   * removes a facet by recursive shell transformations around its edges, one after the other [CZZ+17, Alg. 4, lines 8
+   * removes a facet by recursive shell transformations around its edges, one after the other [CZZ+17, Alg.\ 4, lines 8
    * to 11].
    *
    * \param f the facet

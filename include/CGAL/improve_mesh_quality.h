@@ -30,20 +30,21 @@ namespace CGAL {
  * \ingroup PkgBoundaryRecovery3Functions
  *
  * \brief improves the cells of a mesh until none has a dihedral angle below a target, or nothing helps; the surface
- * stays as it is.
+ * stays.
  *
- * This is step 7 of [CZZ+17, Section 4.1]. Cells are made better one after the other, the worst ones first: edges and
- * facets are removed, vertices are moved, inserted or removed. Nothing is changed unless it makes the cells that
- * are concerned better together, and none of them worse than the worst of them was; in the end, where cells are really
- * bad, a few may get worse so that others can become better, but none is worse than the worst one of the mesh was.
+ * This is step 7 of [CZZ+17, Section 4.1]. The worst cells come first: edges and facets are removed, vertices are
+ * moved, inserted or removed. A change is made only if it makes the cells around it better together, and none of them
+ * worse than the worst of them was. Near the worst cells of the mesh, a few cells may get worse in the end so that
+ * others become better, but never worse than the worst one of the mesh was.
  *
  * The triangulation may come from `insert_field_points()`, from CGAL's remeshing, or, by
  * `convert_to_triangulation_3()`, from Mesh_3. Constrained are the facets for which `is_facet_on_surface()` holds,
- * those between cells of different `subdomain_index()`, and edges that are named; they stay, and so do vertices on
- * them, and those whose `in_dimension()` is 0, 1 or 2. Other vertices may be moved, and may go, so that handles of them
- * and of cells lose their meaning.
+ * facets between cells of different `subdomain_index()`, and the edges of `edge_is_constrained_map`. They stay, and so
+ * do their vertices, and vertices whose `in_dimension()` is 0, 1 or 2. Other vertices may be moved or removed; their
+ * handles, and handles of cells, become invalid.
  *
- * For cells that cannot be improved the result tells why: see `Boundary_recovery_3::Quality_certificate_3`.
+ * The result tells the reason for each cell that stays below the target: see
+ * `Boundary_recovery_3::Quality_certificate_3`.
  *
  * Nothing is printed. The same input gives the same mesh, bit for bit, unless time is limited.
  *
@@ -52,7 +53,7 @@ namespace CGAL {
  * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
  *
  * \param tr the triangulation
- * \param np an optional sequence of named parameters among the ones listed below. Those that only this package has
+ * \param np an optional sequence of named parameters among the ones listed below. The named parameters of this package
  *        start a chain; several chains are passed one after the other.
  *
  * \cgalNamedParamsBegin
@@ -60,8 +61,8 @@ namespace CGAL {
  *     \cgalParamDescription{the target, in degrees: cells with a smaller dihedral angle are improved}
  *     \cgalParamType{`double`}
  *     \cgalParamDefault{25}
- *     \cgalParamExtra{It has to be from 0 to 70.53, the angle of the regular tetrahedron. Above 25, many cells
- *                     will stay below it, and it takes long.}
+ *     \cgalParamExtra{The target has to be from 0 to 70.53, the angle of the regular tetrahedron. Above 25, many cells
+ *                     will stay below it, and the work takes long.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{improvement_effort}
  *     \cgalParamDescription{how much work the improvement is worth}
@@ -69,7 +70,7 @@ namespace CGAL {
  *     \cgalParamDefault{`Improvement_effort::normal`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{cell_quality}
- *     \cgalParamDescription{what makes a cell better than another one}
+ *     \cgalParamDescription{which of two cells is better}
  *     \cgalParamType{a model of `CellQuality_3`}
  *     \cgalParamDefault{`Boundary_recovery_3::Dihedral_angle_quality_3`}
  *   \cgalParamNEnd
@@ -88,8 +89,8 @@ namespace CGAL {
  *     \cgalParamExtra{It is asked for both orders of the vertices.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_number_of_vertices}
- *     \cgalParamDescription{how many vertices the triangulation may have: none is inserted beyond that, and what could
- *                           be improved by others only stays bad}
+ *     \cgalParamDescription{the largest number of vertices of the triangulation: at the limit, the improvement works
+ *                           without further vertices}
  *     \cgalParamType{`std::size_t`}
  *     \cgalParamDefault{no limit}
  *   \cgalParamNEnd
@@ -97,8 +98,8 @@ namespace CGAL {
  *     \cgalParamDescription{the time in seconds after which the improvement stops soon, with a valid triangulation}
  *     \cgalParamType{`double`}
  *     \cgalParamDefault{no limit}
- *     \cgalParamExtra{For the last figures and the certificate there are 0.15 seconds more; what takes longer is left
- *                     out, and the result says so.}
+ *     \cgalParamExtra{The last figures and the certificate may take 0.15 seconds more. Otherwise they are left out, and
+ *                     the result says so.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
  *     \cgalParamDescription{is told about the phase `quality_improvement`, about progress, and about the cells that go

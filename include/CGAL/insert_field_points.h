@@ -29,25 +29,24 @@ namespace CGAL {
 /*!
  * \ingroup PkgBoundaryRecovery3Functions
  *
- * \brief inserts points into the regions of a domain until its cells have the sizes that are asked for; the surface
- * stays as it is.
+ * \brief inserts points into the regions of a domain until its cells have given sizes; the surface stays.
  *
  * This is step 6 of [CZZ+17, Section 4.1]. A cell is too large if its circumradius is longer than 0.75 times the size
- * at its centroid: edges are shorter than 1.5 times the size then. Such a cell gets a point at its circumcenter, or,
- * where that cannot be, at its centroid, unless another vertex is nearer than 0.7 times the size. The point is inserted
- * by the Bowyer-Watson algorithm in the region of the cell: constrained facets and edges, and facets between regions,
- * are neither crossed nor split. Where triangles of the surface are larger than the size, cells at them are, too, and
- * no points are inserted within 1.5 times the size of those that are so much larger that the cells would be flat. Edges
- * inside that are far too long nevertheless, because cells were not Delaunay, are removed in the end, or get a
- * point in the middle, unless another vertex is nearer than 0.4 times the size.
+ * at its centroid: edges of other cells are shorter than 1.5 times the size. A cell that is too large gets a point at
+ * its circumcenter, or else at its centroid, unless another vertex is nearer than 0.7 times the size. The point is
+ * inserted by the Bowyer-Watson algorithm in the region of the cell: constrained facets and edges, and facets between
+ * regions, are neither crossed nor split. Where triangles of the surface are larger than the size, so are cells beside
+ * them. Within 1.5 times the size of triangles that are much larger, no points are inserted, since they would make flat
+ * cells. Edges inside that are still far too long are removed in the end, or get a point in the middle, unless another
+ * vertex is nearer than 0.4 times the size.
  *
  * The triangulation may come from `mark_domain()`, from CGAL's remeshing, or, by `convert_to_triangulation_3()`, from
- * Mesh_3, whose points have weights that nobody asks for. Constrained are the facets for which `is_facet_on_surface()`
- * holds, those between cells of different `subdomain_index()`, and edges that are named. New cells have the region of
- * their place, new vertices the dimension 3 and its index. If vertices have `meshing_info()`, the sizes at them are
- * there afterwards, which are smaller beside finer walls.
+ * Mesh_3; the weights of points do not matter. Constrained are the facets for which `is_facet_on_surface()` holds,
+ * those between cells of different `subdomain_index()`, and the edges of `edge_is_constrained_map`. New cells have the
+ * region of their place, new vertices the dimension 3 and its index. If vertices have `meshing_info()`, it has the
+ * sizes at them afterwards, which are smaller beside finer walls.
  *
- * Nothing is printed. What the size field throws does not get out.
+ * Nothing is printed. Exceptions of the size field are caught, and end the work with the status `invalid_input`.
  *
  * \tparam Triangulation an instance of `Triangulation_3`, or of a class derived from it, whose cells are models of
  *         `MeshCellBase_3`
@@ -55,16 +54,15 @@ namespace CGAL {
  * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
  *
  * \param tr the triangulation
- * \param size the lengths that edges inside are to have, in the unit of the coordinates: a number, or a function object
- *        that is called with a point, or with a point, the dimension 3 and the number of a region, and returns a
- *        positive number. A member function `grading()`, if there is one, says by how much sizes grow per length at
- *        most: then far fewer places have to be asked for. A member function `least_size_around(p, radius, index)`, if
- *        there is one, returns a number that no size within the distance `radius` of `p` is below in the region
- *        `index`. It must be `const`, and the nearer to the size at `p` the smaller `radius` is: a bound that does not
- *        depend on `radius` is of no use. 0: not known. With one of these, small sizes between large ones are found,
- *        unless `grading()` is so large that there would be no end of questions;
- *        `Field_points_result_3::is_field_resolved` tells, see \ref BR3_sizes. `%insert_field_points()` asks in the
- *        regions of the domain only, up to rounding. Where walls are finer than the size, edges are shorter, see
+ * \param size the lengths of edges inside, in the unit of the coordinates: a number, or a function object that is
+ *        called with a point, or with a point, the dimension 3 and the number of a region, and returns a positive
+ *        number. An optional member function `grading()` returns by how much sizes grow per length at most: with it,
+ *        the field is asked far more seldom. An optional member function `least_size_around(p, radius, index)` returns
+ *        a lower bound for the sizes within the distance `radius` of `p` in the region `index`. It must be `const`. The
+ *        bound must come near to the size at `p` when `radius` is small; 0 means that nothing is known. With one of
+ *        these, small sizes between large ones are found, unless `grading()` is so large that there would be no end of
+ *        questions; `Field_points_result_3::is_field_resolved` tells. The field is asked in the regions of the domain
+ *        only, up to rounding. Where walls are finer than the size, edges are shorter, see
  *        \ref BR3_sizes.
  * \param np an optional sequence of named parameters among the ones listed below. `maximum_number_of_vertices` starts a
  *        chain; several chains are passed one after the other.
@@ -85,7 +83,7 @@ namespace CGAL {
  *     \cgalParamExtra{It is asked for both orders of the vertices.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_number_of_vertices}
- *     \cgalParamDescription{how many vertices the triangulation may have}
+ *     \cgalParamDescription{the largest number of vertices of the triangulation}
  *     \cgalParamType{`std::size_t`}
  *     \cgalParamDefault{no limit but that of the memory}
  *   \cgalParamNEnd
@@ -103,11 +101,11 @@ namespace CGAL {
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \return the status, the forecast, and counts. It converts to `true` iff the status is `meshed`.
- *         `invalid_input`: the field had no positive finite size at some place, which is told; if that was noticed only
- *         while points were inserted, those up to then are there. `too_large`: the forecast says that the mesh will
- *         have more vertices than allowed, or will not fit into the memory; no point was inserted, unless the forecast
- *         was too low: then there are as many vertices as allowed. `stopped`: as many points as time allowed are there.
+ * \return the status, the forecast, and counts. The result converts to `true` iff the status is `meshed`.
+ *         `invalid_input`: the field had no positive finite size at a place, which is told; points that were inserted
+ *         before stay. `too_large`: the mesh needs more vertices than allowed, or more memory than there is; no point
+ *         was inserted, unless the forecast was too low: then there are as many vertices as allowed. `stopped`: points
+ *         that were inserted before stay.
  *
  * \pre `tr` is valid, and the cells of each region are bounded by facets that are constrained or have another region
  *      behind them.

@@ -145,17 +145,16 @@ make_mesh_of_surface(Tr& tr, const FaceListGraph& surface, const SizingField& si
 /*!
  * \ingroup PkgBoundaryRecovery3Functions
  *
- * \brief makes a tetrahedral mesh of what a surface bounds, with every triangle of the surface in it, as it is.
+ * \brief fills a surface with tetrahedra of given sizes; every triangle of the surface is a facet of the mesh.
  *
- * It is the mesher of [CZZ+17, Section 4.1] in one call:
+ * The function does all steps of [CZZ+17, Section 4.1]:
  * - the boundary is recovered, see `recover_boundary()` (steps 2 to 4);
  * - the domain is marked, see `mark_domain()` (step 5);
  * - field points are inserted, see `insert_field_points()` (step 6);
  * - the quality of the mesh is improved, see `improve_mesh_quality()` (step 7).
  *
- * What is outside of the domain is not meshed, but is in the triangulation, in the region 0: its cells reach to the
- * convex hull. As after a recovery, the triangulation is valid as a `Triangulation_3`, but not Delaunay any more,
- * although its type may say so.
+ * The outside of the domain stays in the triangulation, as the region 0, up to the convex hull, and gets no points.
+ * Afterwards the triangulation is valid as a `Triangulation_3`, but no longer Delaunay, although its type may say so.
  *
  * Nothing is printed, and nothing is thrown because of the input. The same input gives the same mesh, bit for bit,
  * unless time is limited.
@@ -173,21 +172,21 @@ make_mesh_of_surface(Tr& tr, const FaceListGraph& surface, const SizingField& si
  * \param tr the triangulation. It may be empty; then the function does everything.
  * \param points the points
  * \param triangles the triangles, each three indices of points. As for `recover_boundary()`, they may be non-manifold,
- *        have sheets that end inside, and bound several regions, which are all meshed. What is a region and what is a
- *        void, `Boundary_recovery_3::label_regions()` says.
- * \param size the lengths that edges inside are to have, in the unit of the coordinates: a number, or a function object
- *        that is called with a point, a dimension (3) and an index (that of the region), as CGAL's fields are. The
- *        latter may have the members `grading()` and `least_size_around()`, see `insert_field_points()`; without them,
+ *        have sheets that end inside, and bound several regions, which are all meshed.
+ *        `Boundary_recovery_3::label_regions()` has the rules for regions and voids.
+ * \param size the lengths of edges inside, in the unit of the coordinates: a number, or a function object that is
+ *        called with a point, a dimension (3) and the number of a region, as CGAL's fields are. The function object may
+ *        have the members `grading()` and `least_size_around()`, see `insert_field_points()`; without them,
  *        `filling.is_field_resolved` is `false`. Without this argument, the sizes come from the surface, see
  *        `Boundary_recovery_3::Surface_sizing_field_3`. Where the surface is finer than the size, edges are shorter,
  *        see \ref BR3_sizes.
- * \param np an optional sequence of named parameters: those of `recover_boundary()`, and the ones listed below.
- *        Those that only this package has start a chain; several chains are passed one after the other.
+ * \param np an optional sequence of named parameters: those of `recover_boundary()`, and the ones listed below. The
+ *        named parameters of this package start a chain; several chains are passed one after the other.
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{grading}
- *     \cgalParamDescription{by how much the size grows per length, away from the surface, if there is no `size`.
- *                           What is negative or not finite is `invalid_input`}
+ *     \cgalParamDescription{by how much the size grows per length, away from the surface, if there is no `size`. A
+ *                           negative or infinite number is `invalid_input`}
  *     \cgalParamType{`double`}
  *     \cgalParamDefault{0.3}
  *   \cgalParamNEnd
@@ -197,8 +196,8 @@ make_mesh_of_surface(Tr& tr, const FaceListGraph& surface, const SizingField& si
  *     \cgalParamDefault{the position of the triangle + 1}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{void_points}
- *     \cgalParamDescription{places in regions that are to be empty: these become a part of the outside, and the others
- *                           are numbered anew, in their order. A place that is outside, or on the surface, is
+ *     \cgalParamDescription{one place in each region that is to be empty. These regions become a part of the outside,
+ *                           and the others are numbered anew, in their order. A place outside or on the surface is
  *                           `invalid_input`}
  *     \cgalParamType{a `ConstRange` whose value type is `Triangulation::Geom_traits::Point_3`}
  *     \cgalParamDefault{no places}
@@ -220,13 +219,13 @@ make_mesh_of_surface(Tr& tr, const FaceListGraph& surface, const SizingField& si
  *     \cgalParamDefault{`Improvement_effort::normal`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{cell_quality}
- *     \cgalParamDescription{what makes a cell better than another one}
+ *     \cgalParamDescription{which of two cells is better}
  *     \cgalParamType{a model of `CellQuality_3`}
  *     \cgalParamDefault{`Boundary_recovery_3::Dihedral_angle_quality_3`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_number_of_vertices}
- *     \cgalParamDescription{how many vertices the triangulation may have; if the forecast is higher, no field point is
- *                           inserted, and where the limit is reached, the improvement does without more vertices}
+ *     \cgalParamDescription{the largest number of vertices of the triangulation. If the forecast is higher, no field
+ *                           point is inserted. At the limit, the improvement works without further vertices}
  *     \cgalParamType{`std::size_t`}
  *     \cgalParamDefault{no limit but that of the memory}
  *   \cgalParamNEnd
@@ -238,16 +237,16 @@ make_mesh_of_surface(Tr& tr, const FaceListGraph& surface, const SizingField& si
  *                           There are fewer if the domain has too few cells when it is divided}
  *     \cgalParamType{`std::size_t`}
  *     \cgalParamDefault{1: the domain is not divided}
- *     \cgalParamExtra{If it is more, the size field and the quality are asked by several threads, the visitor by one of
- *                     them at a time; it is not told which cells come and go.}
+ *     \cgalParamExtra{With more than 1, several threads call the size field and the quality. One thread at a time calls
+ *                     the visitor, which is not told of single cells.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_running_time}
  *     \cgalParamDescription{the time in seconds, for all steps together, after which the work stops soon, with a valid
  *                           triangulation}
  *     \cgalParamType{`double`}
  *     \cgalParamDefault{no limit}
- *     \cgalParamExtra{In sub-domains, what is there is joined to one triangulation then, which takes about a second for
- *                     each million cells.}
+ *     \cgalParamExtra{With sub-domains, the parts are joined to one triangulation after that, which takes about a
+ *                     second for each million cells.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
  *     \cgalParamDescription{is told about the phases of all steps, and can stop the work}
@@ -257,10 +256,10 @@ make_mesh_of_surface(Tr& tr, const FaceListGraph& surface, const SizingField& si
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \return the status, and the results of the steps. It converts to `true` iff all is done. If the recovery did not
- *         succeed, the triangulation is as the recovery left it, and nothing is marked. If the status is `stopped` and
- *         `number_of_regions` is not 0, the domain is marked, and there may be field points. Cells that stayed bad are
- *         in `improvement.certificate`, with the reasons.
+ * \return the status, and the results of the steps. The result converts to `true` iff all is done. If the recovery did
+ *         not succeed, the triangulation is as the recovery left it, and nothing is marked. If the status is `stopped`
+ *         and `number_of_regions` is not 0, the domain is marked, and there may be field points.
+ *         `improvement.certificate` lists the cells below the target, with the reasons.
  *
  * \pre `tr` is valid: `tr.is_valid()`.
  */
@@ -288,7 +287,7 @@ make_boundary_constrained_mesh_3(Triangulation& tr, const PointRange& points, co
 /*!
  * \ingroup PkgBoundaryRecovery3Functions
  *
- * \brief makes a tetrahedral mesh of what a triangle soup bounds, with sizes that come from the surface.
+ * \brief fills a triangle soup with tetrahedra whose sizes come from the surface.
  *
  * See the overload with a size field.
  */
@@ -315,10 +314,10 @@ make_boundary_constrained_mesh_3(Triangulation& tr, const PointRange& points, co
 /*!
  * \ingroup PkgBoundaryRecovery3Functions
  *
- * \brief makes a tetrahedral mesh of what a surface mesh bounds, with every face of the surface in it, as it is.
+ * \brief fills a surface mesh with tetrahedra of given sizes; every face of the surface is a facet of the mesh.
  *
- * It does what the overload for soups does, and has its named parameters and those of `recover_boundary()` for surface
- * meshes; the key type of `face_patch_map` is the face descriptor of the surface here.
+ * The work is that of the overload for soups. The named parameters are those of that overload, and of
+ * `recover_boundary()` for surface meshes. The key type of `face_patch_map` is the face descriptor of the surface.
  *
  * \tparam FaceListGraph a model of `FaceListGraph`
  *
@@ -352,7 +351,7 @@ make_boundary_constrained_mesh_3(Triangulation& tr, const FaceListGraph& surface
 /*!
  * \ingroup PkgBoundaryRecovery3Functions
  *
- * \brief makes a tetrahedral mesh of what a surface mesh bounds, with sizes that come from the surface.
+ * \brief fills a surface mesh with tetrahedra whose sizes come from the surface.
  *
  * See the overload with a size field.
  */

@@ -65,33 +65,33 @@ std::vector<Patch> patches_of_facets(const FacetRange& facets, const NamedParame
 /*!
  * \ingroup PkgBoundaryRecovery3Functions
  *
- * \brief marks the domain that facets bound in a triangulation, in the way that CGAL's mesh packages do
- * [CZZ+17, Section 4.1, step 5].
+ * \brief marks the regions that facets bound in a triangulation by the indices of CGAL's mesh packages [CZZ+17, Section
+ * 4.1, step 5].
  *
- * It writes
- * - the `subdomain_index()` of all cells: the region that `Boundary_recovery_3::label_regions()` says, 1, 2, ..., and 0
- *   outside of the domain, and for infinite cells;
- * - the `surface_patch_index()` of all facets, on both sides: a patch for the given facets, those of sheets and those
- *   that bound nothing included, and 0 for all others;
+ * The function writes
+ * - the `subdomain_index()` of all cells: the region by the rules of `Boundary_recovery_3::label_regions()`, 1, 2, ...,
+ *   and 0 for cells outside of the domain and for infinite cells;
+ * - the `surface_patch_index()` of all facets, on both sides: a patch for each given facet, facets of sheets included,
+ *   and 0 for all others;
  * - `in_dimension()` and `index()` of all finite vertices. A vertex of a constrained edge has the dimension 1 and the
  *   position of the edge + 1; another one of a given facet has the dimension 2 and the patch of that facet; the others
  *   have the dimension 3, and their region. Of several edges or facets, the first one counts.
  *
- * Nothing else in the triangulation is changed. What was marked before is overwritten. The time is about linear.
+ * Nothing else in the triangulation is changed. Earlier marks are overwritten. The time is about linear.
  *
  * \tparam Triangulation an instance of `CGAL::Triangulation_3`, or of a class derived from it, such as
  *         `Boundary_constrained_mesh_triangulation_3::type`. Its vertices and cells are models of `MeshVertexBase_3`
- *         and `MeshCellBase_3`, whose `Subdomain_index` can be made from an `int`. If `Index` cannot be made from what
- *         it is to be, it is the default one.
- * \tparam FacetRange a model of `ConstRange` whose value type is an array of three vertex handles. If they have a
+ *         and `MeshCellBase_3`, whose `Subdomain_index` can be made from an `int`. If `Index` cannot be made from that
+ *         number, it gets its default value.
+ * \tparam FacetRange a model of `ConstRange` whose value type is an array of three vertex handles. If the arrays have a
  *         member `index`, as those of `Boundary_recovery_result_3::surface_facets()`, this is the position of the facet
- *         in the input, else the position in this range is.
+ *         in the input; otherwise the position in this range is.
  * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
  *
  * \param tr the triangulation
  * \param facets the facets, in the orientation of the input; `result.surface_facets()` of a boundary recovery, or
- *        `result.facets`. Those that are not facets of `tr` are ignored. Of a facet that is there several times, the
- *        first one decides on the patch.
+ *        `result.facets`. Triples that are no facets of `tr` are ignored. If a facet occurs several times, the first
+ *        one decides on the patch.
  * \param np an optional sequence of named parameters among the ones listed below; `constrained_edges` starts a chain,
  *        and several chains are passed one after the other
  *
@@ -101,9 +101,9 @@ std::vector<Patch> patches_of_facets(const FacetRange& facets, const NamedParame
  *     \cgalParamType{a model of `ReadablePropertyMap` whose key type is `std::size_t`, the position of a facet in the
  *                    input, and whose values can be made a `Surface_patch_index`}
  *     \cgalParamDefault{the position of the facet in the input + 1}
- *     \cgalParamExtra{0 is no patch, for CGAL's packages would lose the facet. Facets that the map has 0 for get a
- *                     patch of their own, all the same: the smallest positive number that is no patch of another
- *                     facet. If patches are no integers, the default value of their type is not allowed.}
+ *     \cgalParamExtra{0 is no patch: CGAL's packages would lose the facet. Facets with the value 0 together get the
+ *                     smallest positive number that is no patch of another facet. If patches are no integers, the
+ *                     default value of their type is not allowed.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{constrained_edges}
  *     \cgalParamDescription{edges that are constrained, beside those of the facets}

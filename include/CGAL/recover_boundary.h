@@ -38,24 +38,24 @@ namespace CGAL {
  * 1. checks the input;
  * 2. finds the points among the vertices of `tr` by their exact coordinates, and inserts those that are not there;
  * 3. recovers lost edges, then lost facets, by recursive shell transformations [CZZ+17, Section 4.2] and small
- *    polyhedron reconnection, without adding points, but where 100 lost edges or more are tangled in a plane: see the
- *    phase `planar_edge_recovery`;
- * 4. if something is still lost, and the constraints do not intersect, recovers it by Steiner points, on the
- *    constraints first [CZZ+17, Section 4]; takes them off the constraints, and removes as many of them as it can;
+ *    polyhedron reconnection, without points, unless 100 lost edges or more are tangled in a plane: see the phase
+ *    `planar_edge_recovery`;
+ * 4. recovers constraints that are still lost by Steiner points, unless constraints intersect. The points are put on
+ *    the constraints first [CZZ+17, Section 4], come off them, and are removed where possible;
  * 5. looks up every constraint again.
  *
  * The triangulation is changed in place and is no longer Delaunay afterwards, although its type may say so: point
  * insertion, point location by conflicts, and nearest vertex queries are undefined from then on. The base
  * `Triangulation_3::is_valid()` holds. Vertices keep their handles and their coordinates, bit for bit. Cells are
- * replaced; data in them is lost, unless a visitor carries it over. A later call on the same triangulation has to be
- * given the earlier constraints again, or it may flip them away. Steiner points of an earlier call are ordinary
- * vertices for it: they are not removed, and parts of constraints have to be given as constraints of their own.
+ * replaced; data in them is lost, unless a visitor carries it over. Give a later call on the same triangulation the
+ * earlier constraints again, or it may flip them away. Steiner points of an earlier call are ordinary vertices: they
+ * are not removed, and the parts of constraints with points on them must be given as constraints.
  *
  * Nothing is printed, and nothing is thrown because of the input.
  *
  * \tparam Triangulation an instance of `Delaunay_triangulation_3`, or of `Triangulation_3`, or of a class derived from
- *         one of them, with a model of `BoundaryRecoveryTraits_3` as geometric traits. No points are inserted in a
- *         triangulation that is not Delaunay: it has to have them all.
+ *         one of them, with a model of `BoundaryRecoveryTraits_3` as geometric traits. A triangulation that is not
+ *         Delaunay must have all points already.
  * \tparam PointRange a model of `ConstRange` whose value type is `Triangulation::Geom_traits::Point_3`, unless
  *         `point_map` is given
  * \tparam TriangleRange a model of `ConstRange` whose value type is a model of `RandomAccessContainer` of vertex
@@ -65,18 +65,18 @@ namespace CGAL {
  * \param tr the triangulation. It may be empty; then the function does everything.
  * \param points the points
  * \param triangles the triangles, each three indices of points
- * \param np an optional sequence of named parameters among the ones listed below. Those that only this package has,
- *        `recovery_mode`, `effort`, `max_recursion_level`, `constrained_edges`, `list_defects` and
- *        `maximum_number_of_defects`, start a chain; several chains are passed one after the other.
+ * \param np an optional sequence of named parameters among the ones listed below. The parameters `recovery_mode`,
+ *        `effort`, `max_recursion_level`, `constrained_edges`, `list_defects` and `maximum_number_of_defects`, start a
+ *        chain; several chains are passed one after the other.
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{recovery_mode}
  *     \cgalParamDescription{how far the recovery goes}
  *     \cgalParamType{`CGAL::Boundary_recovery_3::Recovery_mode`}
  *     \cgalParamDefault{`Recovery_mode::constrained`}
- *     \cgalParamExtra{If Steiner points cannot recover all, because the kernel has no numbers for their positions, or
- *                     because time is up, the triangulation is given back as the flips left it, with points of the
- *                     phase `planar_edge_recovery`, if any.}
+ *     \cgalParamExtra{If Steiner points cannot recover everything, because the kernel has no numbers for their
+ *                     positions, or because time is up, the triangulation comes back as the flips left it, with points
+ *                     of the phase `planar_edge_recovery`, if any.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{effort}
  *     \cgalParamDescription{what the recovery gives up, time or points}
@@ -111,12 +111,12 @@ namespace CGAL {
  *     \cgalParamDescription{whether intersections of constraints, and vertices of `tr` on constraints, are searched
  *                           first, and no cell is flipped if there are any}
  *     \cgalParamType{`bool`}
- *     \cgalParamDefault{`false`: they are searched only when constraints are missing in the end, and intersections
- *                       also earlier, when so much was done in vain that the search hardly takes more}
+ *     \cgalParamDefault{`false`: the search comes only when constraints are missing in the end; for intersections also
+ *                       earlier, when the flips have taken much longer than the search does}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_number_of_defects}
- *     \cgalParamDescription{how many defects are listed at most, the first ones in order; 0: none, only their number is
- *                           told}
+ *     \cgalParamDescription{the largest number of defects that are listed, the first ones in order; 0: none, only their
+ *                           number is told}
  *     \cgalParamType{`std::size_t`}
  *     \cgalParamDefault{1000000, which take about 0.4 GB}
  *     \cgalParamExtra{Two surfaces of n triangles may intersect in n^2 pairs. If there are more pairs than are listed,
@@ -134,16 +134,15 @@ namespace CGAL {
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \return the status, and what is missing or wrong in terms of the indices of points and triangles. It converts to
- *         `true` iff every triangle and constrained edge is in the triangulation.
- *         If the status is `stopped`, defects that would have to be searched are not known; if points of the input
- *         were still to be inserted then, all constraints are listed as missing, and the vertices of these points are
- *         default handles, also in `facets`. If the status is `invalid_input`, the triangulation was not changed, with
- *         these exceptions: the points have been inserted if they and the vertices of a triangulation of a dimension
- *         less than 3 turn out to be coplanar, or if a vertex is on a constraint that is not its own, be it of the
- *         triangulation or a point that no constraint uses; and constraints that intersect are, unless `list_defects`
- *         is set, found only after points were inserted, perhaps not all of
- *         them, and cells flipped.
+ * \return the status, and lists of missing constraints and of defects, in the indices of points and triangles. The
+ *         result converts to `true` iff every triangle and constrained edge is in the triangulation. If the status is
+ *         `stopped`, defects that would have to be searched are not known; if points of the input were still to be
+ *         inserted then, all constraints are listed as missing, and the vertices of these points are default handles,
+ *         also in `facets`. If the status is `invalid_input`, the triangulation was not changed, with these exceptions:
+ *         the points have been inserted if they and the vertices of a triangulation of a dimension less than 3 turn out
+ *         to be coplanar, or if a vertex is on a constraint that is not its own, be it of the triangulation or a point
+ *         that no constraint uses; and constraints that intersect are, unless `list_defects` is set, found only after
+ *         points were inserted, perhaps not all of them, and cells flipped.
  *
  * \pre `tr` is valid: `tr.is_valid()` as a `Triangulation_3`; it need not be Delaunay.
  */
@@ -175,8 +174,8 @@ recover_boundary(Triangulation& tr, const PointRange& points, const TriangleRang
  *
  * \brief recovers the faces of a surface mesh in a triangulation: every face becomes a facet of `tr`.
  *
- * It does what the other overload does for a soup, and has its named parameters except `point_map`; the indices in
- * `constrained_edges` are positions in `vertices(surface)` here.
+ * The work and the named parameters are those of the overload for soups, without `point_map`. The indices in
+ * `constrained_edges` are positions in `vertices(surface)`.
  *
  * \tparam Triangulation see the other overload
  * \tparam FaceListGraph a model of `FaceListGraph`
@@ -234,8 +233,8 @@ recover_boundary(Triangulation& tr, const FaceListGraph& surface,
  *
  * \brief recovers facets between vertices of a triangulation.
  *
- * It does what the overload for soups does, without inserting points, and has its named parameters except `point_map`;
- * the value type of `constrained_edges` is an array of two vertex handles here.
+ * The work and the named parameters are those of the overload for soups, without the insertion of points and without
+ * `point_map`. The value type of `constrained_edges` is an array of two vertex handles.
  *
  * \tparam Triangulation see the other overload
  * \tparam FacetRange a model of `ConstRange` whose value type is an array of three vertex handles of `Triangulation`

@@ -36,18 +36,18 @@ Cell_remeshing_result_3<Tr> remesh_cells_of_triangulation(Tr& tr, const SizingFi
 /*!
  * \ingroup PkgBoundaryRecovery3Functions
  *
- * \brief replaces the bad cells of a triangulation whose vertices were moved, and some cells around them, by new ones;
- * everything else stays as it is.
+ * \brief replaces the bad cells of a triangulation whose vertices were moved, and some cells around them; everything
+ * else stays.
  *
- * It does what `remesh_holes()` does, to a triangulation that carries the indices of CGAL's mesh packages, as
- * `make_boundary_constrained_mesh_3()` and CGAL's remeshing leave it. Somebody has moved its vertices since, by
- * `Vertex::set_point()`, so that it is not valid any more; afterwards it is, unless its hull is not convex.
+ * The work is that of `remesh_holes()`, on a triangulation with the indices of CGAL's mesh packages, as
+ * `make_boundary_constrained_mesh_3()` and CGAL's remeshing leave it. Its vertices were moved since, by
+ * `Vertex::set_point()`, so that it is not valid any more. Afterwards it is valid, if its hull is convex.
  *
  * Constrained are the facets for which `is_facet_on_surface()` holds, those between cells of different
- * `subdomain_index()`, those of the hull, and edges that are named. Other vertices may go. Cells outside of the domain,
- * in the region 0, are bad only if they are flat or inverted, or named; they are replaced by cells without field
- * points. Cells that are not in a hole, and vertices that stay, keep their handles; new ones have their regions,
- * patches and dimensions.
+ * `subdomain_index()`, facets of the hull, and the edges of `constrained_edges`. Other vertices may go. Cells outside
+ * of the domain, in the region 0, are bad only if they are flat, inverted or selected; they are replaced by cells
+ * without field points. Cells outside of the holes, and vertices that stay, keep their handles. New cells and vertices
+ * get regions, patches and dimensions.
  *
  * \tparam Triangulation an instance of `Triangulation_3`, or of a class derived from it, whose vertices are models of
  *         `MeshVertexBase_3`, and whose cells are models of `MeshCellBase_3` with an integer as `Subdomain_index`
@@ -55,8 +55,8 @@ Cell_remeshing_result_3<Tr> remesh_cells_of_triangulation(Tr& tr, const SizingFi
  * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
  *
  * \param tr the triangulation
- * \param size the lengths that new edges are to have, as for `insert_field_points()`. Without this argument, they are
- *        those of the old mesh at the place.
+ * \param size the lengths of new edges, as for `insert_field_points()`. Without this argument, sizes are those of the
+ *        old mesh at the same place.
  * \param np an optional sequence of named parameters: `min_dihedral_angle`, `number_of_layers`, `improve_quality`,
  *        `maximum_running_time` and `visitor` of `remesh_holes()`, and those listed below
  *
@@ -74,8 +74,7 @@ Cell_remeshing_result_3<Tr> remesh_cells_of_triangulation(Tr& tr, const SizingFi
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \return the status and the account, see `remesh_holes()`. If the status is not `meshed`, the triangulation is
- *         unchanged.
+ * \return the status and counts, see `remesh_holes()`. If the status is not `meshed`, the triangulation is unchanged.
  *
  * \pre the dimension of `tr` is 3, and its data structure is valid: `tr.tds().is_valid()`.
  */

@@ -56,30 +56,28 @@ auto remesh_holes_of_ranges(const PointRange& points, const TetrahedronRange& te
 /*!
  * \ingroup PkgBoundaryRecovery3Functions
  *
- * \brief replaces the bad cells of a tetrahedral mesh whose vertices were moved, and some cells around them, by new
- * ones; everything else stays as it is.
+ * \brief replaces the bad cells of a tetrahedral mesh whose vertices were moved, and some cells around them; everything
+ * else stays.
  *
  * This is the local remeshing of [CZZ+17, Section 5.2.3]: a body moves through a mesh, the mesh is deformed with it,
  * and now and then, where cells have become bad, flat or inverted, holes are cut out and meshed anew. The function
- * 1. looks for cells that are bad, and puts those around them to them, as many layers as are asked for. What is
- *    connected by facets is a hole;
- * 2. recovers the boundary of each hole, and what is constrained in it, see `recover_boundary()`. Where the boundary of
- *    a hole is not a valid surface, since neighbors are inverted or overlap, the hole grows by the cells there until it
- *    is one; a hole whose boundary cannot be recovered grows by a layer;
- * 3. inserts field points, see `insert_field_points()`, and improves the new cells, see `improve_mesh_quality()`.
- *    Where cells at the boundary of a hole are still bad, since the boundary is, the hole grows there once, and is
- *    meshed again;
+ * 1. looks for bad cells, and adds layers of cells around them. Each set of cells that facets connect is a hole;
+ * 2. recovers the boundary of each hole, and the constrained facets and edges in it, see `recover_boundary()`. Where
+ *    the boundary of a hole is not a valid surface, since neighbors are inverted or overlap, the hole grows by the
+ *    cells there until it is one; a hole whose boundary cannot be recovered grows by a layer;
+ * 3. inserts field points, see `insert_field_points()`, and improves the new cells, see `improve_mesh_quality()`. Where
+ *    cells at the boundary of a hole are still bad, the hole grows once, and is meshed again;
  * 4. puts old and new together, and tells where in the old mesh each new vertex is.
  *
- * A mesh with inverted cells is no valid triangulation of anything, therefore it comes as two arrays, and goes as two.
- * All that is outside of the holes is in the result bit for bit, in its order; new vertices and cells follow.
+ * A mesh with inverted cells is no valid triangulation. Therefore input and output are arrays. Everything outside of
+ * the holes is in the result bit for bit, in its order; new vertices and cells follow.
  *
- * Constrained are the facets and edges that the caller names, those between cells of different regions, and those on
- * the boundary of the mesh. They stay, with their vertices, also inside of holes. A surface that was itself moved
- * through another one cannot stay: then the pairs of facets that intersect are told, as far as they are in holes.
+ * Constrained are the facets and edges of the two named parameters, facets between cells of different regions, and
+ * facets on the boundary of the mesh. They stay, with their vertices, also inside of holes. If a surface was moved
+ * through another one, the result has the pairs of facets that intersect, as far as they are in holes.
  *
  * Nothing is printed, and nothing is thrown because of the input. The same input gives the same mesh, bit for bit,
- * unless time is limited. The time grows with the holes; over the whole mesh there are a few linear passes.
+ * unless time is limited. The time depends on the size of the holes; there are a few linear passes over the whole mesh.
  *
  * \tparam PointRange a model of `ConstRange` whose value type is a point of a CGAL kernel that is a model of
  *         `BoundaryRecoveryTraits_3`, unless `point_map` is given
@@ -88,13 +86,12 @@ auto remesh_holes_of_ranges(const PointRange& points, const TetrahedronRange& te
  * \tparam SizingField a number type, or a model of `MeshDomainField_3`
  * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
  *
- * \param points the vertices, where they are now. Those that no tetrahedron has stay, too.
+ * \param points the vertices, where they are now. Vertices without a tetrahedron stay, too.
  * \param tetrahedra the tetrahedra, each four positions of points, in the order for which `orientation()` is `POSITIVE`
- *        where they are not inverted. Two of them that have a facet in common are on different sides of it by that
- *        order.
- * \param size the lengths that new edges are to have, as for `insert_field_points()`, with regions as `cell_region_map`
- *        has them. Without this argument, they are those of the old mesh at the place.
- * \param np an optional sequence of named parameters among the ones listed below. Those that only this package has
+ *        where they are not inverted. By that order, two tetrahedra with a common facet are on different sides of it.
+ * \param size the lengths of new edges, as for `insert_field_points()`, with the regions of `cell_region_map`. Without
+ *        this argument, sizes are those of the old mesh at the same place.
+ * \param np an optional sequence of named parameters among the ones listed below. The named parameters of this package
  *        start a chain; several chains are passed one after the other.
  *
  * \cgalNamedParamsBegin
@@ -106,10 +103,10 @@ auto remesh_holes_of_ranges(const PointRange& points, const TetrahedronRange& te
  *     \cgalParamExtra{Flat and inverted cells are bad in any case.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{min_dihedral_angle}
- *     \cgalParamDescription{cells with a smaller dihedral angle are bad, in degrees. What is not possible, see
+ *     \cgalParamDescription{cells with a smaller dihedral angle are bad, in degrees. An impossible angle, see
  *                           `improve_mesh_quality()`, is `invalid_input`}
  *     \cgalParamType{`double`}
- *     \cgalParamDefault{10; with `cell_is_selected_map` 0: then the caller says which cells are bad}
+ *     \cgalParamDefault{10; or 0 if there is a `cell_is_selected_map`}
  *     \cgalParamExtra{New cells are improved up to this angle, or to 25 degrees if that is more.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{number_of_layers}
@@ -128,8 +125,8 @@ auto remesh_holes_of_ranges(const PointRange& points, const TetrahedronRange& te
  *     \cgalParamDescription{facets that have to stay: surfaces of bodies, sheets}
  *     \cgalParamType{a `ConstRange` whose value type is an array of three positions of points}
  *     \cgalParamDefault{no facets}
- *     \cgalParamExtra{Facets between regions, and those on the boundary of the mesh, need not be named. Since facets
- *                     come back in their order, patch numbers stay what they are.}
+ *     \cgalParamExtra{Facets between regions, and those on the boundary of the mesh, need not be named. Facets come
+ *                     back in their order, so that patch numbers stay valid.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{constrained_edges}
  *     \cgalParamDescription{edges that have to stay, beside those of constrained facets}
@@ -159,12 +156,11 @@ auto remesh_holes_of_ranges(const PointRange& points, const TetrahedronRange& te
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \return the new mesh, where everything in it was before, and an account. It converts to `true` iff the status is
- *         `meshed`, which it also is if no cell is bad. Else the mesh is the old one: `invalid_input`: something is
- *         wrong with the arrays, or constrained facets intersect, or are turned inside out; it is told what. Or the
- *         size field has no size somewhere. `too_large`: with a size field, new cells would not fit into the memory.
- *         `stopped`: by the visitor, or the time limit. `incomplete`: a hole could not be meshed, although it grew over
- *         all the mesh.
+ * \return the new mesh, where everything in it was before, and counts. The result converts to `true` iff the status is
+ *         `meshed`, also if no cell is bad. Otherwise the mesh is the old one: `invalid_input`: the arrays make no
+ *         sense, constrained facets intersect or are turned inside out, as the result tells, or the size field has no
+ *         size at a place. `too_large`: with a size field, new cells would not fit into the memory. `stopped`: by the
+ *         visitor, or the time limit. `incomplete`: a hole could not be meshed, although it grew over all the mesh.
  */
 #ifdef DOXYGEN_RUNNING
 template <typename PointRange, typename TetrahedronRange, typename SizingField,

@@ -17,10 +17,10 @@ and its two faces with \f$ a \f$ and with \f$ b \f$;
 - the supporting edge \f$ ab \f$, unless the core is empty.
 
 The concept gives each piece a value. Those of the pieces of a covering mesh are combined to its value, the
-function \f$ f_Q \f$ of the paper (Eq. 2 and 3); larger is better. The optimum is found by dynamic
+function \f$ f_Q \f$ of the paper (Eq.\ 2 and 3); larger is better. The optimum is found by dynamic
 programming, which is right because `combine()` is monotone.
 
-\f$ Q \f$ is one of three indices that are compared lexicographically (Eq. 4). The others are the same for all
+\f$ Q \f$ is one of three indices that are compared lexicographically (Eq.\ 4). The others are the same for all
 models: \f$ Q' \f$, which is 1 if the covering mesh does not have the face that is to be avoided, else 0, and
 \f$ Q'' \f$, which is larger for a smaller core. Whether a covering mesh is allowed at all is a matter of
 `ShellValidity_3`.
@@ -65,7 +65,7 @@ public:
   /// @{
 
   /*!
-  The place of the value in the quality vector of [CZZ+17, Eq. 4]: `true` for \f$ [Q, Q', Q''] \f$, where a
+  The place of the value in the quality vector of [CZZ+17, Eq.\ 4]: `true` for \f$ [Q, Q', Q''] \f$, where a
   larger degree is accepted for a better value, `false` for \f$ [Q', Q'', Q] \f$, where the value decides only
   between covering meshes of the same degree.
   */
@@ -83,7 +83,7 @@ public:
 
   /*!
   returns the value of the union of two sets of pieces with the values `x` and `y`: the function \f$ f_Q \f$
-  of [CZZ+17, Eq. 2].
+  of [CZZ+17, Eq.\ 2].
 
   It has to be commutative and associative, up to rounding, and monotone: if `x < y` then
   `combine(y, z) < combine(x, z)` is false for all `z`. Minimum and sum are examples.

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws the figures of the user manual that explain notions: shell, recursion, conditions, points, sizes.
+"""Draws the figures of the user manual that explain notions: shell, recursion, conditions, points, sizes, defects, sub-domains.
 
 usage: draw_figures.py FOLDER           write the SVG files into FOLDER
        draw_figures.py --check FOLDER   exit 1 unless FOLDER holds exactly what would be written
@@ -461,9 +461,78 @@ def clipped(x, h, end, g, top):
     return (x + math.copysign(length, end - x), h + g * length)
 
 
+def defects():
+    """Four defects of surfaces: an intersection, a vertex on an edge, a fold, and a triangle without area."""
+    d = Drawing(760, 215)
+    at = lambda panel: (lambda x, y: (15 + 185 * panel + x, y))
+    q = at(0)
+    d.polygon([q(10, 150), q(120, 165), q(90, 60)], fill=LIGHT_BLUE, stroke=BLUE)
+    d.polygon([q(40, 80), q(160, 110), q(60, 30)], fill=LIGHT_RED, stroke=BLUE, opacity=0.7)
+    d.line(q(67, 87), q(102, 97), stroke=RED, width=3)
+    q = at(1)
+    d.polygon([q(10, 110), q(160, 110), q(85, 30)], fill=LIGHT_BLUE, stroke=BLUE)
+    d.polygon([q(10, 110), q(80, 110), q(40, 175)], fill=LIGHT_BLUE, stroke=BLUE)
+    d.polygon([q(80, 110), q(160, 110), q(130, 175)], fill=LIGHT_BLUE, stroke=BLUE)
+    d.dot(q(80, 110), RED, 5)
+    q = at(2)
+    d.polygon([q(20, 150), q(150, 150), q(60, 30)], fill=LIGHT_BLUE, stroke=BLUE)
+    d.polygon([q(20, 150), q(150, 150), q(110, 65)], fill=LIGHT_RED, stroke=BLUE, opacity=0.7)
+    q = at(3)
+    d.polygon([q(20, 60), q(150, 60), q(85, 150)], fill=LIGHT_BLUE, stroke=BLUE)
+    d.line(q(20, 60), q(150, 60), stroke=RED, width=3)
+    for x in (20, 85, 150):
+        d.dot(q(x, 60), RED, 4)
+    for panel, title in enumerate(["intersection", "vertex on an edge", "fold", "no area"]):
+        d.text(at(panel)(85, 202), title, size=14)
+    return d
+
+
+def subdomains():
+    """Triangles of four parts, of the zones around the seams of two parts, and of those around more, in the plane."""
+    d = Drawing(760, 275)
+    columns, rows, step = 9, 8, 26
+    def place(i, j):
+        inside = 0 < i < columns and 0 < j < rows
+        return (10 + step * i + (4 * math.sin(5 * i + 3 * j) if inside else 0),
+                15 + step * j + (4 * math.cos(4 * i + 7 * j) if inside else 0))
+    def part(triangle):
+        x, y = (sum(c) / 3 for c in zip(*(place(*v) for v in triangle)))
+        return (x > 125 + 12 * math.sin(y / 25)) + 2 * (y > 120 + 10 * math.sin(x / 30))
+    triangles = []
+    for i in range(columns):
+        for j in range(rows):
+            a, b, c, e = (i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)
+            triangles += [(a, b, c), (a, c, e)] if (i + j) % 2 else [(a, b, e), (b, c, e)]
+    parts = {}
+    for t in triangles:
+        for v in t:
+            parts.setdefault(v, set()).add(part(t))
+    many = [v for v in parts if len(parts[v]) > 2]
+    near = lambda v: min(max(abs(v[0] - w[0]), abs(v[1] - w[1])) for w in many)
+    for panel, title in enumerate(["parts", "seams of two parts", "where more parts meet"]):
+        move = lambda q, x=252 * panel: (q[0] + x, q[1])
+        for t in triangles:
+            of_two = [parts[v] for v in t if len(parts[v]) == 2]
+            fill = "#fff"
+            if panel == 0:
+                fill = (LIGHT_BLUE, LIGHT_ORANGE, LIGHT_GREEN, LIGHT_RED)[part(t)]
+            elif panel == 1 and of_two and min(map(near, t)) > 1:
+                fill = LIGHT_BLUE if of_two[0] in ({0, 1}, {2, 3}) else LIGHT_ORANGE
+            elif panel == 2 and min(map(near, t)) <= 1:
+                fill = LIGHT_GREEN
+            d.polygon([move(place(*v)) for v in t], fill=fill, stroke=GREY, width=0.8)
+        for t in triangles if panel == 0 else []:
+            for v, w in ((t[0], t[1]), (t[1], t[2]), (t[0], t[2])):
+                sides_of_edge = {part(u) for u in triangles if v in u and w in u}
+                if len(sides_of_edge) == 2:
+                    d.line(move(place(*v)), move(place(*w)), stroke=BLUE, width=2.4)
+        d.text((127 + 252 * panel, 258), title, size=14)
+    return d
+
+
 FIGURES = {"shell.svg": shell, "recursion.svg": recursion, "conditions.svg": conditions,
            "conforming.svg": conforming, "splitting.svg": splitting, "cavity.svg": cavity, "source.svg": source,
-           "grading.svg": grading}
+           "grading.svg": grading, "defects.svg": defects, "subdomains.svg": subdomains}
 
 
 def main(arguments):

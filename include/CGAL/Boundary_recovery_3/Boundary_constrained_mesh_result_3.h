@@ -38,7 +38,7 @@ struct Invalid_size_3
 };
 
 /// \ingroup PkgBoundaryRecovery3Classes
-/// what `CGAL::insert_field_points()` did.
+/// the result of `CGAL::insert_field_points()`: the status, the forecast, and counts.
 template <typename Triangulation_>
 struct Field_points_result_3
 {
@@ -58,10 +58,9 @@ struct Field_points_result_3
 
   std::size_t number_of_field_points = 0; ///< number of points that were inserted
 
-  /// whether no size in a cell is less than an eighth of what the cell has without having been looked at. It is `false`
-  /// if nobody knows: if the field tells neither its `grading()` nor its `least_size_around()` a place, or if its
-  /// grading is so large that there was no end of questions. A cell counts as looked at if eight such places in it had
-  /// no room for a point.
+  /// whether all places with sizes below an eighth of the cell's size were looked at. `false` means that this is not
+  /// known: the field has neither `grading()` nor `least_size_around()`, or its grading is so large that there was no
+  /// end of questions. A cell counts as looked at if eight such places in it had no room for a point.
   bool is_field_resolved = true;
 
   /// the place that made the status `invalid_input`: none, or one
@@ -76,7 +75,7 @@ struct Field_points_result_3
 /*!
  * \ingroup PkgBoundaryRecovery3Classes
  *
- * \brief what `CGAL::make_boundary_constrained_mesh_3()` did: the status, and the results of its steps.
+ * \brief the result of `CGAL::make_boundary_constrained_mesh_3()`: the status, and the results of its steps.
  *
  * \tparam Triangulation_ an instance of `CGAL::Triangulation_3`, or of a class derived from it
  */
@@ -99,20 +98,20 @@ struct Boundary_constrained_mesh_result_3
 
   int number_of_regions = 0; ///< step 5: number of regions of the domain
 
-  /// the positions of those of the named parameter `void_points` that made the status `invalid_input`, as they are
-  /// outside, or on the surface
+  /// the positions in the named parameter `void_points` of places that are outside or on the surface, which makes the
+  /// status `invalid_input`
   std::vector<std::size_t> invalid_void_points;
 
   Filling filling;           ///< step 6: field points
 
-  /// into how many sub-domains the domain was divided for steps 6 and 7; 1 if it was not
+  /// the number of sub-domains in steps 6 and 7; 1 if the domain was not divided
   std::size_t number_of_subdomains = 1;
 
-  /// step 7: the improvement of the quality; empty if nobody asked for it
+  /// step 7: the improvement of the quality; empty without an improvement
   Improvement improvement;
 
-  /// the mesh edges that the edges given by the named parameter `constrained_edges` are, or consist of: with
-  /// `Constrained_edge_map_3`, what is to be told to whoever changes the mesh. Empty if the recovery failed.
+  /// the mesh edges that the edges of the named parameter `constrained_edges` consist of. `Constrained_edge_map_3`
+  /// makes a property map of them for functions that change the mesh. Empty if the recovery failed.
   std::vector<Vertex_pair> constrained_edges;
 
   std::vector<Phase_report> phases; ///< one entry for each phase after the recovery

@@ -42,7 +42,7 @@ struct Input_simplex_3
 };
 
 /// \ingroup PkgBoundaryRecovery3Classes
-/// one defect of the input, and the simplices that cause it: one or two, or none where it is in the input as a whole.
+/// a defect of the input, and the simplices that cause it: one, two, or none if the input as a whole is defective.
 template <typename Point_3_>
 struct Input_defect_3
 {
@@ -51,8 +51,8 @@ struct Input_defect_3
 };
 
 /// \ingroup PkgBoundaryRecovery3Classes
-/// what there was when a phase ended, and its duration. Phases of a boundary recovery tell what is lost, those of the
-/// meshing how large the mesh is, and those of the remeshing of holes how many holes there are; the rest is 0.
+/// the state at the end of a phase, and its duration. Phases of a recovery count lost constraints, phases of the
+/// meshing count vertices and cells, phases of the remeshing count holes; the other members are 0.
 struct Phase_report
 {
   Phase phase;                        ///< the phase
@@ -102,7 +102,8 @@ struct Surface_facet_3
 /*!
  * \ingroup PkgBoundaryRecovery3Classes
  *
- * \brief what `CGAL::recover_boundary()` did: the status, what is missing or wrong, and the counts of each phase.
+ * \brief the result of `CGAL::recover_boundary()`: the status, missing constraints, defects, and the counts of each
+ * phase.
  *
  * \tparam Triangulation_ an instance of `CGAL::Triangulation_3`, or of a class derived from it
  */
@@ -174,7 +175,7 @@ struct Boundary_recovery_result_3
 
   std::vector<Phase_report> phases;           ///< one entry for each run of a phase; those with Steiner points run
                                               ///< again if other points have to be tried, up to six times
-  std::vector<Recursion_level_report> levels; ///< one entry for each pass of [CZZ+17, Alg. 5]
+  std::vector<Recursion_level_report> levels; ///< one entry for each pass of [CZZ+17, Alg.\ 5]
 
   /// returns the mesh facets that the surface consists of, in the order of the constrained facets: such a facet
   /// itself, its parts if there are Steiner points on it (mode `conforming` only), or nothing if it is missing.

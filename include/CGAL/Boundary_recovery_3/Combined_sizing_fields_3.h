@@ -25,7 +25,7 @@ namespace CGAL::Boundary_recovery_3 {
 /*!
  * \ingroup PkgBoundaryRecovery3Classes
  *
- * \brief a size field that is the minimum of other ones.
+ * \brief a size field: at each place the smallest size of several fields.
  *
  * Where one of them has a size that is not positive, or NaN, the minimum has it, too.
  *
@@ -102,7 +102,7 @@ Minimum_sizing_field_3<GT, Fields...> make_minimum_sizing_field(const Fields& ..
 /*!
  * \ingroup PkgBoundaryRecovery3Classes
  *
- * \brief a size field with the sizes of another one, but none below or above two bounds.
+ * \brief a size field: the sizes of another field, between two bounds.
  *
  * Sizes that are not positive, or NaN, stay as they are, so that they are noticed.
  *
@@ -163,7 +163,7 @@ Bounded_sizing_field_3<GT, Field> make_bounded_sizing_field(const Field& field, 
 /*!
  * \ingroup PkgBoundaryRecovery3Classes
  *
- * \brief a size field that asks another one in each region of the domain.
+ * \brief a size field with a field of its own for each region of the domain.
  *
  * Fields are numbers, functions of a point, models of `MeshDomainField_3` whose indices can be made of numbers, or
  * `std::reference_wrapper`s of such. They are copied.

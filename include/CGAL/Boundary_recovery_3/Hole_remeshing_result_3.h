@@ -37,7 +37,7 @@ struct Old_mesh_location_3
 /*!
  * \ingroup PkgBoundaryRecovery3Classes
  *
- * \brief what `CGAL::remesh_holes()` returns: the new mesh, where everything in it was before, and an account.
+ * \brief the result of `CGAL::remesh_holes()`: the new mesh, where everything in it was before, and counts.
  *
  * If the status is not `meshed`, the mesh is the old one, and nothing in it is new.
  *
@@ -158,8 +158,8 @@ std::ostream& operator<<(std::ostream& os, const Hole_remeshing_result_3<Point_3
 /*!
  * \ingroup PkgBoundaryRecovery3Classes
  *
- * \brief what `CGAL::remesh_cells()` returns: the new mesh as arrays, too, with its vertices and cells in the
- * triangulation, and an account.
+ * \brief the result of `CGAL::remesh_cells()`: the new mesh as arrays, with its vertices and cells in the
+ * triangulation, and counts.
  *
  * Old positions are those in the order of `finite_vertex_handles()` and `finite_cell_handles()` before the call. The
  * arrays have all finite cells, those outside of the domain with the region 0.

@@ -30,7 +30,7 @@ namespace Boundary_recovery_3 {
  *
  * \brief figures of the shapes, and of the sizes, of the cells of a mesh, see `mesh_quality()`.
  *
- * Figures that do not exist, since there is no cell, or no size known, are NaN.
+ * Without a cell, or without known sizes, figures are NaN.
  */
 struct Mesh_quality_3
 {
@@ -81,7 +81,7 @@ inline std::ostream& operator<<(std::ostream& os, const Mesh_quality_3& quality)
 /*!
  * \ingroup PkgBoundaryRecovery3Classes
  *
- * \brief a cell with a dihedral angle below the target, and why it has it.
+ * \brief a cell with a dihedral angle below the target, and the reason.
  *
  * \tparam Triangulation_ an instance of `CGAL::Triangulation_3`, or of a class derived from it
  */
@@ -137,7 +137,7 @@ struct Bad_cell_3
  *
  * \brief a list of all cells that have a dihedral angle below a target, each with the reason.
  *
- * It names cells and vertices by their handles, and is worth nothing any more when the mesh is changed.
+ * The list has handles of cells and vertices, which are valid as long as the mesh is not changed.
  *
  * \tparam Triangulation_ an instance of `CGAL::Triangulation_3`, or of a class derived from it
  */
@@ -151,8 +151,8 @@ struct Quality_certificate_3
 
   std::vector<Bad_cell> cells; ///< the cells below the target, those with the smallest angles first
 
-  /// whether all of them are there: not if nobody asked for the improvement, or the work ended before it, or
-  /// `CGAL::improve_mesh_quality()` was stopped with no time left to look for them. Then `cells` is empty.
+  /// whether the list is complete. It is not, and is empty, without an improvement, and if the work ended before it, or
+  /// with no time left for the list.
   bool is_complete = false;
 
   /// returns how many cells are bad for this reason, and have an angle below `degrees`.
@@ -183,7 +183,7 @@ std::ostream& operator<<(std::ostream& os, const Quality_certificate_3<Triangula
 }
 
 /// \ingroup PkgBoundaryRecovery3Classes
-/// how often `CGAL::improve_mesh_quality()` changed something, without what was undone again.
+/// counts of the changes of `CGAL::improve_mesh_quality()`, without changes that were undone.
 struct Quality_improvement_counts
 {
   std::size_t number_of_rounds = 0;               ///< number of times that all bad cells were looked at
@@ -197,7 +197,8 @@ struct Quality_improvement_counts
 /*!
  * \ingroup PkgBoundaryRecovery3Classes
  *
- * \brief what `CGAL::improve_mesh_quality()` did, and why cells that are bad still are so.
+ * \brief the result of `CGAL::improve_mesh_quality()`: the status, the quality before and after, and the reasons of
+ * cells below the target.
  *
  * \tparam Triangulation_ an instance of `CGAL::Triangulation_3`, or of a class derived from it
  */

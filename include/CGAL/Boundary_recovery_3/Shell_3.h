@@ -112,7 +112,7 @@ private:
  * \brief a partial triangulation of the skirt polygon of a shell, by positions in the polygon.
  *
  * It stands for a covering mesh: each triangle `p_i p_k p_j` for its tetrahedra with `a` and with `b`, each edge
- * `p_i p_j` of the core for the tetrahedron `a b p_i p_j`. Source: [CZZ+17, Section 3.1.1, Eq. 1].
+ * `p_i p_j` of the core for the tetrahedron `a b p_i p_j`. Source: [CZZ+17, Section 3.1.1, Eq.\ 1].
  */
 struct Partial_triangulation
 {

@@ -31,7 +31,7 @@ namespace CGAL::Boundary_recovery_3 {
 struct No_shell_quality_3
 {
   typedef bool Value;                              ///< there is only one value
-  static constexpr bool is_first_in_vector = false; ///< the vector is `[Q', Q'', Q]`
+  static constexpr bool is_first_in_vector = false; ///< the vector is \f$ [Q', Q'', Q] \f$
 
   /// \name Values
   /// All of them are equal.
@@ -63,7 +63,7 @@ struct No_shell_quality_3
 /*!
  * \ingroup PkgBoundaryRecovery3Classes
  *
- * \brief the quality `Q_1` of [CZZ+17, Eq. 5]: that of the worst tetrahedron.
+ * \brief the quality `Q_1` of [CZZ+17, Eq.\ 5]: that of the worst tetrahedron.
  *
  * The quality of a tetrahedron of volume \f$ V \f$ and edge lengths \f$ l_i \f$ is
  * \f$ 72 \sqrt{3} \, V / (\sum l_i^2)^{3/2} \f$, which is 1 for the regular tetrahedron, tends to 0 for flat ones, and
@@ -81,7 +81,7 @@ public:
   typedef double Value;                             ///< the value type
   typedef Shell_3<Tr> Shell;                        ///< the shell type
   typedef typename Tr::Vertex_handle Vertex_handle; ///< the vertex handle of the triangulation
-  static constexpr bool is_first_in_vector = false; ///< the vector is `[Q', Q'', Q_1]`
+  static constexpr bool is_first_in_vector = false; ///< the vector is \f$ [Q', Q'', Q_1] \f$
 
   /// a quality for the shells of `tr`
   explicit Worst_element_quality_3(const Tr& tr) : m_predicates(tr) { }
@@ -148,7 +148,7 @@ private:
 /*!
  * \ingroup PkgBoundaryRecovery3Classes
  *
- * \brief the quality `Q_2` of [CZZ+17, Eq. 6]: the fewer intersections with lost constraints, the better.
+ * \brief the quality `Q_2` of [CZZ+17, Eq.\ 6]: the fewer intersections with lost constraints, the better.
  *
  * The intersections are counted entity by entity, each edge and face inside the shell once. The paper divides
  * the count of an entity among its tetrahedra only to remain element-wise; the sums are the same.
@@ -165,7 +165,7 @@ class Fewest_intersections_quality_3
 public:
   typedef int Value;                               ///< minus the number of intersections
   typedef Shell_3<Tr> Shell;                       ///< the shell type
-  static constexpr bool is_first_in_vector = true; ///< the vector is `[Q_2, Q', Q'']`
+  static constexpr bool is_first_in_vector = true; ///< the vector is \f$ [Q_2, Q', Q''] \f$
 
   /// a quality that counts with `counter`, which has to outlive it
   explicit Fewest_intersections_quality_3(Counter& counter) : m_counter(&counter) { }

@@ -23,7 +23,7 @@ namespace CGAL::Boundary_recovery_3 {
 /*!
  * \ingroup PkgBoundaryRecovery3Classes
  *
- * \brief a validity condition that everything fulfills, and in which no edge and no facet is constrained.
+ * \brief a validity condition that allows everything; no edge and no facet is constrained.
  *
  * It serves as base class of other conditions, which hide the members that they decide themselves.
  *

@@ -114,15 +114,15 @@ enum class Phase
   planar_edge_recovery,       ///< lost edges that cross many mesh edges in a plane, by Steiner points close to it that
                               ///< are removed again where possible
   plain_removal,              ///< complete removals of single shells, without recursion
-  edge_recovery_brc1,         ///< first calling of [CZZ+17, Alg. 5]: lost edges, under BRC1
-  edge_recovery_brc3,         ///< second calling of [CZZ+17, Alg. 5]: intersections of lost edges, under BRC3
+  edge_recovery_brc1,         ///< first calling of [CZZ+17, Alg.\ 5]: lost edges, under BRC1
+  edge_recovery_brc3,         ///< second calling of [CZZ+17, Alg.\ 5]: intersections of lost edges, under BRC3
   edge_reconnection,          ///< small polyhedron reconnection of the cells around each lost edge
   facet_recovery_brc2,        ///< first calling for facets, under BRC2
   facet_recovery_brc4,        ///< second calling for facets, under BRC4
   facet_reconnection,         ///< small polyhedron reconnection of the cells around each lost facet
   conforming_edge_recovery,   ///< Steiner points on lost edges, or beside them, where many edges of no facet are lost
   conforming_facet_recovery,  ///< Steiner points on lost facets
-  steiner_splitting,          ///< Steiner points come off the constraints [CZZ+17, Alg. A.1 to A.5]
+  steiner_splitting,          ///< Steiner points come off the constraints [CZZ+17, Alg.\ A.1 to A.5]
   steiner_suppression,        ///< Steiner points are removed [CZZ+17, Section 4.3]
   recount,                    ///< if any was lost, every constraint is looked up again; only this decides the status
 

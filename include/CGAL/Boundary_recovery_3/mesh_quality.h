@@ -26,8 +26,7 @@ namespace CGAL::Boundary_recovery_3 {
 /*!
  * \ingroup PkgBoundaryRecovery3Functions
  *
- * \brief measures the cells of a mesh: their angles, their radius ratios, and how long their edges are beside what was
- * asked for.
+ * \brief measures the cells of a mesh: angles, radius ratios, and the lengths of edges beside the sizes asked for.
  *
  * Sizes are those that `CGAL::insert_field_points()` leaves in vertices that have `meshing_info()`.
  *
@@ -61,8 +60,8 @@ Mesh_quality_3 mesh_quality(const Triangulation& tr, const CGAL_NP_CLASS& np = p
 /*!
  * \ingroup PkgBoundaryRecovery3Functions
  *
- * \brief lists the cells of a mesh that have a dihedral angle below a target, and for each what of the surface makes it
- * so, if anything does.
+ * \brief lists the cells of a mesh with a dihedral angle below a target, and for each the part of the surface that is
+ * the reason, if there is one.
  *
  * `CGAL::improve_mesh_quality()` returns such a list; this function makes one for any mesh. Constrained are the facets
  * for which `is_facet_on_surface()` holds, and those to cells of another region, or that are not selected.

@@ -130,7 +130,7 @@ namespace parameters {
 CGAL_BOUNDARY_RECOVERY_3_PARAMETER(recovery_mode)
 
 /// \ingroup PkgBoundaryRecovery3Functions
-/// the recursion level (`l_max` in [CZZ+17, Alg. 1]) that is never exceeded, an integer.
+/// the recursion level (`l_max` in [CZZ+17, Alg.\ 1]) that is never exceeded, an integer.
 CGAL_BOUNDARY_RECOVERY_3_PARAMETER(max_recursion_level)
 
 /// \ingroup PkgBoundaryRecovery3Functions
@@ -146,7 +146,7 @@ CGAL_BOUNDARY_RECOVERY_3_PARAMETER(constrained_edges)
 CGAL_BOUNDARY_RECOVERY_3_PARAMETER(list_defects)
 
 /// \ingroup PkgBoundaryRecovery3Functions
-/// how many defects are listed at most, an integer.
+/// the largest number of defects that are listed, an integer.
 CGAL_BOUNDARY_RECOVERY_3_PARAMETER(maximum_number_of_defects)
 
 /// \ingroup PkgBoundaryRecovery3Functions
@@ -154,15 +154,15 @@ CGAL_BOUNDARY_RECOVERY_3_PARAMETER(maximum_number_of_defects)
 CGAL_BOUNDARY_RECOVERY_3_PARAMETER(grading)
 
 /// \ingroup PkgBoundaryRecovery3Functions
-/// how many vertices a mesh may have, an integer.
+/// the largest number of vertices of a mesh, an integer.
 CGAL_BOUNDARY_RECOVERY_3_PARAMETER(maximum_number_of_vertices)
 
 /// \ingroup PkgBoundaryRecovery3Functions
-/// the dihedral angle that all cells should have at least, in degrees, a number.
+/// the target of the smallest dihedral angle of all cells, in degrees, a number.
 CGAL_BOUNDARY_RECOVERY_3_PARAMETER(min_dihedral_angle)
 
 /// \ingroup PkgBoundaryRecovery3Functions
-/// what makes a cell better than another one, a model of `CellQuality_3`.
+/// decides which of two cells is better: a model of `CellQuality_3`.
 CGAL_BOUNDARY_RECOVERY_3_PARAMETER(cell_quality)
 
 /// \ingroup PkgBoundaryRecovery3Functions
@@ -178,19 +178,19 @@ CGAL_BOUNDARY_RECOVERY_3_PARAMETER(improvement_effort)
 CGAL_BOUNDARY_RECOVERY_3_PARAMETER(cell_region_map)
 
 /// \ingroup PkgBoundaryRecovery3Functions
-/// facets of a mesh that have to stay: a range of arrays of three vertex indices.
+/// facets of a mesh that must stay: a range of arrays of three vertex indices.
 CGAL_BOUNDARY_RECOVERY_3_PARAMETER(constrained_facets)
 
 /// \ingroup PkgBoundaryRecovery3Functions
-/// how many layers of cells around bad ones are remeshed with them, an integer.
+/// the number of layers of cells around bad ones that are remeshed with them, an integer.
 CGAL_BOUNDARY_RECOVERY_3_PARAMETER(number_of_layers)
 
 /// \ingroup PkgBoundaryRecovery3Functions
-/// into how many sub-domains a domain is divided, which are meshed at the same time, an integer.
+/// the number of sub-domains that are meshed at the same time, an integer.
 CGAL_BOUNDARY_RECOVERY_3_PARAMETER(number_of_subdomains)
 
 /// \ingroup PkgBoundaryRecovery3Functions
-/// places in regions that are to be empty: a range of points.
+/// one place in each region that is to be empty: a range of points.
 CGAL_BOUNDARY_RECOVERY_3_PARAMETER(void_points)
 
 #undef CGAL_BOUNDARY_RECOVERY_3_PARAMETER

@@ -70,11 +70,16 @@ FLOORS = [
 ]
 # Internal headers that no file of test/ has to include, by their path below include/CGAL, with the reason.
 UNTESTED_HEADERS = {}
-# The developer page of the manual; where the files are that it names; the floors of which it names each header.
-DEVELOPER_PAGE = "doc/%s/Developers.txt" % PACKAGE
-FOLDERS_OF_DEVELOPER_PAGE = ["include/CGAL/", "include/CGAL/%s/internal/" % PACKAGE, "test/%s/" % PACKAGE,
-                             "test/%s/oracles/" % PACKAGE, "benchmark/%s/" % PACKAGE, "doc/%s/fig/" % PACKAGE, ""]
+# The pages of the manual for developers; where the files are that they name; the floors of which they name each header.
+DEVELOPER_PAGES = ["doc/%s/Developers_%s.txt" % (PACKAGE, name) for name in ("code", "method", "constants", "benchmarks")]
+FOLDERS_OF_DEVELOPER_PAGES = ["include/CGAL/", "include/CGAL/%s/internal/" % PACKAGE, "test/%s/" % PACKAGE,
+                              "test/%s/oracles/" % PACKAGE, "benchmark/%s/" % PACKAGE, "doc/%s/fig/" % PACKAGE, ""]
 LISTED_FLOORS = ["shell", "operations", "lost", "steiner"]
+# The manual for users: as many words as somebody reads, and a picture at the top of each page.
+PAGES_FOR_USERS = ["doc/%s/%s.txt" % (PACKAGE, name) for name in
+                   (PACKAGE, "meshing", "names_and_files", "sizes", "quality", "guarantees", "recovery", "moving_bodies",
+                    "parallel", "python")]
+MAX_NUMBER_OF_WORDS = 9000
 FORBIDDEN_IN_HEADERS = {
     r"\bstd::(cout|cerr|clog)\b|\b(printf|fprintf|puts)\s*\(": "prints",
     r"\b(exit|abort|_Exit|quick_exit|terminate)\s*\(": "ends the program",
@@ -105,7 +110,7 @@ def in_backticks(text):
 
 
 def is_file_name(name):
-    """Whether a name in the developer page is that of a file or folder."""
+    """Whether a name in the pages for developers is that of a file or folder."""
     return re.fullmatch(r"[\w./]+\.(h|cpp|py|svg|md)|[\w.]+/|scripts/\w+", name) is not None
 
 
@@ -158,7 +163,8 @@ class Checker:
         self.check_programs()
         self.check_package_info()
         self.check_readme()
-        self.check_developer_page(headers)
+        self.check_pages_for_users()
+        self.check_developer_pages(headers)
         self.check_sizes()
         return self.complaints
 
@@ -281,7 +287,7 @@ class Checker:
     def check_examples_in_manual(self, base, there):
         path = "doc/%s/examples.txt" % PACKAGE
         listed = set(re.findall(r"\\example %s/(\S+)" % PACKAGE, read(self.root, path)))
-        manual = read(self.root, "doc/%s/%s.txt" % (PACKAGE, PACKAGE))
+        manual = "".join(read(self.root, p) for p in self.paths if re.fullmatch(r"doc/%s/\w+\.txt" % PACKAGE, p))
         shown = set(re.findall(r"\\cgalExample\{%s/([^}]+)\}" % PACKAGE, manual))
         for name in sorted(there - listed):
             self.require(False, "%s/%s" % (base, name), "not named in %s" % path)
@@ -307,35 +313,42 @@ class Checker:
         self.require(manuals[:1] == ["Manual"], "doc/%s/dependencies" % PACKAGE, "does not start with Manual")
 
     def check_readme(self):
-        for name in ("make_boundary_constrained_mesh.cpp", "recover_boundary_minimal.cpp"):
-            example = read(self.root, "examples/%s/%s" % (PACKAGE, name))
-            self.require("```cpp\n%s```" % example in read(self.root, "README.md"), "README.md",
-                         "does not show %s as it is" % name)
+        example = read(self.root, "examples/%s/make_boundary_constrained_mesh.cpp" % PACKAGE)
+        self.require("```cpp\n%s```" % example in read(self.root, "README.md"), "README.md", "does not show the example as it is")
         for link in re.findall(r"\]\((?!https?:)([^)#]+)\)", read(self.root, "README.md")):
             self.require(os.path.exists(os.path.join(self.root, link)), "README.md", "links to %s, which does not exist" % link)
 
-    def check_developer_page(self, headers):
-        """What the developer page names is there; it names each floor, the headers of some, and all constants."""
-        if DEVELOPER_PAGE not in self.paths:
-            self.require(False, DEVELOPER_PAGE, "does not exist")
-            return
-        page = read(self.root, DEVELOPER_PAGE)
-        names = set(in_backticks(page))
-        for name in sorted(n for n in names if is_file_name(n)):
-            self.require(self.find(name), DEVELOPER_PAGE, "names %s, which does not exist" % name)
+    def check_pages_for_users(self):
+        number_of_words = 0
+        for path in PAGES_FOR_USERS:
+            text = read(self.root, path)
+            number_of_words += len(text.split())
+            self.require("\\cgalFigureBegin" in text.split("\\section")[0], path, "has no picture at the top")
+        self.require(number_of_words <= MAX_NUMBER_OF_WORDS, PAGES_FOR_USERS[0],
+                     "%d words in the manual for users" % number_of_words)
+
+    def check_developer_pages(self, headers):
+        """What the pages for developers name is there; they name each floor, the headers of some, and all constants."""
+        names, constants = set(), set()
+        for path in DEVELOPER_PAGES:
+            if path not in self.paths:
+                self.require(False, path, "does not exist")
+                continue
+            page = read(self.root, path)
+            names.update(in_backticks(page))
+            for name in sorted(n for n in set(in_backticks(page)) if is_file_name(n)):
+                self.require(self.find(name), path, "names %s, which does not exist" % name)
+            for header, cells in rows_of_tables(page):
+                self.check_row_of_developer_page(path, header, cells, constants)
         for path in headers:
             internal = re.fullmatch(r"include/CGAL/%s/internal/((\w+/)\w+\.h)" % PACKAGE, path)
             for name in internal.groups() if internal else ():
                 self.require(name in names or (name.endswith(".h") and internal.group(2)[:-1] not in LISTED_FLOORS),
-                             DEVELOPER_PAGE, "does not name %s" % name)
-        constants = set()
-        for header, cells in rows_of_tables(page):
-            self.check_row_of_developer_page(header, cells, constants)
-        for path in headers:
+                             path, "no page for developers names %s" % name)
             for name in constants_of(without_comments_and_strings(read(self.root, path))):
-                self.require((name, path) in constants, path, "%s is not in the tables of %s" % (name, DEVELOPER_PAGE))
+                self.require((name, path) in constants, path, "%s is not in the tables of the pages for developers" % name)
 
-    def check_row_of_developer_page(self, header, cells, constants):
+    def check_row_of_developer_page(self, page, header, cells, constants):
         """A constant, which is added to the set, or a piece of code, or names of classes and functions: they are in the
         files of the row."""
         names = [name for cell in cells for name in in_backticks(cell)]
@@ -345,20 +358,20 @@ class Checker:
         if header[:2] == ["name", "value"]:
             value = "".join(in_backticks(cells[1]))
             constants.update((first, f) for f in files)
-            self.require(re.search(r"\b%s(\[\])?\s*=\s*%s\s*;" % (first, re.escape(value)), code), DEVELOPER_PAGE,
+            self.require(re.search(r"\b%s(\[\])?\s*=\s*%s\s*;" % (first, re.escape(value)), code), page,
                          "%s is not %s in %s" % (first, value, cells[2]))
         elif header[0] == "code":
-            self.require(first in code, DEVELOPER_PAGE, "%s is not in %s" % (first, cells[1]))
+            self.require(first in code, page, "%s is not in %s" % (first, cells[1]))
         elif files:
             for name in names:
                 if not is_file_name(name) and not name.startswith("-"):
                     for word in re.findall(r"\w+", name):
-                        self.require(re.search(r"\b%s\b" % word, code), DEVELOPER_PAGE,
+                        self.require(re.search(r"\b%s\b" % word, code), page,
                                      "%s is not in the files of: %s" % (word, " | ".join(cells)))
 
     def find(self, name):
-        """The path of a file or folder that the developer page names, or None."""
-        for folder in FOLDERS_OF_DEVELOPER_PAGE:
+        """The path of a file or folder that a page for developers names, or None."""
+        for folder in FOLDERS_OF_DEVELOPER_PAGES:
             path = folder + name
             if path in self.paths or (name.endswith("/") and any(p.startswith(path) for p in self.paths)):
                 return path
@@ -421,14 +434,16 @@ def self_test(scratch, root):
         "has the name of": lambda copy: write(copy, examples + "PARAMETERS.h", "\n"),
         "wrong licence": append("package_info/%s/license.txt" % PACKAGE, "or not\n"),
         "not sorted": append("package_info/%s/dependencies" % PACKAGE, "AABB_tree\n"),
-        "does not show": append(examples + "recover_boundary_minimal.cpp", "// more\n"),
+        "does not show": append(examples + "make_boundary_constrained_mesh.cpp", "// more\n"),
+        "has no picture": replace("doc/%s/sizes.txt" % PACKAGE, "\\cgalFigureBegin", "\\section"),
+        "words in the manual": append(PAGES_FOR_USERS[0], 9000 * "x\n"),
         "names lost/Recover_constraint_3.h, which does not exist": lambda copy: os.remove(os.path.join(copy, lost)),
-        "does not name lost/x.h": lambda copy: write(copy, os.path.dirname(lost) + "/x.h", read(copy, lost)),
+        "names lost/x.h": lambda copy: write(copy, os.path.dirname(lost) + "/x.h", read(copy, lost)),
         "max_number_of_shells is not 256 in": replace(lost, "max_number_of_shells = 256;", "max_number_of_shells = 257;"),
         "max_number_of_thoughts is not in the tables": replace(
             lost, "private:", "private:\n  static constexpr int max_number_of_thoughts = 3;"),
         "N == 2 && crossings.size() > 2 is not in": replace(lost, "crossings.size() > 2", "crossings.size() > 3"),
-        "is not in the files of: pickRecursiveLinkEdge": replace(DEVELOPER_PAGE, "`is_recursable_link_edge()`", "`pick_link_edge()`"),
+        "is not in the files of: pickRecursiveLinkEdge": replace(DEVELOPER_PAGES[0], "`is_recursable_link_edge()`", "`pick_link_edge()`"),
         "more than 100 KB": lambda copy: write(copy, "data/meshes/x.off", 11000 * "123456789\n"),
     }
     unnoticed = []
