@@ -173,6 +173,11 @@ void test_single_constraints(Scene& scene)
     {
       return Validity(Kept(scene.constraints), Condition(scene.tr, v...));
     }, c);
+    const std::size_t shells = transformation.number_of_shells();
+    recover.set_max_number_of_shells(0);
+    assert(! recover(transformation, c, validity, 3, scene.context) && recover.was_cut_off());
+    assert(transformation.number_of_shells() == shells && scene.is_lost(c));
+    recover.set_max_number_of_shells(recover.default_max_number_of_shells);
     const bool is_recovered = recover(transformation, c, validity, 3, scene.context);
     assert(is_recovered == ! scene.is_lost(c) && is_recovered == recover.crossings(c).empty());
     scene.check();

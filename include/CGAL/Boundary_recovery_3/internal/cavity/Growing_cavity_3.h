@@ -149,6 +149,9 @@ public:
   const std::vector<Tetrahedron>& tetrahedra() const { return m_tetrahedra; }
   const Vertices& dropped_points() const { return m_dropped_points; }
 
+  // The vertices of the largest cavity that was searched.
+  const Vertices& vertices() { return m_cavity.vertices(); }
+
 private:
   typedef typename Candidates::Vertex_triple   Vertex_triple;
 

@@ -48,7 +48,12 @@ public:
   typedef std::array<Vertex_handle, N>        Constraint;
   typedef std::conditional_t<N == 2, Segment_walk_3<Tr>, Facet_walk_3<Tr> > Walk;
 
+  // Bound on the shells that one call visits, unless another one is set.
+  static constexpr std::size_t default_max_number_of_shells = 256;
+
   Recover_constraint_3(const Tr& tr, const Predicates& predicates) : m_walk(tr, predicates) { }
+
+  void set_max_number_of_shells(const std::size_t n) { m_max_number_of_shells = n; }
 
   // Returns whether the constraint is in the mesh in the end. The shell transformations obey `validity`.
   template <typename Shell_transformation, typename Context>
@@ -62,12 +67,12 @@ public:
     while(context.go_further())
     {
       const std::size_t number_of_shells = st.number_of_shells() - start;
-      if(number_of_shells >= max_number_of_shells)
+      if(number_of_shells >= m_max_number_of_shells)
       {
         m_was_cut_off = true;
         return false;
       }
-      st.set_max_number_of_shells(max_number_of_shells - number_of_shells);
+      st.set_max_number_of_shells(m_max_number_of_shells - number_of_shells);
       const typename Walk::Outcome outcome = walk(constraint);
       if(outcome != Walk::CROSSED)
         return outcome != Walk::BLOCKED;
@@ -88,6 +93,9 @@ public:
     walk(constraint);
     return m_walk.crossings();
   }
+
+  // Those that were collected last: after a call that failed, what was left then.
+  const std::vector<Crossing>& crossings() const { return m_walk.crossings(); }
 
   // The crossings that were collected so far, those that were collected again included: with the shells, a measure of
   // the work.
@@ -145,14 +153,12 @@ private:
     return true;
   }
 
-  // Bound on the shells that are visited.
-  static constexpr std::size_t max_number_of_shells = 256;
-
   // Entities tried between two decreases of the number of crossings.
   static constexpr std::size_t max_number_of_attempts = N == 2 ? 8 : std::size_t(-1);
 
   Walk m_walk;
   std::vector<Entity> m_tried;
+  std::size_t m_max_number_of_shells = default_max_number_of_shells;
   bool m_was_cut_off = false;
   std::size_t m_number_of_crossings = 0;
 };

@@ -223,6 +223,10 @@ private:
   // The recursion level is multiplied by this from pass to pass: passes at low levels change the mesh without much use.
   static constexpr int recursion_level_factor = 6;
 
+  // Shells visited in one attempt below the maximal recursion level: what needs more comes back with less work there,
+  // once the others have.
+  static constexpr std::size_t max_number_of_shells_below = N == 2 ? 64 : 256;
+
   // Bound on the shells that one calling of Alg. 5 visits, for each constraint that is lost at its start: in planar
   // fans of hundreds of triangles, recursion goes astray.
   static constexpr std::size_t max_number_of_shells_per_constraint = 1000;
@@ -232,6 +236,13 @@ private:
   static constexpr std::size_t work_per_crossing = N == 2 ? 1 : 10;
 
   static constexpr std::size_t never = std::size_t(-1);
+
+  // The last attempt at a constraint that failed.
+  struct Failure
+  {
+    int recursion_level = -1;
+    std::size_t number_of_crossings = 0; // that were left
+  };
 
   const std::vector<Constraint>& all() const
   {
@@ -260,7 +271,9 @@ private:
   void start(const std::size_t max_number_of_shells)
   {
     m_hopeless_since.assign(all().size(), never);
+    m_failures.assign(all().size(), Failure());
     m_max_number_of_shells = max_number_of_shells;
+    m_recover.set_max_number_of_shells(m_recover.default_max_number_of_shells);
   }
 
   // recvBndEdgesByST_Wrap of [CZZ+17, Alg. 5]: raises the recursion level from pass to pass up to its maximum, until
@@ -274,6 +287,8 @@ private:
     for(int l_max = (std::min)(1, max_recursion_level); ! m_lost.empty() && m_context.go_further();
         l_max = next_recursion_level(l_max, max_recursion_level))
     {
+      m_recover.set_max_number_of_shells(l_max < max_recursion_level ? max_number_of_shells_below
+                                                                     : m_recover.default_max_number_of_shells);
       pass(l_max);
       const std::size_t value = add_level(phase, l_max).*measure;
       if(value >= best && l_max == max_recursion_level)
@@ -357,7 +372,7 @@ private:
   }
 
   // Does not repeat an attempt that changed nothing and was not cut off, until the mesh has changed; a higher
-  // recursion level alone would lead it to the same end.
+  // recursion level alone would lead it to the same end. Nor one at the same level before it is worthwhile.
   template <typename Transformation, typename Validity_of>
   bool attempt(Transformation& st, const std::size_t i, const Validity_of& validity_of, const int l_max)
   {
@@ -365,12 +380,25 @@ private:
     if(m_hopeless_since[i] == before || st.number_of_shells() > m_max_number_of_shells)
       return false;
     const std::size_t shells = st.number_of_shells(), crossings = m_recover.number_of_crossings();
-    const bool is_recovered = m_recover(st, all()[i], validity_of(all()[i]), l_max, m_context);
+    const bool is_tried = is_worthwhile(i, l_max);
+    const bool is_recovered = is_tried && m_recover(st, all()[i], validity_of(all()[i]), l_max, m_context);
     m_context.add_work(work_per_shell * (st.number_of_shells() - shells)
                        + work_per_crossing * (m_recover.number_of_crossings() - crossings));
+    if(! is_tried)
+      return false;
     const bool is_hopeless = ! is_recovered && st.number_of_transformations() == before && ! m_recover.was_cut_off();
     m_hopeless_since[i] = is_hopeless ? before : never;
+    m_failures[i] = { l_max, m_recover.crossings().size() };
     return is_recovered;
+  }
+
+  // Where recursion failed to recover an edge, it is tried again at a higher level, or once others have taken away some
+  // of what the edge crosses: else hardly one in twenty attempts leads further, and those that fail are most of the
+  // work.
+  bool is_worthwhile(const std::size_t i, const int l_max)
+  {
+    return N == 3 || l_max == 0 || l_max != m_failures[i].recursion_level
+        || m_recover.crossings(all()[i]).size() < m_failures[i].number_of_crossings;
   }
 
   Tr& m_tr;
@@ -382,6 +410,7 @@ private:
   const Target_validity_of m_target_validity;
   std::vector<std::pair<std::size_t, std::size_t> > m_order; // the lost ones, sorted by count_and_sort_lost()
   std::vector<std::size_t> m_hopeless_since; // numbers of transformations, or never, for each constraint
+  std::vector<Failure> m_failures;           // for each constraint
   std::size_t m_max_number_of_shells = std::size_t(-1); // in one calling of Alg. 5
 };
 

@@ -71,11 +71,13 @@ public:
   { }
 
   // Goes on as long as an edge can be removed, and `try_to_remove`, which is called with the cells around v after each
-  // one, returns false. Returns whether it returned true in the end.
+  // one, returns false. Gives up after too many shells: where it works, it needs few. Returns whether it returned true
+  // in the end.
   template <typename Context, typename Try_to_remove>
   bool operator()(const Vertex_handle v, const int l_max, Context& context, const Try_to_remove& try_to_remove)
   {
     const Validity validity{ Kept(m_constraints), No_new_edge_at_vertex_3<Tr>(v) };
+    const std::size_t start = m_transformation.number_of_shells();
     collect_star(v);
     for(bool is_changed = true; is_changed; )
     {
@@ -84,6 +86,8 @@ public:
       for(const Vertex_handle x : neighbors)
       {
         if(! context.go_further())
+          return false;
+        if(m_transformation.number_of_shells() - start > max_number_of_shells)
           return false;
         Cell_handle c;
         int i, j;
@@ -107,6 +111,9 @@ private:
   typedef Kept_constraints_3<Constraints>                                   Kept;
   typedef Shell_validity_conjunction_3<Kept, No_new_edge_at_vertex_3<Tr> >  Validity;
   typedef Worst_element_quality_3<Tr>                                       Quality;
+
+  // In one call. See "Tuning constants" in the manual.
+  static constexpr std::size_t max_number_of_shells = 4000;
 
   void collect_star(const Vertex_handle v)
   {

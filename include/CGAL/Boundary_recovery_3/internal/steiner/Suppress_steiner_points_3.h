@@ -32,6 +32,8 @@
 #include <cstddef>
 #include <iterator>
 #include <optional>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Boundary_recovery_3::internal {
@@ -125,6 +127,34 @@ private:
 };
 
 /*
+ * Where points could not be removed in some way. That fails again as long as the Steiner points around are there: all
+ * else stays much the same.
+ */
+template <typename Ledger>
+class Failed_removals_3
+{
+public:
+  typedef typename Ledger::Vertex_handle Vertex_handle;
+  typedef std::vector<Vertex_handle>     Points;
+
+  explicit Failed_removals_3(const Ledger& ledger) : m_ledger(ledger) { }
+
+  // `points` are free points around v.
+  void insert(const Vertex_handle v, Points points) { m_points[&*v] = std::move(points); }
+
+  bool contains(const Vertex_handle v) const
+  {
+    const auto it = m_points.find(&*v);
+    return it != m_points.end() && std::all_of(it->second.begin(), it->second.end(),
+                                               [this](const Vertex_handle w) { return m_ledger.is_free(w); });
+  }
+
+private:
+  const Ledger& m_ledger;
+  std::unordered_map<const void*, Points> m_points; // by addresses of vertices, only looked up
+};
+
+/*
  * The postprocessing of [CZZ+17, Section 4.3]: removes Steiner points that are on no constraint.
  *
  * Points are first removed one by one, and those that stay move to the deepest point of their kernel. Where that does
@@ -190,15 +220,18 @@ public:
   std::size_t number_of_transformations() const { return m_suppress.number_of_transformations(); }
 
 private:
+  typedef Failed_removals_3<typename Mesh::Ledger> Failed_removals;
+
   // Where there is a domain, the points in its exterior are not worth much time.
   enum Points { ALL_POINTS, POINTS_OF_DOMAIN };
 
   // --- the schedule -------------------------------------------------------------------------------------------------
 
   // Tries to remove each of the points, as long as this is worthwhile; if the recursion level is high, until this has
-  // failed too often.
+  // failed too often. It fails again where it failed before, at this level or a higher one.
   void remove_points(const Points points, const int l_max)
   {
+    const bool is_high = l_max > low_recursion_level;
     std::size_t before;
     do
     {
@@ -206,8 +239,7 @@ private:
       std::size_t number_of_failures = 0;
       for_each_point(points, [&](const Vertex_handle v)
       {
-        if((l_max <= low_recursion_level || is_success_likely(before, number_of_failures))
-           && ! m_suppress.remove(v, l_max))
+        if((! is_high || is_success_likely(before, number_of_failures)) && ! remove(v, l_max, is_high))
           ++number_of_failures;
       });
       if(number_of_points() == before)
@@ -215,6 +247,19 @@ private:
       relocate_points();
     }
     while(is_worthwhile(before));
+  }
+
+  bool remove(const Vertex_handle v, const int l_max, const bool is_high)
+  {
+    if(m_failed_flips[is_high].contains(v))
+      return false;
+    if(m_suppress.remove(v, l_max))
+      return true;
+    std::vector<Vertex_handle> neighbors;
+    m_mesh.tr.finite_adjacent_vertices(v, std::back_inserter(neighbors));
+    for(int level = 0; level <= static_cast<int>(is_high); ++level)
+      m_failed_flips[level].insert(v, free_points_of(neighbors));
+    return false;
   }
 
   std::size_t number_of_points() const { return m_mesh.ledger.free_points().size(); }
@@ -234,10 +279,9 @@ private:
   {
     const std::size_t before = number_of_points();
     merge_points();
-    std::vector<Vertex_handle> hopeless;
     for(const auto growth : { Growing_cavity::AROUND, Growing_cavity::TOWARD_DEAD_ENDS })
       if(! is_worthwhile(before))
-        reconnect_points(growth, hopeless);
+        reconnect_points(growth);
     return is_worthwhile(before);
   }
 
@@ -277,15 +321,16 @@ private:
   // --- ways to remove points ----------------------------------------------------------------------------------------
 
   // Tries to remove each of the points by reconnection of a growing cavity around it, as long as this does not fail too
-  // often. Those in the exterior are left alone: that hardly ever helped one. Adds the points that no growth helps to
-  // the `hopeless` ones, and does not try these; the list is empty again once one is removed.
-  void reconnect_points(const typename Growing_cavity::Growth growth, std::vector<Vertex_handle>& hopeless)
+  // often. Those in the exterior are left alone: that hardly ever helped one. Nor are those tried where the same
+  // failed before.
+  void reconnect_points(const typename Growing_cavity::Growth growth)
   {
+    Failed_removals& failed = m_failed_growths[growth == Growing_cavity::AROUND ? 0 : 1];
     const std::size_t before = number_of_points();
     std::size_t number_of_failures = 0;
     for_each_point(POINTS_OF_DOMAIN, [&](const Vertex_handle v)
     {
-      if(! is_success_likely(before, number_of_failures) || internal::contains(hopeless, v) || ! collect_star(v))
+      if(! is_success_likely(before, number_of_failures) || failed.contains(v) || ! collect_star(v))
         return;
       const auto& bounds = growth == Growing_cavity::AROUND ? around_bounds : dead_ends_bounds;
       const auto outcome = m_growing_cavity(m_star, v, m_mesh.ledger.free_points(), growth, bounds, m_mesh.context);
@@ -293,13 +338,23 @@ private:
       {
         internal::replace_and_forget(m_mesh.editor, m_mesh.ledger, m_growing_cavity.cells(),
                                      m_growing_cavity.tetrahedra(), m_growing_cavity.dropped_points());
-        hopeless.clear();
         return;
       }
       ++number_of_failures;
-      if(outcome == Growing_cavity::NONE)
-        hopeless.push_back(v);
+      if(outcome == Growing_cavity::NONE) // no growth helps
+        for(Failed_removals& f : m_failed_growths)
+          f.insert(v, free_points_of(m_growing_cavity.vertices()));
+      else
+        failed.insert(v, free_points_of(m_growing_cavity.vertices()));
     });
+  }
+
+  std::vector<Vertex_handle> free_points_of(const std::vector<Vertex_handle>& vertices) const
+  {
+    std::vector<Vertex_handle> result;
+    std::copy_if(vertices.begin(), vertices.end(), std::back_inserter(result),
+                 [this](const Vertex_handle v) { return m_mesh.ledger.is_free(v); });
+    return result;
   }
 
   // Makes one point of two neighbors, where one sees the boundary of both stars.
@@ -374,6 +429,8 @@ private:
   Merge_points_3<Tr> m_merge;
   Round_free_point_3<Tr> m_round;
   Growing_cavity m_growing_cavity;
+  std::array<Failed_removals, 2> m_failed_flips{{ Failed_removals(m_mesh.ledger), Failed_removals(m_mesh.ledger) }};
+  std::array<Failed_removals, 2> m_failed_growths{{ Failed_removals(m_mesh.ledger), Failed_removals(m_mesh.ledger) }};
   std::optional<std::vector<Vertex_handle> > m_exterior_points; // where there is a domain; none until asked for
   std::vector<Cell_handle> m_star;
 };
