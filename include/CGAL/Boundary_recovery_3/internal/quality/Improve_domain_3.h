@@ -234,11 +234,7 @@ public:
   void be_strict() { m_mesh.be_strict(); }
 
   // No vertices are inserted beyond that number.
-  void set_max_number_of_vertices(const std::size_t number)
-  {
-    m_mesh.set_max_number_of_new_vertices(
-      number - (std::min)(number, std::size_t(m_mesh.triangulation().number_of_vertices())));
-  }
+  void set_max_number_of_vertices(const std::size_t number) { m_mesh.set_max_number_of_vertices(number); }
 
   // So many parts of the mesh are improved at the same time. The domain has no selection, nor constrained edges.
   void set_number_of_parts(const std::size_t number) { m_number_of_parts = number; }

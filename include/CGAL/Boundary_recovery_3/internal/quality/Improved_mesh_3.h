@@ -248,12 +248,14 @@ public:
     m_was_full = m_was_full || part.m_was_full;
   }
 
-  // From now on, operations do not make the triangulation have so many vertices more.
-  void set_max_number_of_new_vertices(const std::size_t number)
+  // From now on, operations do not make the triangulation have more vertices than that.
+  void set_max_number_of_vertices(const std::size_t number)
   {
+    constexpr std::ptrdiff_t most = (std::numeric_limits<std::ptrdiff_t>::max)();
     m_number_of_old_vertices = m_tr.number_of_vertices();
-    m_max_number_of_new_vertices = static_cast<std::ptrdiff_t>(
-      (std::min)(number, static_cast<std::size_t>((std::numeric_limits<std::ptrdiff_t>::max)())));
+    m_max_number_of_new_vertices = number >= static_cast<std::size_t>(most) ? most
+                                 : static_cast<std::ptrdiff_t>(number)
+                                   - static_cast<std::ptrdiff_t>(m_number_of_old_vertices);
   }
 
   // Whether it may have one more: operations that insert one ask that before they search. The numbers of vertices of a
