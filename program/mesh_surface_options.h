@@ -159,8 +159,8 @@ private:
                "use at most T threads; default: as many as the machine has. The mesh does not depend on it",
                largest_number_of_threads);
     add_number("--subdomains", "N", m_options.number_of_subdomains, Number_kind::integer,
-               "mesh N parts of the inside one by one, and their seams again, as mesh_surface_mpi does. The\n"
-               "mesh depends on N", largest_number_of_subdomains);
+               "mesh the inside in N parts, then their seams again, as mesh_surface_mpi does. The mesh\n"
+               "depends on N", largest_number_of_subdomains);
   }
 
   void add_remeshing_options()

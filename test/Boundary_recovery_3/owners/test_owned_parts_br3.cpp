@@ -12,7 +12,6 @@
 #include <CGAL/Boundary_recovery_3/internal/filling/Fill_parts_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/vertex_owners.h>
 #include <CGAL/Boundary_recovery_3/internal/owners/Concurrency.h>
-#include <CGAL/Boundary_recovery_3/internal/owners/Divide_vertices_3.h>
 #include <CGAL/Boundary_recovery_3/internal/owners/Owned_parts_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Improve_parts_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Improve_quality_3.h>

@@ -180,21 +180,22 @@ private:
   {
     while(! m_pending.empty() && can_go_on())
     {
-      const Vertex_handle v = m_pending.back();
-      m_pending.pop_back();
-      look_around(v);
+      const Vertex_handle v = settle_last();
+      for(const Cell_handle c : m_star)
+        if(can_go_on() && is_there(c) && c->has_vertex(v))
+          look_at(c);
     }
   }
 
-  // Cells with another new vertex are left to that one.
-  void look_around(const Vertex_handle v)
+  // The last new vertex, whose star is known then. Cells with another new vertex are left to that one.
+  Vertex_handle settle_last()
   {
+    const Vertex_handle v = m_pending.back();
+    m_pending.pop_back();
     m_sizes.settle(v);
     m_star.clear();
     m_tr.tds().incident_cells(v, std::back_inserter(m_star));
-    for(const Cell_handle c : m_star)
-      if(can_go_on() && is_there(c) && c->has_vertex(v))
-        look_at(c);
+    return v;
   }
 
   void add_if_large(const Cell_handle c, const int i, std::vector<Encroached_walls_3::Wall>& walls)
@@ -471,11 +472,7 @@ Fill_domain_3<Tr>::sweep(const std::vector<Cell_handle>& cells, const std::size_
   std::vector<Cell_handle> left(cells.begin() + k, cells.end());
   while(! m_pending.empty())
   {
-    const Vertex_handle v = m_pending.back();
-    m_pending.pop_back();
-    m_sizes.settle(v);
-    m_star.clear();
-    m_tr.tds().incident_cells(v, std::back_inserter(m_star));
+    settle_last();
     std::copy_if(m_star.begin(), m_star.end(), std::back_inserter(left),
                  [this](const Cell_handle c) { return this->is_there(c); });
   }

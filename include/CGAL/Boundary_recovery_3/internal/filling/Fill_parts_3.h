@@ -121,7 +121,7 @@ private:
     const Unique_hash_map<Vertex_handle, double> work = round == 0 ? work_at_vertices(waiting)
                                                                    : Unique_hash_map<Vertex_handle, double>(1);
     Parts parts(m_tr, m_domain, number_of_parts, round, [&](const Vertex_handle v) { return work[v]; });
-    parts.mark_border(m_domain, [](Cell_handle, std::size_t) { });
+    parts.mark_border(m_domain);
     std::vector<Cells> cells(parts.size() + 1);
     for(const Cell_handle c : waiting)
       if(m_fill.is_there(c) && m_domain.contains(c))

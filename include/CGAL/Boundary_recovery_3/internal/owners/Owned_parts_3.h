@@ -14,14 +14,154 @@
 
 #include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/vertex_owners.h>
-#include <CGAL/Boundary_recovery_3/internal/owners/Divide_vertices_3.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/Unit_frame_3.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/distances_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/for_each_task.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <deque>
 #include <vector>
 
 namespace CGAL::Boundary_recovery_3::internal {
+
+/*
+ * Divides vertices among parts by *recursive coordinate bisection*: the box of the vertices is cut across its longest
+ * side, so that both halves have the work of their parts, and so on. Parts are compact, and have few vertices on their
+ * borders.
+ *
+ * Each round of work has axes of its own, so that its borders are elsewhere: they meet those of another round only
+ * where two planes meet. In a long body, all axes put the vertices into the same order; so the borders of each round
+ * are also shifted by a part of the work of a part.
+ */
+template <typename Vertex_handle>
+class Divide_vertices_3
+{
+public:
+  explicit Divide_vertices_3(const int round) : m_axes(axes_of_round(round)), m_shift(shift_of_round(round)) { }
+
+  // `work` is what has to be done at the vertex.
+  void add(const Vertex_handle v, const double work)
+  {
+    const Coordinates_3 p = internal::coordinates_of(v->point());
+    m_items.push_back(Item{ {{ dot_product(m_axes[0], p), dot_product(m_axes[1], p), dot_product(m_axes[2], p) }},
+                            work, m_items.size(), v });
+  }
+
+  // Gives all vertices owners, parts from 1 on, with the work of one of `number` equal parts. Returns how many parts
+  // there are: one more if the first and the last one share the work of one of these.
+  std::size_t operator()(const std::size_t number)
+  {
+    m_number = number;
+    const std::size_t number_of_parts = m_shift > 0 ? number + 1 : number;
+    divide(m_items.begin(), m_items.end(), 0, number_of_parts);
+    return number_of_parts;
+  }
+
+private:
+  struct Item
+  {
+    Coordinates_3 place;
+    double work;
+    std::size_t number; // so that the order of equal places is known
+    Vertex_handle vertex;
+  };
+
+  typedef typename std::vector<Item>::iterator Iterator;
+  typedef std::array<Coordinates_3, 3>         Axes;
+
+  static double shift_of_round(const int round)
+  {
+    static constexpr std::array<double, 4> shifts = {{ 0, 0.5, 0.25, 0.75 }};
+    return shifts[static_cast<std::size_t>(round) % shifts.size()];
+  }
+
+  // Orthogonal, and all of the same length; those of the later ones are turned, each in another way.
+  static Axes axes_of_round(const int round)
+  {
+    static const Axes axes[] = {
+      {{ {{ 3, 0, 0 }}, {{ 0, 3, 0 }}, {{ 0, 0, 3 }} }},
+      {{ {{ 1, 2, 2 }}, {{ 2, 1, -2 }}, {{ 2, -2, 1 }} }},
+      {{ {{ -1, 2, 2 }}, {{ 2, -1, 2 }}, {{ 2, 2, -1 }} }},
+      {{ {{ 1, -2, 2 }}, {{ -2, 1, 2 }}, {{ 2, 2, 1 }} }}
+    };
+    return axes[round % 4];
+  }
+
+  // Of the positions of the parts, the last one is the one behind them.
+  void divide(const Iterator begin, const Iterator end, const std::size_t first_part, const std::size_t last_part)
+  {
+    if(last_part - first_part == 1)
+      return own(begin, end, static_cast<Part_number>(last_part));
+    const std::size_t half = (first_part + last_part) / 2;
+    const Iterator middle = split(begin, end, (work_before(half) - work_before(first_part)) /
+                                              (work_before(last_part) - work_before(first_part)));
+    divide(begin, middle, first_part, half);
+    divide(middle, end, half, last_part);
+  }
+
+  // The work of all parts before this position, in the work of an ordinary one.
+  double work_before(const std::size_t part) const
+  {
+    return (std::min)((std::max)(double(part) - m_shift, 0.), double(m_number));
+  }
+
+  static void own(const Iterator begin, const Iterator end, const Part_number part)
+  {
+    for(Iterator item = begin; item != end; ++item)
+      item->vertex->set_part(part);
+  }
+
+  // Returns where the second half begins, if the first one is to have that share of the work. Each step sorts half of
+  // the items that the last one did, so all of them take linear time.
+  static Iterator split(const Iterator begin, const Iterator end, const double share)
+  {
+    const int axis = longest_side(begin, end);
+    const double target = share * work(begin, end);
+    Iterator first = begin, last = end;
+    double before = 0;
+    while(last - first > 1)
+    {
+      const Iterator middle = first + (last - first) / 2;
+      std::nth_element(first, middle, last, [axis](const Item& x, const Item& y)
+      {
+        return x.place[axis] < y.place[axis] || (x.place[axis] == y.place[axis] && x.number < y.number);
+      });
+      const double up_to_middle = before + work(first, middle);
+      if(up_to_middle < target)
+      {
+        before = up_to_middle;
+        first = middle;
+      }
+      else
+        last = middle;
+    }
+    return last;
+  }
+
+  static double work(const Iterator begin, const Iterator end)
+  {
+    double sum = 0;
+    for(Iterator item = begin; item != end; ++item)
+      sum += item->work;
+    return sum;
+  }
+
+  static int longest_side(const Iterator begin, const Iterator end)
+  {
+    Axis_box_3 box;
+    for(Iterator item = begin; item != end; ++item)
+      box.add(item->place);
+    const Coordinates_3 sides = difference(box.upper, box.lower);
+    return static_cast<int>(std::max_element(sides.begin(), sides.end()) - sides.begin());
+  }
+
+  const Axes m_axes;
+  const double m_shift;
+  std::size_t m_number = 0;
+  std::vector<Item> m_items;
+};
 
 /*
  * What one thread at a time works on: the inner cells of a part of a mesh, see `vertex_owners.h`, as a domain of its
@@ -120,7 +260,13 @@ public:
     return owner == 0 ? size() : owner - std::size_t(1);
   }
 
-  // Finds the vertices on the border, before the work begins. Calls `note(c, k)` for each cell of the domain, with the
+  // Finds the vertices on the border, before the work begins.
+  void mark_border(const Domain& domain)
+  {
+    mark_border(domain, [](Cell_handle, std::size_t) { });
+  }
+
+  // The same, and calls `note(c, k)` for each cell of the domain, with the
   // position of its part, or `size()`.
   template <typename Note>
   void mark_border(const Domain& domain, const Note& note)

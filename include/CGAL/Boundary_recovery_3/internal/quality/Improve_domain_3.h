@@ -236,7 +236,7 @@ public:
   // No vertices are inserted beyond that number.
   void set_max_number_of_vertices(const std::size_t number) { m_mesh.set_max_number_of_vertices(number); }
 
-  // So many parts of the mesh are improved at the same time. The domain has no selection, nor constrained edges.
+  // So many parts of the mesh are improved at the same time. The domain has no selection.
   void set_number_of_parts(const std::size_t number) { m_number_of_parts = number; }
 
   // Whether one was not inserted for that.

@@ -186,7 +186,7 @@ private:
   std::vector<Vertex_handle> center_in_parts(const int round, const std::vector<Vertex_handle>& vertices)
   {
     Parts parts = divide(round);
-    parts.mark_border(m_improve.mesh().domain(), [](Cell_handle, std::size_t) { });
+    parts.mark_border(m_improve.mesh().domain());
     std::vector<std::vector<Vertex_handle> > inner(parts.size());
     std::vector<Vertex_handle> waiting;
     for(const Vertex_handle v : vertices)
