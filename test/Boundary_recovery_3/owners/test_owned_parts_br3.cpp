@@ -253,12 +253,12 @@ void test_border()
   {
     const internal::Selected_domain_3<Tr> domain(scene.tr);
     internal::Owned_parts_3<Tr> parts(scene.tr, domain, 9, 2, [](Vertex_handle) { return 1.; });
+    parts.mark_border(domain);
     std::vector<std::size_t> numbers(parts.size() + 1, 0);
-    parts.mark_border(domain, [&](Cell_handle, const std::size_t k) { ++numbers[k]; });
-    for(const std::size_t number : numbers)
-      assert(number > 0);
     for(const Cell_handle c : scene.tr.finite_cell_handles())
       if(domain.contains(c))
+      {
+        ++numbers[parts.part_of(c)];
         for(std::size_t k = 0; k < parts.size(); ++k)
         {
           const bool is_inner = parts.part_of(c) == k;
@@ -266,9 +266,14 @@ void test_border()
           for(int i = 0; is_inner && i < 4; ++i)
           {
             const Cell_handle n = c->neighbor(i);
-            assert(parts[k].domain().is_wall(c, i) == (domain.is_wall(c, i) || parts.part_of(n) != k));
+            const bool is_border = ! domain.is_wall(c, i) && parts.part_of(n) != k;
+            assert(parts[k].domain().is_border(c, i) == is_border);
+            assert(parts[k].domain().is_wall(c, i) == (domain.is_wall(c, i) || is_border));
           }
         }
+      }
+    for(const std::size_t number : numbers)
+      assert(number > 0);
   }
   assert(scene.portrait() == before);
   scene.check();
@@ -277,7 +282,9 @@ void test_border()
 void test_threads()
 {
   Scene undivided;
-  assert(undivided.fill() && undivided.improve());
+  assert(undivided.fill());
+  const auto improvement_of_undivided = undivided.improve();
+  assert(improvement_of_undivided);
   undivided.check();
   std::vector<K::Point_3> first;
   for(const std::size_t number_of_threads : { 1, 2, 3, 8 })
@@ -293,6 +300,7 @@ void test_threads()
     assert(improvement);
     scene.check();
     assert(improvement.counts.number_of_moved_vertices > 0);
+    assert(improvement.after.min_dihedral_angle > improvement_of_undivided.after.min_dihedral_angle - 1);
     const double cells = double(scene.visitor.cells.size()), expected = double(undivided.visitor.cells.size());
     assert(std::abs(cells - expected) < 0.05 * expected);
     const auto measured = internal::Measure_quality_3<Tr>(scene.tr, internal::Selected_domain_3<Tr>(scene.tr))(

@@ -263,22 +263,10 @@ public:
   // Finds the vertices on the border, before the work begins.
   void mark_border(const Domain& domain)
   {
-    mark_border(domain, [](Cell_handle, std::size_t) { });
-  }
-
-  // The same, and calls `note(c, k)` for each cell of the domain, with the
-  // position of its part, or `size()`.
-  template <typename Note>
-  void mark_border(const Domain& domain, const Note& note)
-  {
     for(const Cell_handle c : m_tr.finite_cell_handles())
-      if(domain.contains(c))
-      {
-        const std::size_t part = part_of(c);
-        note(c, part);
-        for(int i = 0; i < 4 && part == size(); ++i)
+      if(domain.contains(c) && part_of(c) == size())
+        for(int i = 0; i < 4; ++i)
           internal::put_on_border(c->vertex(i));
-      }
   }
 
 private:

@@ -63,16 +63,34 @@ public:
   {
     const double factor = factor_of(effort);
     const std::size_t number = (std::max)(number_of_cells, least_number_of_cells);
-    m_credit = factor * credit_per_cell * static_cast<double>(number);
+    m_credits.fill(factor * credit_per_cell * static_cast<double>(number));
     m_least_rate = least_rate / factor;
   }
 
-  bool pays(const Kind kind) const { return m_prices[kind] <= m_credit + m_yields[kind] / m_least_rate; }
+  // The credit is a share of what a whole account has left.
+  void open_part(const Work_account& whole, const double share)
+  {
+    for(const Kind kind : { VERY_BAD, BAD, NEARLY_GOOD })
+      m_credits[kind] = share * (std::max)(0., whole.balance(kind));
+    m_least_rate = whole.m_least_rate;
+  }
+
+  bool pays(const Kind kind) const { return balance(kind) >= 0; }
 
   void book(const Kind kind, const std::size_t price, const double yield)
   {
     m_prices[kind] += static_cast<double>(price + price_of_any_try);
     m_yields[kind] += yield;
+  }
+
+  // All that a part has booked.
+  void book(const Work_account& part)
+  {
+    for(const Kind kind : { VERY_BAD, BAD, NEARLY_GOOD })
+    {
+      m_prices[kind] += part.m_prices[kind];
+      m_yields[kind] += part.m_yields[kind];
+    }
   }
 
 private:
@@ -91,7 +109,14 @@ private:
     return effort == Improvement_effort::low ? low_factor : effort == Improvement_effort::high ? high_factor : 1;
   }
 
-  double m_credit = std::numeric_limits<double>::infinity();
+  double balance(const Kind kind) const
+  {
+    return m_credits[kind] + m_yields[kind] / m_least_rate - m_prices[kind];
+  }
+
+  static constexpr double no_limit = std::numeric_limits<double>::infinity();
+
+  std::array<double, 3> m_credits = {{ no_limit, no_limit, no_limit }};
   double m_least_rate = least_rate;
   std::array<double, 3> m_prices = {{ 0, 0, 0 }};
   std::array<double, 3> m_yields = {{ 0, 0, 0 }};
@@ -140,6 +165,18 @@ public:
         entry.accounts[i].open(i < 2 ? effort : Improvement_effort::high, number_of_cells);
       return false;
     });
+  }
+
+  // The same for the work on a part of a mesh: a share of what the accounts of the whole mesh have left.
+  void open_accounts_of_part(const Improve_bad_cells_3& whole, const double share)
+  {
+    for_each_account(whole, [share](Work_account& mine, const Work_account& all) { mine.open_part(all, share); });
+  }
+
+  // Books what was done for a part.
+  void book(const Improve_bad_cells_3& part)
+  {
+    for_each_account(part, [](Work_account& mine, const Work_account& account) { mine.book(account); });
   }
 
   // Whether the accounts of the work on nearly flat cells are booked from now on.
@@ -295,7 +332,8 @@ private:
   {
     if(++m_number_of_visits % visits_per_report == 0)
       report();
-    const bool is_as_before = (m_round > 1 || m_visits_only_changed) && ! m_mesh.has_changed(c.cell, c.time);
+    const bool is_as_before = c.time > 0 && (m_round > 1 || m_visits_only_changed)
+                           && ! m_mesh.has_changed(c.cell, c.time);
     const bool was_left_out = m_visits_only_changed && c.time < m_begin;
     if(is_as_before && (m_round > first_expensive_round || was_left_out))
       m_bad_cells.put_back(c);
@@ -335,6 +373,24 @@ private:
   bool for_each_entry(const Function& f)
   {
     return std::apply([&](auto&... entry) { return (f(entry) || ...); }, m_table.entries);
+  }
+
+  // Each account, with the same one of `other`.
+  template <typename Function>
+  void for_each_account(const Improve_bad_cells_3& other, const Function& f)
+  {
+    std::apply([&](auto&... entry)
+    {
+      std::apply([&](const auto&... other_entry)
+      {
+        const auto for_each_pair = [&f](auto& mine, const auto& others)
+        {
+          for(std::size_t i = 0; i < mine.size(); ++i)
+            f(mine[i], others[i]);
+        };
+        (for_each_pair(entry.accounts, other_entry.accounts), ...);
+      }, other.m_table.entries);
+    }, m_table.entries);
   }
 
   // As long as that pays.

@@ -301,7 +301,7 @@ private:
   {
     if constexpr(Has_part<typename Tr::Vertex>::value)
       if(m_number_of_parts > 1)
-        return Improve_parts_3<Tr, Quality>(m_improve, m_quality, m_context, m_number_of_parts).improve(m_effort);
+        return Improve_parts_3<Tr, Quality>(m_improve, m_quality, m_context, m_number_of_parts).improve();
     m_improve();
   }
 

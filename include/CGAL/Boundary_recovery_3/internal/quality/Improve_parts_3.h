@@ -44,8 +44,8 @@ inline void add_counts(Quality_improvement_counts& sum, const Quality_improvemen
 
 /*
  * Improves parts of a mesh at the same time, in rounds, each with other borders. What is bad at a border, or on it, is
- * left to the next round; what is left after the last one, to one thread. Bad cells that nothing helped are not tried
- * again, but where a border was in the way.
+ * left to the next round; what is left after the last one, to one thread. Bad cells that nothing helped are tried again
+ * where a border was in the way, or where something has changed since.
  */
 template <typename Tr, typename Quality>
 class Improve_parts_3
@@ -64,18 +64,20 @@ public:
       m_number_of_parts(number_of_parts)
   { }
 
-  // The bad cells; those that stay bad are in the list again, as visited.
-  void improve(const Improvement_effort effort)
+  // The bad cells; those that stay bad are in the list again. The accounts are those of `improve`.
+  void improve()
   {
-    std::vector<Bad_cell> waiting = bad_cells().take(), stuck;
-    for(int round = 0; round < max_number_of_rounds && pays(waiting.size()); ++round)
-      improve_parts(round, effort, waiting, stuck);
+    m_improve.set_visits_only_changed(true);
+    std::vector<Bad_cell> cells = bad_cells().take();
+    std::size_t number_of_waiting_cells = cells.size();
+    for(int round = 0; round < max_number_of_rounds && pays(number_of_waiting_cells); ++round)
+    {
+      cells = improve_parts(round, cells, number_of_waiting_cells);
+      number_of_waiting_cells = std::size_t(std::count_if(cells.begin(), cells.end(), is_waiting));
+    }
     m_improve.progress().end_parts_of_rounds();
-    bad_cells().put_back(waiting);
+    bad_cells().put_back(cells);
     m_improve();
-    for(const Bad_cell& c : stuck)
-      if(bad_cells().contains(c.cell))
-        bad_cells().push(c.cell, m_improve.mesh().time());
   }
 
   // Vertices, as `Center_vertex_3` does. Returns those that are left.
@@ -153,34 +155,50 @@ private:
     }
   }
 
-  // Cells that are inner to a part are improved; those that wait for the next round are left.
-  void improve_parts(const int round, const Improvement_effort effort, std::vector<Bad_cell>& waiting,
-                     std::vector<Bad_cell>& stuck)
+  // Whether something may help: the cell was not visited yet, or something around it has changed since.
+  static bool is_waiting(const Bad_cell& c) { return c.time == 0; }
+
+  // Improves bad cells that are inner to a part. Returns all bad cells that are there then.
+  std::vector<Bad_cell> improve_parts(const int round, const std::vector<Bad_cell>& bad,
+                                      const std::size_t number_of_waiting_cells)
   {
     Parts parts = divide(round);
-    std::vector<std::size_t> numbers_of_cells(parts.size() + 1, 0);
-    parts.mark_border(m_improve.mesh().domain(), [&](Cell_handle, const std::size_t k) { ++numbers_of_cells[k]; });
-    std::vector<std::vector<Bad_cell> > cells(parts.size() + 1);
-    for(const Bad_cell& c : waiting)
+    parts.mark_border(m_improve.mesh().domain());
+    std::vector<std::vector<Bad_cell> > cells(parts.size() + 1); // the last ones are inner to none
+    std::vector<std::size_t> amounts(parts.size() + 1, 0);
+    for(const Bad_cell& c : bad)
       if(bad_cells().contains(c.cell))
-        cells[parts.part_of(c.cell)].push_back(c);
-    waiting = std::move(cells.back());
-    cells.pop_back();
+      {
+        const std::size_t k = parts.part_of(c.cell);
+        cells[k].push_back(c);
+        amounts[k] += is_waiting(c);
+      }
+    std::vector<Bad_cell> left = std::move(cells.back());
+    amounts.pop_back();
     std::deque<Task> tasks;
-    work_on(parts, sizes_of(cells), [&](Task& task, const std::size_t k)
+    work_on(parts, amounts, [&](Task& task, const std::size_t k)
     {
-      task.improve.open_accounts(effort, round == 0 ? numbers_of_cells[k] : cells[k].size());
+      task.improve.open_accounts_of_part(m_improve, double(amounts[k]) / double(number_of_waiting_cells));
+      task.improve.set_visits_only_changed(true);
       task.improve.bad_cells().put_back(cells[k]);
       task.improve();
     }, [&](const double part) { m_improve.progress().visit_in_parts(part); }, tasks);
     for(Task& task : tasks)
     {
-      for(const Cell_handle c : task.improve.cells_put_off())
-        if(bad_cells().contains(c))
-          waiting.push_back(Bad_cell{ 0, c, 0 });
-      const std::vector<Bad_cell> left = task.improve.bad_cells().take();
-      stuck.insert(stuck.end(), left.begin(), left.end());
+      m_improve.book(task.improve);
+      add_bad_cells(task.improve, left);
     }
+    return left;
+  }
+
+  // Those of a part. Its clock is not that of the whole mesh, where they are visited before all changes, or not at all.
+  void add_bad_cells(Improve_bad_cells& part, std::vector<Bad_cell>& cells)
+  {
+    for(const Cell_handle c : part.cells_put_off())
+      cells.push_back(Bad_cell{ 0, c, 0 });
+    for(const Bad_cell& c : part.bad_cells().take())
+      if(bad_cells().contains(c.cell))
+        cells.push_back(Bad_cell{ c.quality, c.cell, part.mesh().has_changed(c.cell, c.time) ? std::size_t(0) : 1 });
   }
 
   std::vector<Vertex_handle> center_in_parts(const int round, const std::vector<Vertex_handle>& vertices)
