@@ -25,6 +25,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <functional>
 #include <mutex>
 #include <numeric>
 #include <type_traits>
@@ -43,8 +44,8 @@ using Concurrency_tag_of = std::conditional_t<std::is_floating_point<typename Tr
 // Each thread takes the next task when it is ready, so not more of them are under way than there are threads. What was
 // done before the tasks and in them is seen in them and after them, as the atomic numbers also tell ThreadSanitizer,
 // which does not look into the TBB.
-template <typename Work>
-void for_each_in_order(const std::vector<std::size_t>& order, const Work& work, Parallel_tag)
+inline void for_each_in_order(const std::vector<std::size_t>& order, const std::function<void(std::size_t)>& work,
+                              Parallel_tag)
 {
   std::atomic<std::size_t> next, number_of_ends(0);
   next.store(0, std::memory_order_release);
@@ -60,16 +61,17 @@ void for_each_in_order(const std::vector<std::size_t>& order, const Work& work, 
 
 #endif // CGAL_LINKED_WITH_TBB
 
-template <typename Work>
-void for_each_in_order(const std::vector<std::size_t>& order, const Work& work, Sequential_tag)
+inline void for_each_in_order(const std::vector<std::size_t>& order, const std::function<void(std::size_t)>& work,
+                              Sequential_tag)
 {
   for(const std::size_t task : order)
     work(task);
 }
 
 // Does the tasks with these weights, the heaviest one first, at the same time if the tag and the TBB allow for that.
-template <typename Work, typename ConcurrencyTag>
-void for_each_task(const std::vector<std::size_t>& weights, const Work& work, const ConcurrencyTag tag)
+template <typename ConcurrencyTag>
+void for_each_task(const std::vector<std::size_t>& weights, const std::function<void(std::size_t)>& work,
+                   const ConcurrencyTag tag)
 {
   std::vector<std::size_t> order(weights.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
