@@ -62,7 +62,7 @@ public:
   /// the maximal recursion level if none is set.
   static constexpr int default_max_recursion_level = 30;
 
-  /// the maximal recursion level of the flips while Steiner points are put on constraints.
+  /// the maximal recursion level of the flips while Steiner points are put on constraints: 3. \hideinitializer
   static constexpr int default_conforming_recursion_level
     = Boundary_recovery_3::internal::Recover_by_points_3<Tr>::default_recursion_level;
 

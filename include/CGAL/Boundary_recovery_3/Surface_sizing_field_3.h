@@ -268,6 +268,9 @@ public:
   typedef typename Tr::Geom_traits::Point_3 Point_3; ///< the point type
   typedef int                               Index;   ///< the type of the number of a region
 
+  /// the grading if none is given: 0.3. \hideinitializer
+  static constexpr double default_grading = internal::default_surface_grading;
+
   /*!
    * \brief takes the surface from the indices in the cells of a triangulation: facets for which `is_facet_on_surface()`
    * is true, or the two cells at which have different values of `subdomain_index()`.
@@ -275,10 +278,10 @@ public:
    * The triangulation is not used afterwards.
    *
    * \param tr the triangulation; its cells are models of `MeshCellBase_3`, as far as these functions go
-   * \param grading by how much sizes grow per length, without unit; 0.3 by default
+   * \param grading by how much sizes grow per length, without unit
    * \pre `grading` is not negative, and finite.
    */
-  explicit Surface_sizing_field_3(const Tr& tr, const double grading = internal::default_surface_grading)
+  explicit Surface_sizing_field_3(const Tr& tr, const double grading = default_grading)
     : Surface_sizing_field_3(tr, grading, std::vector<std::array<typename Tr::Vertex_handle, 2> >())
   { }
 
@@ -306,12 +309,12 @@ public:
    * \tparam TriangleRange a range of triples of numbers of points, from 0
    * \param points the points
    * \param triangles the triangles; neither their orientation nor their order matters
-   * \param grading by how much sizes grow per length, without unit; 0.3 by default
+   * \param grading by how much sizes grow per length, without unit
    * \pre `grading` is not negative, and finite. All points that the triangles name are there.
    */
   template <typename PointRange, typename TriangleRange>
   Surface_sizing_field_3(const PointRange& points, const TriangleRange& triangles,
-                         const double grading = internal::default_surface_grading)
+                         const double grading = default_grading)
     : m_sizes(internal::sites_of_surface(internal::sized_surface(points, triangles), grading), grading)
   {
     CGAL_precondition(grading >= 0 && grading < internal::Axis_box_3::infinity());
