@@ -163,9 +163,9 @@ struct Boundary_recovery_result_3
                                                ///< without the edges of other faces
   std::size_t number_of_facets = 0;            ///< number of constrained facets
   std::size_t number_of_constraint_points = 0; ///< number of Steiner points that were put on constraints
-  std::size_t number_of_steiner_points = 0;    ///< number of Steiner points that took the place of these off the
+  std::size_t number_of_steiner_points = 0;    ///< number of Steiner points off the constraints that replaced points on
                                                ///< constraints (none in the mode `conforming`), plus the points of the
-                                               ///< phase `planar_edge_recovery`, in all modes. Points that were removed
+                                               ///< phase `planar_edge_recovery` in all modes; points that were removed
                                                ///< later count
   std::size_t number_of_inserted_vertices = 0; ///< number of input points that were not in the triangulation before
   std::size_t number_of_shell_transformations = 0; ///< number of replacements of cells by flips and reconnections, with
