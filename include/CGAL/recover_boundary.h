@@ -36,18 +36,18 @@ namespace CGAL {
  *
  * The soup may be open, non-manifold, have sheets that end inside, and bound several regions. The function
  * 1. checks the input;
- * 2. finds the points among the vertices of `tr` by their exact coordinates, and inserts those that are not there;
+ * 2. finds the points among the vertices of `tr` by their exact coordinates, and inserts the missing ones;
  * 3. recovers lost edges, then lost facets, by recursive shell transformations [CZZ+17, Section 4.2] and small
  *    polyhedron reconnection, without points, unless 100 lost edges or more are tangled in a plane: see the phase
  *    `planar_edge_recovery`;
- * 4. recovers constraints that are still lost by Steiner points, unless constraints intersect. The points are put on
- *    the constraints first [CZZ+17, Section 4], come off them, and are removed where possible;
+ * 4. recovers constraints that are still lost by Steiner points, unless constraints intersect. The points are first put
+ *    on the constraints [CZZ+17, Section 4], then taken off the constraints, and removed where possible;
  * 5. looks up every constraint again.
  *
  * The triangulation is changed in place and is no longer Delaunay afterwards, although its type may say so: point
  * insertion, point location by conflicts, and nearest vertex queries are undefined from then on. The base
  * `Triangulation_3::is_valid()` holds. Vertices keep their handles and their coordinates, bit for bit. Cells are
- * replaced; data in them is lost, unless a visitor carries it over. Give a later call on the same triangulation the
+ * replaced; data of cells are lost, unless a visitor carries them over. Give a later call on the same triangulation the
  * earlier constraints again, or it may flip them away. Steiner points of an earlier call are ordinary vertices: they
  * are not removed, and the parts of constraints with points on them must be given as constraints.
  *
@@ -102,21 +102,22 @@ namespace CGAL {
  *     \cgalParamDefault{no limit}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
- *     \cgalParamDescription{is told about phases, progress, and the cells that go and come, and can stop the recovery}
+ *     \cgalParamDescription{a visitor, which is told of phases, of progress, and of old and new cells, and can stop the
+ *                           recovery}
  *     \cgalParamType{a model of `MeshingVisitor_3`}
  *     \cgalParamDefault{`Default_meshing_visitor_3`}
  *     \cgalParamExtra{Pass `std::ref(visitor)` to have the object itself called and not a copy.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{list_defects}
  *     \cgalParamDescription{whether intersections of constraints, and vertices of `tr` on constraints, are searched
- *                           first, and no cell is flipped if there are any}
+ *                           first. If there are any, no cell is flipped}
  *     \cgalParamType{`bool`}
  *     \cgalParamDefault{`false`: the search comes only when constraints are missing in the end; for intersections also
  *                       earlier, when the flips have taken much longer than the search does}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_number_of_defects}
- *     \cgalParamDescription{the largest number of defects that are listed, the first ones in order; 0: none, only their
- *                           number is told}
+ *     \cgalParamDescription{the largest number of listed defects, the first ones in order; 0: only the number of
+ *                           defects is in the result}
  *     \cgalParamType{`std::size_t`}
  *     \cgalParamDefault{1000000, which take about 0.4 GB}
  *     \cgalParamExtra{Two surfaces of n triangles may intersect in n^2 pairs. If there are more pairs than are listed,

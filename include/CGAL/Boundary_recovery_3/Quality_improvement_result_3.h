@@ -106,10 +106,10 @@ struct Bad_cell_3
   /// - `forced`: the two constrained facets. They share an edge of the cell, perhaps not `edge`, and other cells may be
   ///   between the facets.
   /// - `gap`: two constrained facets. The second one is above the center of the inscribed circle of the first one, at
-  ///   the height `distance`, and no constraint is in between. If the first one is a facet of the cell, this proves that
-  ///   each cell with this facet has an angle of at most `surface_angle` at one of the edges of the facet. Otherwise, the
-  ///   cell has an edge of the first facet, and all vertices of the cell are too near to the plane of this facet for
-  ///   angles as large as the target.
+  ///   the height `distance`, and no constraint is in between. If the first one is a facet of the cell, this proves
+  ///   that each cell with this facet has an angle of at most `surface_angle` at one of the edges of the facet.
+  ///   Otherwise, the cell has an edge of the first facet, and all vertices of the cell are too near to the plane of
+  ///   this facet for angles as large as the target.
   /// - `needle`: the first entry is the constrained facet.
   /// - `not_improved`: two constrained facets of the cell that are nearly in a plane; as long as only this cell is
   ///   between the facets, it is flat. Without such facets, the first entry is the constrained facet with the smallest
