@@ -99,8 +99,7 @@ struct Hole_remeshing_result_3
                                                       ///< boundary stayed bad
   std::size_t number_of_failures = 0;      ///< number of times that a hole grew because its valid boundary could not be
                                            ///< recovered
-  std::size_t number_of_steiner_points = 0; ///< number of Steiner points that the recovery left in holes; the
-                                           ///< improvement may have moved or removed them
+  std::size_t number_of_steiner_points = 0; ///< number of Steiner points in holes before the improvement
   std::size_t number_of_holes_with_steiner_points = 0; ///< number of holes with Steiner points
 
   /// the smallest dihedral angle of the new cells, in degrees; 180 without new cells
