@@ -76,7 +76,7 @@ namespace CGAL {
  *     \cgalParamExtra{The map is kept up to date: new cells are selected, and cells that go are not.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{edge_is_constrained_map}
- *     \cgalParamDescription{edges that must stay beside those of constrained facets}
+ *     \cgalParamDescription{edges that must stay, in addition to the edges of constrained facets}
  *     \cgalParamType{a model of `ReadablePropertyMap` with `std::pair<Triangulation::Vertex_handle,
  *                    Triangulation::Vertex_handle>` as key type and `bool` as value type}
  *     \cgalParamDefault{no edge}

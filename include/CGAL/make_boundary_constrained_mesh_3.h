@@ -230,11 +230,11 @@ make_mesh_of_surface(Tr& tr, const FaceListGraph& surface, const SizingField& si
  *     \cgalParamDefault{no limit but that of the memory}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{number_of_subdomains}
- *     \cgalParamDescription{into how many sub-domains the domain is divided, by METIS if `CGAL_METIS_ENABLED` is
- *                           defined. They are filled, and improved, at the same time if `CGAL_LINKED_WITH_TBB` is
- *                           defined and the number type of the kernel is a built-in one; so are the zones around
- *                           their seams then. The mesh depends on this number, and not on the number of threads.
- *                           There are fewer if the domain has too few cells when it is divided}
+ *     \cgalParamDescription{the number of sub-domains into which the domain is divided, by METIS if
+ *                           `CGAL_METIS_ENABLED` is defined. Sub-domains, and then the zones around their seams, are
+ *                           filled and improved at the same time if `CGAL_LINKED_WITH_TBB` is defined and the number
+ *                           type of the kernel is a built-in one. The mesh depends on this number, and not on the
+ *                           number of threads. A domain with too few cells is divided into fewer sub-domains}
  *     \cgalParamType{`std::size_t`}
  *     \cgalParamDefault{1: the domain is not divided}
  *     \cgalParamExtra{With more than 1, several threads call the size field and the quality. One thread at a time calls

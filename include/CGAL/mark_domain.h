@@ -106,7 +106,7 @@ std::vector<Patch> patches_of_facets(const FacetRange& facets, const NamedParame
  *                     default value of their type is not allowed.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{constrained_edges}
- *     \cgalParamDescription{edges that are constrained, beside those of the facets}
+ *     \cgalParamDescription{constrained edges, in addition to the edges of the facets}
  *     \cgalParamType{a `ConstRange` whose value type is an array of two vertex handles}
  *     \cgalParamDefault{no edges}
  *   \cgalParamNEnd

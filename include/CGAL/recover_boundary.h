@@ -92,7 +92,7 @@ namespace CGAL {
  *                     A negative level means the default.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{constrained_edges}
- *     \cgalParamDescription{edges to be recovered beside those of the triangles}
+ *     \cgalParamDescription{edges to recover, in addition to the edges of the triangles}
  *     \cgalParamType{a `ConstRange` whose value type is an array of two vertex indices}
  *     \cgalParamDefault{no edges}
  *   \cgalParamNEnd
@@ -137,13 +137,13 @@ namespace CGAL {
  *
  * \return the status, and lists of missing constraints and of defects, in the indices of points and triangles. The
  *         result converts to `true` iff every triangle and constrained edge is in the triangulation. If the status is
- *         `stopped`, defects that would have to be searched are not known; if points of the input were still to be
- *         inserted then, all constraints are listed as missing, and the vertices of these points are default handles,
- *         also in `facets`. If the status is `invalid_input`, the triangulation was not changed, with these exceptions:
- *         the points have been inserted if they and the vertices of a triangulation of a dimension less than 3 turn out
- *         to be coplanar, or if a vertex is on a constraint that is not its own, be it of the triangulation or a point
- *         that no constraint uses; and constraints that intersect are, unless `list_defects` is set, found only after
- *         points were inserted, perhaps not all of them, and cells flipped.
+ *         `stopped`, defects that need a search are not known. If the work stopped before all points were inserted, all
+ *         constraints are listed as missing, and the vertices of the missing points are default handles, also in
+ *         `facets`. If the status is `invalid_input`, the triangulation is unchanged, with three exceptions. The points
+ *         are inserted if they and all vertices of a triangulation of a dimension less than 3 turn out to be coplanar.
+ *         The points are inserted if a constraint contains another vertex, which may be a vertex of the triangulation
+ *         or a point without a constraint. Without `list_defects`, constraints that intersect are found only after
+ *         points, perhaps not all, were inserted and cells were flipped.
  *
  * \pre `tr` is valid: `tr.is_valid()` as a `Triangulation_3`; it need not be Delaunay.
  */

@@ -66,7 +66,7 @@ struct Field_points_result_3
   /// the place of the invalid size if the status is `invalid_input`: none, or one
   std::vector<Invalid_size> invalid_sizes;
 
-  double seconds = 0; ///< duration in seconds (wall clock), that of the forecast included
+  double seconds = 0; ///< duration in seconds (wall clock), with the forecast
 
   /// returns `true` iff all is done.
   explicit operator bool() const { return status == Meshing_status::meshed; }

@@ -45,7 +45,7 @@ struct Input_simplex_3
 template <typename Point_3_>
 struct Input_defect_3
 {
-  Input_defect_kind kind;                            ///< what is wrong
+  Input_defect_kind kind;                            ///< the kind of the defect
   std::vector<Input_simplex_3<Point_3_> > simplices; ///< the simplices that cause the defect
 };
 

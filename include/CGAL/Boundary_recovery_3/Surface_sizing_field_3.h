@@ -280,7 +280,7 @@ public:
    * The triangulation is not used after the construction.
    *
    * \param tr the triangulation; its cells have these two functions of `MeshCellBase_3`
-   * \param grading by how much sizes grow per length, without unit
+   * \param grading the largest growth of sizes per length, without unit
    * \pre `grading` is not negative, and finite.
    */
   explicit Surface_sizing_field_3(const Tr& tr, const double grading = default_grading)
@@ -293,7 +293,7 @@ public:
    *
    * \tparam VertexPairRange a range of pairs `e` of vertices `e[0]` and `e[1]`
    * \param tr the triangulation; see above
-   * \param grading by how much sizes grow per length, without unit
+   * \param grading the largest growth of sizes per length, without unit
    * \param edges the edges, some of which may be edges of the surface
    * \pre `grading` is not negative, and finite.
    */
@@ -311,7 +311,7 @@ public:
    * \tparam TriangleRange a range of index triples; indices of points count from 0
    * \param points the points
    * \param triangles the triangles, in any order and orientation
-   * \param grading by how much sizes grow per length, without unit
+   * \param grading the largest growth of sizes per length, without unit
    * \pre `grading` is not negative, and finite. All indices of the triangles name points.
    */
   template <typename PointRange, typename TriangleRange>
