@@ -28,14 +28,13 @@ namespace Boundary_recovery_3 {
 /*!
  * \ingroup PkgBoundaryRecovery3Classes
  *
- * \brief a vertex base with the dimension, the index and the size that CGAL's mesh packages ask vertices for.
+ * \brief a vertex base with the dimension, the index and the size that CGAL's mesh packages read from vertices.
  *
- * The members have the names, and the meaning, that they have in `MeshVertexBase_3`, so that the same code takes
- * vertices of triangulations over CGAL's own bases. A vertex has 56 bytes over
- * `Exact_predicates_inexact_constructions_kernel`, without threads.
+ * The members have the names and the meaning of the members of `MeshVertexBase_3`, so that the same code works with
+ * CGAL's own vertex bases. A vertex has 56 bytes over `Exact_predicates_inexact_constructions_kernel`, without threads.
  *
  * \tparam GT the geometric traits
- * \tparam Vb the vertex base that it is derived from
+ * \tparam Vb the base class, a vertex base
  *
  * \cgalModels{TriangulationVertexBase_3}
  */
@@ -57,8 +56,8 @@ public:
 
   using Vb::Vb;
 
-  /// returns the dimension of what the vertex is on: 0: a corner, 1: a constrained edge that is no edge of a triangle,
-  /// 2: the surface, 3: the domain or what is outside of it, -1: not known.
+  /// returns the dimension of the place of the vertex: 0: a corner, 1: a constrained edge that is no edge of a
+  /// triangle, 2: the surface, 3: the inside or outside of the domain, -1: not known.
   int in_dimension() const { return m_dimension; }
 
   /// sets the dimension.
@@ -70,24 +69,23 @@ public:
   /// sets that number.
   void set_index(const Index index) { m_index = index; }
 
-  /// returns the size that cells should have here; 0: not known.
+  /// returns the size asked for at the vertex; 0: not known.
   FT meshing_info() const { return m_size; }
 
   /// sets the size.
   void set_meshing_info(const FT& size) { m_size = size; }
 
-  /// returns what is noted at the vertex while several threads change the mesh: the part of the mesh that it belongs
-  /// to; 0: none.
+  /// returns the number of the part of the mesh that owns the vertex while several threads change the mesh; 0: none.
   std::uint16_t part() const { return m_part; }
 
   /// sets that number.
   void set_part(const std::uint16_t part) { m_part = part; }
 
   /// \name Facets of a Complex
-  /// What `Mesh_complex_3_in_triangulation_3` remembers about the facets of the complex around the vertex.
+  /// `Mesh_complex_3_in_triangulation_3` remembers here two numbers of the facets of the complex around the vertex.
   /// @{
 
-  /// returns whether the following two numbers are known.
+  /// returns whether the two numbers are known.
   bool is_c2t3_cache_valid() const { return m_is_complex_known; }
 
   /// forgets these numbers.
@@ -104,7 +102,7 @@ public:
   /// returns how many facets of the complex have this vertex.
   std::size_t cached_number_of_incident_facets() const { return m_number_of_facets; }
 
-  /// returns into how many components they fall, if they are to be connected by edges of this vertex.
+  /// returns the number of components of these facets, where common edges at this vertex connect facets.
   std::size_t cached_number_of_components() const { return m_number_of_components; }
 
   /// @}
@@ -122,15 +120,14 @@ private:
 /*!
  * \ingroup PkgBoundaryRecovery3Classes
  *
- * \brief a cell base with the region of the cell and the patches of its facets, as CGAL's mesh packages ask cells for
- * them.
+ * \brief a cell base with the region of the cell and the patches of its facets, which CGAL's mesh packages read from
+ * cells.
  *
- * The members have the names, and the meaning, that they have in `MeshCellBase_3`, so that the same code takes cells of
- * triangulations over CGAL's own bases. A cell has 88 bytes over `Exact_predicates_inexact_constructions_kernel`,
- * without threads.
+ * The members have the names and the meaning of the members of `MeshCellBase_3`, so that the same code works with
+ * CGAL's own cell bases. A cell has 88 bytes over `Exact_predicates_inexact_constructions_kernel`, without threads.
  *
  * \tparam GT the geometric traits
- * \tparam Cb the cell base that it is derived from
+ * \tparam Cb the base class, a cell base
  *
  * \cgalModels{TriangulationCellBase_3}
  */
@@ -153,13 +150,13 @@ public:
 
   using Cb::Cb;
 
-  /// returns the region that the cell is in; 0: outside.
+  /// returns the region of the cell; 0: outside.
   Subdomain_index subdomain_index() const { return m_subdomain; }
 
   /// sets the region.
   void set_subdomain_index(const Subdomain_index index) { m_subdomain = index; }
 
-  /// returns the patch that the facet opposite to the vertex `i` is on; 0: none.
+  /// returns the patch of the facet opposite to the vertex `i`; 0: none.
   Surface_patch_index surface_patch_index(const int i) const { return m_patches[i]; }
 
   /// sets the patch of the facet opposite to the vertex `i`.
@@ -169,8 +166,7 @@ public:
   bool is_facet_on_surface(const int i) const { return m_patches[i] != 0; }
 
   /// \name Qualities
-  /// CGAL's remeshing wants to remember the quality of cells, and computes it again where that is not possible, as
-  /// here.
+  /// CGAL's remeshing remembers the quality of cells if it can. Here it cannot, and computes the quality again.
   /// @{
 
   /// returns `false`.

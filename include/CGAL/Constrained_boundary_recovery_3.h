@@ -37,8 +37,8 @@ namespace CGAL {
  * \brief recovers constrained edges and facets in a triangulation, by recursive shell transformations first, and by
  * Steiner points where these are not enough.
  *
- * It holds the constraints and runs the phases of [CZZ+17, Section 4]; each phase can be called on its own.
- * Constraints that are in the triangulation are never destroyed.
+ * An object holds the constraints, and runs the phases of [CZZ+17, Section 4]; each phase can be called on its own.
+ * Constraints in the triangulation are never destroyed.
  *
  * \tparam Tr an instance of `CGAL::Triangulation_3`, or of a class derived from it, with a model of
  *         `BoundaryRecoveryTraits_3` as geometric traits
@@ -56,20 +56,20 @@ public:
   typedef Boundary_recovery_3::Phase Phase;               ///< the phases
   typedef Boundary_recovery_3::Recovery_mode Mode;        ///< the modes
   typedef Boundary_recovery_3::Recovery_effort Effort;    ///< what may be given up
-  typedef Boundary_recovery_3::Phase_report Phase_report; ///< the counts of a phase
+  typedef Boundary_recovery_3::Phase_report Phase_report; ///< the duration and the counts of a phase
   typedef Boundary_recovery_3::Recursion_level_report Recursion_level_report; ///< the counts of a pass
 
   /// the maximal recursion level if none is set.
   static constexpr int default_max_recursion_level = 30;
 
-  /// the maximal recursion level of the flips while Steiner points are put on constraints.
+  /// the maximal recursion level of the flips while Steiner points are put on constraints: 3. \hideinitializer
   static constexpr int default_conforming_recursion_level
     = Boundary_recovery_3::internal::Recover_by_points_3<Tr>::default_recursion_level;
 
   /*!
-   * \param tr the triangulation to change. As long as this object is used, it must not be cleared, assigned to or
-   *        swapped, and vertices of constraints must not be removed.
-   * \param visitor is told about progress and may stop the recovery. It has to outlive this object.
+   * \param tr the triangulation to change. As long as this object is used, the triangulation must not be cleared,
+   *        assigned to or swapped, and vertices of constraints must not be removed.
+   * \param visitor the visitor, which is told about progress, and may stop the recovery. It must outlive this object.
    *
    * \pre `tr.dimension() == 3`
    */
@@ -97,13 +97,13 @@ public:
   /// \name Constraints
   /// @{
 
-  /// allocates memory for so many constrained edges, those of the facets not counted, and facets.
+  /// allocates memory for these numbers of constrained edges, without the edges of facets, and of constrained facets.
   void reserve(const std::size_t number_of_edges, const std::size_t number_of_facets)
   {
     m_constraints.reserve(number_of_edges, number_of_facets);
   }
 
-  /// adds the constrained edge `uv`, unless it is there already, and returns its index.
+  /// adds the constrained edge `uv`, unless it is known already, and returns its index.
   ///
   /// \pre `u` and `v` are different finite vertices of the triangulation.
   std::size_t insert_constraint(const Vertex_handle u, const Vertex_handle v)
@@ -112,7 +112,7 @@ public:
     return m_constraints.insert(u, v);
   }
 
-  /// adds the constrained facet `uvw` and its edges, unless they are there already, and returns the index of the facet.
+  /// adds the constrained facet `uvw` and its edges, unless they are known already, and returns the index of the facet.
   ///
   /// \pre `u`, `v` and `w` are different finite vertices of the triangulation and not collinear.
   std::size_t insert_constraint(const Vertex_handle u, const Vertex_handle v, const Vertex_handle w)
@@ -130,10 +130,10 @@ public:
   /// returns the index of the constrained edge `uv`, or `std::size_t(-1)`.
   std::size_t index(const Vertex_handle u, const Vertex_handle v) const { return m_constraints.index(u, v); }
 
-  /// returns the indices of the edges that were lost when last looked for, in increasing order.
+  /// returns the indices of the edges that were lost at the last search, in increasing order.
   const std::vector<std::size_t>& lost_edges() const { return m_state.lost.edges; }
 
-  /// returns the indices of the facets that were lost when last looked for, in increasing order.
+  /// returns the indices of the facets that were lost at the last search, in increasing order.
   const std::vector<std::size_t>& lost_facets() const { return m_state.lost.facets; }
 
   /// returns the indices of the edges with Steiner points on them, in increasing order.
@@ -142,7 +142,7 @@ public:
   /// returns the indices of the facets with Steiner points on them or on their edges, in increasing order.
   std::vector<std::size_t> split_facets() const { return m_ledger.split_facets(); }
 
-  /// returns the mesh edges that the edge `e` consists of, from its first vertex to its second; none if it is not a
+  /// returns the mesh edges that form the edge `e`, from its first vertex to its second; none if the edge is not a
   /// union of mesh edges.
   ///
   /// \pre `e < constrained_edges().size()`
@@ -151,7 +151,7 @@ public:
     return m_points.parts().of_edge(e);
   }
 
-  /// returns the mesh facets that the facet `f` consists of, in its orientation; none if it is not a union of mesh
+  /// returns the mesh facets that form the facet `f`, in the orientation of `f`; none if `f` is not a union of mesh
   /// facets.
   ///
   /// \pre `f < constrained_facets().size()`
@@ -173,8 +173,8 @@ public:
     m_max_recursion_level = l_max;
   }
 
-  /// sets what is given up, time or points; `Effort::more_time` by default. It chooses the phases of
-  /// `recover_by_flips()`, and how much the phases of Steiner points do.
+  /// sets what is given up, time or points; `Effort::more_time` by default. The effort chooses the phases of
+  /// `recover_by_flips()`, and the work of the phases with Steiner points.
   void set_effort(const Effort effort) { m_effort = effort; }
 
   /// sets the time after which the recovery stops, in seconds from the construction of this object; no limit by
@@ -183,12 +183,12 @@ public:
   /// @}
 
   /// \name Phases
-  /// Each may be called on its own, after `search()`. Those without points must not be called while there are Steiner
-  /// points on constraints.
+  /// Each phase may be called on its own, after `search()`. Phases without points must not be called while Steiner
+  /// points are on constraints.
   /// @{
 
-  /// runs all the phases of a mode. Returns whether every constraint is in the triangulation: as one simplex, or, in
-  /// the mode `conforming`, as a union of simplices.
+  /// runs all phases of a mode. Returns whether every constraint is in the triangulation: as one simplex, or, in the
+  /// mode `conforming`, as a union of simplices.
   ///
   /// \param mode how far the recovery goes
   ///
@@ -226,19 +226,19 @@ public:
   /// looks up every constraint.
   void search() { m_state.run(Phase::search, [this] { m_points.look_up(); }); }
 
-  /// recovers edges that are tangled in a plane: groups of at least 100 lost edges, connected by the mesh edges in that
-  /// plane that they cross, more than 4 each on an average, as those of a fan of cocircular points do. A Steiner point
-  /// is put close to the plane on each side of it where there are cells, and is removed again when the edges are back,
-  /// if it is in the way of nothing. One that is left is in `steiner_vertices()`, and stays whatever comes after it.
-  /// Where fewer than 100 edges of a group come back for each point that is left, or one is left in the mode
-  /// `flips_only`, or the visitor or the kernel throws, the triangulation is as it was before that group.
+  /// recovers edges that are tangled in a plane. A group has at least 100 lost edges, which are connected by mesh edges
+  /// in the plane that they cross, more than 4 each on average; a fan of cocircular points has such a group. A Steiner
+  /// point is put close to the plane, on each side with cells. When the edges are back, the point is removed again
+  /// where possible; otherwise it is in `steiner_vertices()`, and stays. The triangulation is taken back to its state
+  /// before the group if fewer than 100 edges come back for each point that stays, if a point stays in the mode
+  /// `flips_only`, or if the visitor or the kernel throws.
   ///
   /// \param mode how far the recovery goes
   ///
   /// \pre no Steiner point is on a constraint.
   void recover_planar_edges(const Mode mode = Mode::constrained) { m_points.recover_planar_edges(mode); }
 
-  /// removes what crosses lost edges by complete removals of single shells: the cases that need neither
+  /// removes edges and facets that cross lost edges, by complete removals of single shells: the cases that need neither
   /// quality nor recursion.
   void remove_without_recursion() { flips().remove_without_recursion(); }
 
@@ -248,10 +248,11 @@ public:
   /// is the second calling of [CZZ+17, Alg.\ 5]: under BRC3, with the vector [Q_2, Q', Q''].
   void recover_edges_brc3() { flips().recover_edges_brc3(m_max_recursion_level); }
 
-  /// tries small polyhedron reconnection on the cells around each lost edge, as long as this helps.
+  /// tries small polyhedron reconnection on the cells around each lost edge, as long as it helps.
   void reconnect_edges() { flips().reconnect_edges(); }
 
-  /// tries small polyhedron reconnection on the cells around each lost facet that has its edges, as long as this helps.
+  /// tries small polyhedron reconnection on the cells around each lost facet whose edges are in the triangulation, as
+  /// long as it helps.
   void reconnect_facets() { flips().reconnect_facets(); }
 
   /// is the first calling for facets [CZZ+17, Section 4.2.2]: under BRC2.
@@ -261,13 +262,13 @@ public:
   /// is the second calling for facets [CZZ+17, Section 4.2.2]: under BRC4.
   void recover_facets_brc4() { flips().recover_facets_brc4(m_max_recursion_level); }
 
-  /// recovers what is lost by Steiner points: the main procedure and the postprocessing of [CZZ+17, Section 4]. In the
-  /// mode `constrained`, they are taken off the constraints again, and as many of them as possible are removed; in the
-  /// mode `conforming`, they stay there and get the nearest positions that the triangulation can store. In the mode
-  /// `flips_only`, they are tried for a few lost edges, and accepted only if all of them could be removed. If some
-  /// position cannot be stored, or points are left that must not be, the triangulation is put back and other points are
-  /// tried, up to six times in all. Steiner points that were there before stay. Returns whether this worked for all
-  /// constraints; if not, the triangulation is as it was before, also if the visitor or the kernel throws.
+  /// recovers lost constraints by Steiner points: the main procedure and the postprocessing of [CZZ+17, Section 4]. In
+  /// the mode `constrained`, the points are taken off the constraints again, and as many as possible are removed. In
+  /// the mode `conforming`, they stay on the constraints, and get the nearest positions that the triangulation can
+  /// store. In the mode `flips_only`, they are tried for a few lost edges, and accepted only if all can be removed. If
+  /// a position cannot be stored, or points stay that must not, the triangulation is taken back and other points are
+  /// tried, up to six times in all. Earlier Steiner points stay. Returns whether all constraints were recovered. If
+  /// not, or if the visitor or the kernel throws, the triangulation is as it was before.
   ///
   /// \pre the constraints do not intersect, no other vertex is on them, and no Steiner point is on a constraint.
   bool recover_by_points(const Mode mode)
@@ -276,37 +277,37 @@ public:
                     mode == Mode::flips_only ? Effort::more_time : m_effort);
   }
 
-  /// is the first half of the main procedure of [CZZ+17, Section 4]: lost edges become chains of mesh edges, lost
-  /// facets unions of mesh facets, by Steiner points on them.
+  /// is the first half of the main procedure of [CZZ+17, Section 4]: by Steiner points on the constraints, lost edges
+  /// become chains of mesh edges, and lost facets unions of mesh facets.
   ///
-  /// Until `round_steiner_points()`, or `split_steiner_points()` and `suppress_steiner_points()`, returned `true`,
-  /// exact positions of Steiner points are known to this object only, and cells may be inverted by the rounded
-  /// positions in the triangulation.
+  /// Only this object knows the exact positions of the Steiner points; the rounded positions in the triangulation may
+  /// invert cells. This ends when `round_steiner_points()`, or `split_steiner_points()` and
+  /// `suppress_steiner_points()`, has returned `true`.
   ///
   /// \param l_max the maximal recursion level of the flips that are tried for each part of an edge, not negative
   ///
-  /// \pre lost constraints were looked for after the last change of the triangulation.
+  /// \pre lost constraints were searched after the last change of the triangulation.
   void recover_conforming(const int l_max = default_conforming_recursion_level) { m_points.recover_conforming(l_max); }
 
-  /// gives each Steiner point on a constraint the nearest position that the triangulation can store, or one that is at
-  /// most 2^10 times as far away as numbers are from each other at its largest coordinate, such that all the cells
-  /// around it remain positively oriented. Returns whether this is so for all of them, and no point that came off a
-  /// constraint is without such a position.
+  /// gives each Steiner point on a constraint a position that the triangulation can store: the nearest one, or another
+  /// one within 2^10 times the distance of neighboring numbers at its largest coordinate. All cells around the point
+  /// remain positively oriented. Returns whether all these points, and all points that came off the constraints, have
+  /// such positions.
   bool round_steiner_points() { return m_points.round_points(); }
 
   /// is the second half of the main procedure [CZZ+17, Alg.\ A.1 to A.5]: takes the Steiner points off the constraints.
-  /// Returns whether none is left there.
+  /// Returns whether no Steiner point is left on a constraint.
   ///
   /// \pre all constraints are unions of mesh simplices.
   bool split_steiner_points() { return m_points.split_points(); }
 
-  /// is the postprocessing of [CZZ+17, Section 4.3]: removes Steiner points that are on no constraint, as long as it
-  /// can. Returns whether the others have positions that the triangulation can store.
+  /// is the postprocessing of [CZZ+17, Section 4.3]: removes Steiner points that are on no constraint, as far as
+  /// possible. Returns whether the triangulation can store the positions of all others.
   ///
   /// \pre no Steiner point is on a constraint
   bool suppress_steiner_points() { return m_points.suppress_points(m_max_recursion_level, m_effort); }
 
-  /// looks up every constraint again: only this tells what was recovered.
+  /// looks up every constraint again: only this phase tells which constraints were recovered.
   void recount() { m_points.recount(); }
   /// @}
 
@@ -326,22 +327,22 @@ public:
   /// in which they were created.
   std::vector<Vertex_handle> steiner_vertices() const { return m_ledger.points(); }
 
-  /// returns the indices of the edges for which a Steiner point was needed, on them or beside them, for which the
-  /// triangulation can store no position, in increasing order. They are those of the last attempt, if
-  /// `recover_by_points()` failed.
+  /// returns the indices of the edges that need a Steiner point, on or beside the edge, at a position that the
+  /// triangulation cannot store, in increasing order. If `recover_by_points()` failed, they are the edges of the last
+  /// attempt.
   const std::vector<std::size_t>& unrepresentable_edges() const { return m_points.unrepresentable().edges; }
 
-  /// as above, the facets.
+  /// as above, for facets.
   const std::vector<std::size_t>& unrepresentable_facets() const { return m_points.unrepresentable().facets; }
 
   /// returns the number of Steiner points that were put on constraints.
   std::size_t number_of_constraint_points() const { return m_ledger.number_of_constraint_points(); }
 
-  /// returns the number of Steiner points that came off the constraints, before any of them was removed, and of those
-  /// of `recover_planar_edges()`.
+  /// returns the number of Steiner points that came off the constraints, before the first removal, plus the number of
+  /// points of `recover_planar_edges()`.
   std::size_t number_of_steiner_points() const { return m_ledger.number_of_free_points(); }
 
-  /// returns the number of replacements of cells by flips and reconnections, those that were taken back included.
+  /// returns the number of replacements of cells by flips and reconnections, with replacements that were taken back.
   std::size_t number_of_transformations() const { return m_state.number_of_transformations; }
   /// @}
 

@@ -39,19 +39,18 @@ namespace CGAL {
  *
  * \brief the shell transformation, and its recursive use to remove an edge or a facet from a triangulation.
  *
- * A shell transformation replaces the cells around an edge `ab`, the covering mesh of its shell, by a better covering
- * mesh: one that belongs to a partial triangulation of the skirt polygon. What is better is told by the quality, what
- * is allowed by the validity; whatever they say, all new cells are positively oriented, decided exactly, and the
- * convex hull stays as it is. Source: [CZZ+17, Sections 2 and 3].
+ * The cells around an edge `ab` are the covering mesh of its shell. A shell transformation replaces them by a better
+ * covering mesh, which belongs to a partial triangulation of the skirt polygon. The quality tells which covering mesh
+ * is better, and the validity which one is allowed. In any case, all new cells are positively oriented, by an exact
+ * predicate, and the convex hull stays as it is. Source: [CZZ+17, Sections 2 and 3].
  *
- * The triangulation is changed in place and is in general no longer Delaunay. Vertices are kept, with their handles.
- * Cells that are replaced are destroyed; the visitor is told before and after, so that data attached to them can be
- * carried over.
+ * The triangulation is changed in place and is in general no longer Delaunay. Vertices keep their handles. Replaced
+ * cells are destroyed; the visitor is told before and after, so that data of cells can be carried over.
  *
- * \tparam Tr an instance of `CGAL::Triangulation_3`, or of a class derived from it. It has to be 3-dimensional.
+ * \tparam Tr an instance of `CGAL::Triangulation_3`, or of a class derived from it. It must be 3-dimensional.
  * \tparam Quality a model of `ShellQuality_3`
  * \tparam Validity a model of `ShellValidity_3`
- * \tparam Visitor a model of `MeshingVisitor_3`, of which only the replacement of cells is used
+ * \tparam Visitor a model of `MeshingVisitor_3`; only the replacement of cells is announced
  */
 template <typename Tr,
           typename Quality_ = Boundary_recovery_3::Worst_element_quality_3<Tr>,
@@ -76,10 +75,10 @@ public:
   /// default bound on the number of shells visited in one call of `remove_edge()` or `remove_facet()`, 300.
   static constexpr std::size_t default_max_number_of_shells = 300;
 
-  /// what a shell transformation did
+  /// the outcome of a shell transformation
   enum Outcome
   {
-    UNCHANGED, ///< the covering mesh is the best one already, or nothing is allowed
+    UNCHANGED, ///< the covering mesh is the best one already, or no other one is allowed
     REDUCED,   ///< the degree of the shell is smaller now
     REMOVED    ///< the supporting edge is gone
   };
@@ -101,9 +100,9 @@ public:
 
   /*!
    * \param tr the triangulation to change
-   * \param quality what makes a covering mesh better
+   * \param quality which covering mesh is better
    * \param validity which covering meshes are allowed
-   * \param visitor is told which cells go and come. It has to outlive this object.
+   * \param visitor the visitor, which is told of old and new cells. It must outlive this object.
    */
   Shell_transformation_3(Tr& tr, const Quality& quality, const Validity& validity, Visitor& visitor)
     : m_tr(tr), m_predicates(tr), m_quality(quality), m_validity(validity), m_visitor(&visitor)
@@ -129,11 +128,11 @@ public:
   /*!
    * transforms the shell of an edge once [CZZ+17, Alg.\ 3].
    *
-   * \param e the supporting edge. An edge at the infinite vertex and a constrained one that cannot be kept are left
-   * alone.
-   * \param p if not the default handle, the face of `e` and this vertex is to be avoided
+   * \param e the supporting edge. An edge at the infinite vertex, and a constrained edge that cannot be kept, are left
+   *        alone.
+   * \param p a vertex: the face of `e` and `p` is to be avoided; none if `p` is the default handle
    *
-   * \return what was done: `UNCHANGED` also if there is no such face
+   * \return the outcome; `UNCHANGED` also if there is no such face
    *
    * \pre `tr.dimension() == 3`
    */
@@ -156,13 +155,13 @@ public:
    * \param e the edge
    * \param l_max the maximal recursion level; 0: only the shell of `e` itself is transformed
    *
-   * \return whether the edge is gone. If it is not, cells may have been replaced nevertheless.
+   * \return whether the edge is gone. If not, cells may have been replaced all the same.
    *
    * \pre `tr.dimension() == 3`
    */
   bool remove_edge(const Edge& e, const int l_max) { return remove_edge(e, l_max, validity()); }
 
-  /// as above, under the condition `validity` in the place of that of this object.
+  /// as above, with the condition `validity` instead of the condition of this object.
   bool remove_edge(const Edge& e, const int l_max, const Validity& validity)
   {
     m_validity_of_call = &validity;
@@ -176,13 +175,13 @@ public:
    * \param f the facet
    * \param l_max the maximal recursion level; 0: only the shells of the edges of `f` are transformed
    *
-   * \return whether the facet is gone. If it is not, cells may have been replaced nevertheless.
+   * \return whether the facet is gone. If not, cells may have been replaced all the same.
    *
    * \pre `tr.dimension() == 3`
    */
   bool remove_facet(const Facet& f, const int l_max) { return remove_facet(f, l_max, validity()); }
 
-  /// as above, under the condition `validity` in the place of that of this object.
+  /// as above, with the condition `validity` instead of the condition of this object.
   bool remove_facet(const Facet& f, const int l_max, const Validity& validity)
   {
     const std::array<Vertex_handle, 3> v = {{ f.first->vertex((f.second + 1) & 3),
@@ -211,7 +210,7 @@ public:
   /// `remove_facet()`.
   void set_max_number_of_shells(const std::size_t n) { m_max_number_of_shells = n; }
 
-  /// returns the number of covering meshes that were replaced so far.
+  /// returns the number of replaced covering meshes so far.
   std::size_t number_of_transformations() const { return m_number_of_transformations; }
 
   /// returns the number of shells visited so far, in all removals.

@@ -33,15 +33,15 @@ namespace CGAL {
  * stays.
  *
  * This is step 7 of [CZZ+17, Section 4.1]. The worst cells come first: edges and facets are removed, vertices are
- * moved, inserted or removed. A change is made only if it makes the cells around it better together, and none of them
- * worse than the worst of them was. Near the worst cells of the mesh, a few cells may get worse in the end so that
- * others become better, but never worse than the worst one of the mesh was.
+ * moved, inserted or removed. A change is made only if it improves the cells around it together, and leaves no cell
+ * worse than the worst of them was. At the end, near the worst cells of the mesh, a few cells may get worse so that
+ * others get better, but never worse than the worst cell of the mesh was.
  *
  * The triangulation may come from `insert_field_points()`, from CGAL's remeshing, or, by
  * `convert_to_triangulation_3()`, from Mesh_3. Constrained are the facets for which `is_facet_on_surface()` holds,
- * facets between cells of different `subdomain_index()`, and the edges of `edge_is_constrained_map`. They stay, and so
- * do their vertices, and vertices whose `in_dimension()` is 0, 1 or 2. Other vertices may be moved or removed; their
- * handles, and handles of cells, become invalid.
+ * facets between cells of different `subdomain_index()`, and the edges of `edge_is_constrained_map`. These facets and
+ * edges stay, with their vertices, and so do vertices whose `in_dimension()` is 0, 1 or 2. Other vertices may be moved
+ * or removed. Handles of removed vertices and of cells become invalid.
  *
  * The result tells the reason for each cell that stays below the target: see
  * `Boundary_recovery_3::Quality_certificate_3`.
@@ -65,12 +65,12 @@ namespace CGAL {
  *                     will stay below it, and the work takes long.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{improvement_effort}
- *     \cgalParamDescription{how much work the improvement is worth}
+ *     \cgalParamDescription{the work that the improvement is worth}
  *     \cgalParamType{`CGAL::Boundary_recovery_3::Improvement_effort`}
  *     \cgalParamDefault{`Improvement_effort::normal`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{cell_quality}
- *     \cgalParamDescription{which of two cells is better}
+ *     \cgalParamDescription{the measure of the quality of cells}
  *     \cgalParamType{a model of `CellQuality_3`}
  *     \cgalParamDefault{`Boundary_recovery_3::Dihedral_angle_quality_3`}
  *   \cgalParamNEnd
@@ -82,7 +82,7 @@ namespace CGAL {
  *     \cgalParamExtra{The map is kept up to date: new cells are selected, and cells that go are not.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{edge_is_constrained_map}
- *     \cgalParamDescription{edges that must stay beside those of constrained facets}
+ *     \cgalParamDescription{edges that must stay, in addition to the edges of constrained facets}
  *     \cgalParamType{a model of `ReadablePropertyMap` with `std::pair<Triangulation::Vertex_handle,
  *                    Triangulation::Vertex_handle>` as key type and `bool` as value type}
  *     \cgalParamDefault{no edge}
@@ -106,22 +106,22 @@ namespace CGAL {
  *     \cgalParamDescription{the time in seconds after which the improvement stops soon, with a valid triangulation}
  *     \cgalParamType{`double`}
  *     \cgalParamDefault{no limit}
- *     \cgalParamExtra{The last figures and the certificate may take 0.15 seconds more. Otherwise they are left out, and
- *                     the result says so.}
+ *     \cgalParamExtra{The last figures and the certificate may take 0.15 seconds more. If they would take longer, they
+ *                     are left out, and the result says so.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
- *     \cgalParamDescription{is told about the phase `quality_improvement`, about progress, and about the cells that go
- *                           and come, and can stop the improvement}
+ *     \cgalParamDescription{a visitor, which is told of the phase `quality_improvement`, of progress, and of old and
+ *                           new cells, and can stop the improvement}
  *     \cgalParamType{a model of `MeshingVisitor_3`}
  *     \cgalParamDefault{`Default_meshing_visitor_3`}
  *     \cgalParamExtra{Pass `std::ref(visitor)` to have the object itself called and not a copy.}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \return the status, the quality before and after, the cells that are below the target nevertheless, and counts. It
- *         converts to `true` iff the status is `meshed`. `invalid_input`: `min_dihedral_angle` is not possible; nothing
- *         was done. `stopped`: what was done until then is there; the last figures and the certificate may not be;
- *         also if only the last figures were cut off.
+ * \return the status, the quality before and after, the cells that are still below the target, and counts. The result
+ *         converts to `true` iff the status is `meshed`. `invalid_input`: `min_dihedral_angle` is impossible; nothing
+ *         was done. `stopped`: the improvement, or only its last measurements, were cut off; earlier changes stay, but
+ *         the last figures and the certificate may be missing.
  *
  * \pre `tr` is valid.
  */

@@ -32,21 +32,21 @@ namespace CGAL {
  * \brief inserts points into the regions of a domain until its cells have given sizes; the surface stays.
  *
  * This is step 6 of [CZZ+17, Section 4.1]. A cell is too large if its circumradius is longer than 0.75 times the size
- * at its centroid: edges of other cells are shorter than 1.5 times the size. A cell that is too large gets a point at
- * its circumcenter, or else at its centroid, unless another vertex is nearer than 0.7 times the size. The point is
+ * at its centroid, so edges of other cells are shorter than 1.5 times the size. A cell that is too large gets a point
+ * at its circumcenter, or else at its centroid, unless a vertex is nearer than 0.7 times the size. The point is
  * inserted by the Bowyer-Watson algorithm in the region of the cell: constrained facets and edges, and facets between
- * regions, are neither crossed nor split. Where triangles of the surface are larger than the size, so are cells beside
- * them. Within 1.5 times the size of triangles that are much larger, no points are inserted, since they would make flat
- * cells. Edges inside that are still far too long are removed in the end, or get a point in the middle, unless another
+ * regions, are neither crossed nor split. Beside triangles of the surface that are larger than the size, cells are
+ * larger, too. No points are inserted within 1.5 times the size of much larger triangles, since these points would make
+ * flat cells. At the end, inner edges that are still far too long are removed, or get a point in the middle, unless a
  * vertex is nearer than 0.4 times the size.
  *
  * The triangulation may come from `mark_domain()`, from CGAL's remeshing, or, by `convert_to_triangulation_3()`, from
  * Mesh_3; the weights of points do not matter. Constrained are the facets for which `is_facet_on_surface()` holds,
- * those between cells of different `subdomain_index()`, and the edges of `edge_is_constrained_map`. New cells have the
- * region of their place, new vertices the dimension 3 and its index. If vertices have `meshing_info()`, it has the
- * sizes at them afterwards, which are smaller beside finer walls.
+ * facets between cells of different `subdomain_index()`, and the edges of `edge_is_constrained_map`. New cells get the
+ * region of their place; new vertices get the dimension 3 and this region as index. If vertices have a member
+ * `meshing_info()`, it has the sizes at the vertices afterwards, which are smaller beside finer walls.
  *
- * Nothing is printed. Exceptions of the size field are caught, and end the work with the status `invalid_input`.
+ * Nothing is printed. An exception of the size field is caught, and ends the work with the status `invalid_input`.
  *
  * \tparam Triangulation an instance of `Triangulation_3`, or of a class derived from it, whose cells are models of
  *         `MeshCellBase_3`
@@ -56,12 +56,12 @@ namespace CGAL {
  * \param tr the triangulation
  * \param size the lengths of edges inside, in the unit of the coordinates: a number, or a function object that is
  *        called with a point, or with a point, the dimension 3 and the number of a region, and returns a positive
- *        number. An optional member function `grading()` returns by how much sizes grow per length at most: with it,
- *        the field is asked far more seldom. An optional member function `least_size_around(p, radius, index)` returns
- *        a lower bound for the sizes within the distance `radius` of `p` in the region `index`. It must be `const`. The
- *        bound must come near to the size at `p` when `radius` is small; 0 means that nothing is known. With one of
- *        these, small sizes between large ones are found, unless `grading()` is so large that there would be no end of
- *        questions; `Field_points_result_3::is_field_resolved` tells. The field is asked in the regions of the domain
+ *        number. An optional member function `grading()` returns the largest growth of sizes per length; with it, the
+ *        field is called far more seldom. An optional member function `least_size_around(p, radius, index)`, `const`,
+ *        returns a lower bound for the sizes within the distance `radius` of `p` in the region `index`. The bound must
+ *        come near to the size at `p` when `radius` is small; 0 means that nothing is known. With one of these
+ *        functions, small sizes between large ones are found, unless `grading()` is so large that the calls would have
+ *        no end; `Field_points_result_3::is_field_resolved` tells. The field is called in the regions of the domain
  *        only, up to rounding. Where walls are finer than the size, edges are shorter, see
  *        \ref BR3_sizes.
  * \param np an optional sequence of named parameters among the ones listed below. `maximum_number_of_vertices` starts a
@@ -76,7 +76,7 @@ namespace CGAL {
  *     \cgalParamExtra{The map is kept up to date: new cells are selected, and cells that go are not.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{edge_is_constrained_map}
- *     \cgalParamDescription{edges that must stay beside those of constrained facets}
+ *     \cgalParamDescription{edges that must stay, in addition to the edges of constrained facets}
  *     \cgalParamType{a model of `ReadablePropertyMap` with `std::pair<Triangulation::Vertex_handle,
  *                    Triangulation::Vertex_handle>` as key type and `bool` as value type}
  *     \cgalParamDefault{no edge}
@@ -101,8 +101,8 @@ namespace CGAL {
  *     \cgalParamDefault{no limit}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
- *     \cgalParamDescription{is told about the phases `forecast` and `field_point_insertion`, about progress, and about
- *                           the cells that go and come, and can stop the insertion}
+ *     \cgalParamDescription{a visitor, which is told of the phases `forecast` and `field_point_insertion`, of progress,
+ *                           and of old and new cells, and can stop the insertion}
  *     \cgalParamType{a model of `MeshingVisitor_3`}
  *     \cgalParamDefault{`Default_meshing_visitor_3`}
  *     \cgalParamExtra{Pass `std::ref(visitor)` to have the object itself called and not a copy.}
@@ -110,13 +110,11 @@ namespace CGAL {
  * \cgalNamedParamsEnd
  *
  * \return the status, the forecast, and counts. The result converts to `true` iff the status is `meshed`.
- *         `invalid_input`: the field had no positive finite size at a place, which is told; points that were inserted
- *         before stay. `too_large`: the mesh needs more vertices than allowed, or more memory than there is; no point
- *         was inserted, unless the forecast was too low: then there are as many vertices as allowed. `stopped`: points
- *         that were inserted before stay.
+ *         `invalid_input`: the field had no positive finite size at a place, which is in the result; earlier points
+ *         stay. `too_large`: the mesh needs more vertices than allowed, or more memory than there is; no point was
+ *         inserted or, if the forecast was too low, as many points as allowed. `stopped`: earlier points stay.
  *
- * \pre `tr` is valid, and the cells of each region are bounded by facets that are constrained or have another region
- *      behind them.
+ * \pre `tr` is valid, and constrained facets or facets to other regions bound the cells of each region.
  */
 template <typename Triangulation, typename SizingField, typename CGAL_NP_TEMPLATE_PARAMETERS>
 Field_points_result_3<Triangulation>

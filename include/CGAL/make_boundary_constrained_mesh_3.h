@@ -153,8 +153,8 @@ make_mesh_of_surface(Tr& tr, const FaceListGraph& surface, const SizingField& si
  * - field points are inserted, see `insert_field_points()` (step 6);
  * - the quality of the mesh is improved, see `improve_mesh_quality()` (step 7).
  *
- * The outside of the domain stays in the triangulation, as the region 0, up to the convex hull, and gets no points.
- * Afterwards the triangulation is valid as a `Triangulation_3`, but no longer Delaunay, although its type may say so.
+ * The outside of the domain, up to the convex hull, stays in the triangulation as the region 0, and gets no points. The
+ * resulting triangulation is a valid `Triangulation_3`, but no longer Delaunay, although its type may say so.
  *
  * Nothing is printed, and nothing is thrown because of the input. The same input gives the same mesh, bit for bit,
  * unless time is limited.
@@ -185,8 +185,8 @@ make_mesh_of_surface(Tr& tr, const FaceListGraph& surface, const SizingField& si
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{grading}
- *     \cgalParamDescription{by how much the size grows per length, away from the surface, if there is no `size`. A
- *                           negative or infinite number is `invalid_input`}
+ *     \cgalParamDescription{the growth of the size per length, away from the surface, if there is no `size`. A negative
+ *                           or infinite number is `invalid_input`}
  *     \cgalParamType{`double`}
  *     \cgalParamDefault{0.3}
  *   \cgalParamNEnd
@@ -196,8 +196,8 @@ make_mesh_of_surface(Tr& tr, const FaceListGraph& surface, const SizingField& si
  *     \cgalParamDefault{the position of the triangle + 1}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{void_points}
- *     \cgalParamDescription{one place in each region that is to be empty. These regions become a part of the outside,
- *                           and the others are numbered anew, in their order. A place outside or on the surface is
+ *     \cgalParamDescription{one place in each region to be left empty. These regions become parts of the outside, and
+ *                           the others are numbered anew, in their order. A place outside or on the surface is
  *                           `invalid_input`}
  *     \cgalParamType{a `ConstRange` whose value type is `Triangulation::Geom_traits::Point_3`}
  *     \cgalParamDefault{no places}
@@ -214,12 +214,12 @@ make_mesh_of_surface(Tr& tr, const FaceListGraph& surface, const SizingField& si
  *     \cgalParamDefault{25}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{improvement_effort}
- *     \cgalParamDescription{how much work the improvement is worth}
+ *     \cgalParamDescription{the work that the improvement is worth}
  *     \cgalParamType{`CGAL::Boundary_recovery_3::Improvement_effort`}
  *     \cgalParamDefault{`Improvement_effort::normal`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{cell_quality}
- *     \cgalParamDescription{which of two cells is better}
+ *     \cgalParamDescription{the measure of the quality of cells}
  *     \cgalParamType{a model of `CellQuality_3`}
  *     \cgalParamDefault{`Boundary_recovery_3::Dihedral_angle_quality_3`}
  *   \cgalParamNEnd
@@ -230,11 +230,11 @@ make_mesh_of_surface(Tr& tr, const FaceListGraph& surface, const SizingField& si
  *     \cgalParamDefault{no limit but that of the memory}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{number_of_subdomains}
- *     \cgalParamDescription{into how many sub-domains the domain is divided, by METIS if `CGAL_METIS_ENABLED` is
- *                           defined. They are filled, and improved, at the same time if `CGAL_LINKED_WITH_TBB` is
- *                           defined and the number type of the kernel is a built-in one; so are the zones around
- *                           their seams then. The mesh depends on this number, and not on the number of threads.
- *                           There are fewer if the domain has too few cells when it is divided}
+ *     \cgalParamDescription{the number of sub-domains into which the domain is divided, by METIS if
+ *                           `CGAL_METIS_ENABLED` is defined. Sub-domains, and then the zones around their seams, are
+ *                           filled and improved at the same time if `CGAL_LINKED_WITH_TBB` is defined and the number
+ *                           type of the kernel is a built-in one. The mesh depends on this number, and not on the
+ *                           number of threads. A domain with too few cells is divided into fewer sub-domains}
  *     \cgalParamType{`std::size_t`}
  *     \cgalParamDefault{1: the domain is not divided}
  *     \cgalParamExtra{With more than 1, several threads call the size field and the quality. One thread at a time calls
@@ -263,7 +263,7 @@ make_mesh_of_surface(Tr& tr, const FaceListGraph& surface, const SizingField& si
  *                     second for each million cells.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
- *     \cgalParamDescription{is told about the phases of all steps, and can stop the work}
+ *     \cgalParamDescription{a visitor, which is told of the phases of all steps, and can stop the work}
  *     \cgalParamType{a model of `MeshingVisitor_3`}
  *     \cgalParamDefault{`Default_meshing_visitor_3`}
  *     \cgalParamExtra{Pass `std::ref(visitor)` to have the object itself called and not a copy.}

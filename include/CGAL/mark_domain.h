@@ -65,27 +65,27 @@ std::vector<Patch> patches_of_facets(const FacetRange& facets, const NamedParame
 /*!
  * \ingroup PkgBoundaryRecovery3Functions
  *
- * \brief marks the regions that facets bound in a triangulation by the indices of CGAL's mesh packages [CZZ+17, Section
- * 4.1, step 5].
+ * \brief marks the regions that given facets bound in a triangulation, by the indices of CGAL's mesh packages [CZZ+17,
+ * Section 4.1, step 5].
  *
  * The function writes
  * - the `subdomain_index()` of all cells: the region by the rules of `Boundary_recovery_3::label_regions()`, 1, 2, ...,
  *   and 0 for cells outside of the domain and for infinite cells;
  * - the `surface_patch_index()` of all facets, on both sides: a patch for each given facet, facets of sheets included,
  *   and 0 for all others;
- * - `in_dimension()` and `index()` of all finite vertices. A vertex of a constrained edge has the dimension 1 and the
- *   position of the edge + 1; another one of a given facet has the dimension 2 and the patch of that facet; the others
- *   have the dimension 3, and their region. Of several edges or facets, the first one counts.
+ * - `in_dimension()` and `index()` of all finite vertices. A vertex of a constrained edge gets the dimension 1 and the
+ *   position of the edge + 1; another vertex of a given facet gets the dimension 2 and the patch of the facet; all
+ *   others get the dimension 3 and their region. Of several edges or facets, the first one counts.
  *
  * Nothing else in the triangulation is changed. Earlier marks are overwritten. The time is about linear.
  *
  * \tparam Triangulation an instance of `CGAL::Triangulation_3`, or of a class derived from it, such as
  *         `Boundary_constrained_mesh_triangulation_3::type`. Its vertices and cells are models of `MeshVertexBase_3`
- *         and `MeshCellBase_3`, whose `Subdomain_index` can be made from an `int`. If `Index` cannot be made from that
- *         number, it gets its default value.
+ *         and `MeshCellBase_3`, whose `Subdomain_index` can be made from an `int`. An index whose type cannot be made
+ *         from the number above gets its default value.
  * \tparam FacetRange a model of `ConstRange` whose value type is an array of three vertex handles. If the arrays have a
- *         member `index`, as those of `Boundary_recovery_result_3::surface_facets()`, this is the position of the facet
- *         in the input; otherwise the position in this range is.
+ *         member `index`, as the elements of `Boundary_recovery_result_3::surface_facets()` have, it is the position of
+ *         the facet in the input; otherwise, the position in this range is.
  * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
  *
  * \param tr the triangulation
@@ -101,12 +101,12 @@ std::vector<Patch> patches_of_facets(const FacetRange& facets, const NamedParame
  *     \cgalParamType{a model of `ReadablePropertyMap` whose key type is `std::size_t`, the position of a facet in the
  *                    input, and whose values can be made a `Surface_patch_index`}
  *     \cgalParamDefault{the position of the facet in the input + 1}
- *     \cgalParamExtra{0 is no patch: CGAL's packages would lose the facet. Facets with the value 0 together get the
- *                     smallest positive number that is no patch of another facet. If patches are no integers, the
+ *     \cgalParamExtra{0 is no patch: CGAL's packages would lose the facet. All facets with the value 0 get one patch,
+ *                     the smallest positive number that is no patch of another facet. If patches are no integers, the
  *                     default value of their type is not allowed.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{constrained_edges}
- *     \cgalParamDescription{edges that are constrained, beside those of the facets}
+ *     \cgalParamDescription{constrained edges, in addition to the edges of the facets}
  *     \cgalParamType{a `ConstRange` whose value type is an array of two vertex handles}
  *     \cgalParamDefault{no edges}
  *   \cgalParamNEnd

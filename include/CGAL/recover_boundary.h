@@ -36,18 +36,18 @@ namespace CGAL {
  *
  * The soup may be open, non-manifold, have sheets that end inside, and bound several regions. The function
  * 1. checks the input;
- * 2. finds the points among the vertices of `tr` by their exact coordinates, and inserts those that are not there;
+ * 2. finds the points among the vertices of `tr` by their exact coordinates, and inserts the missing ones;
  * 3. recovers lost edges, then lost facets, by recursive shell transformations [CZZ+17, Section 4.2] and small
  *    polyhedron reconnection, without points, unless 100 lost edges or more are tangled in a plane: see the phase
  *    `planar_edge_recovery`;
- * 4. recovers constraints that are still lost by Steiner points, unless constraints intersect. The points are put on
- *    the constraints first [CZZ+17, Section 4], come off them, and are removed where possible;
+ * 4. recovers constraints that are still lost by Steiner points, unless constraints intersect. The points are first put
+ *    on the constraints [CZZ+17, Section 4], then taken off the constraints, and removed where possible;
  * 5. looks up every constraint again.
  *
  * The triangulation is changed in place and is no longer Delaunay afterwards, although its type may say so: point
  * insertion, point location by conflicts, and nearest vertex queries are undefined from then on. The base
  * `Triangulation_3::is_valid()` holds. Vertices keep their handles and their coordinates, bit for bit. Cells are
- * replaced; data in them is lost, unless a visitor carries it over. Give a later call on the same triangulation the
+ * replaced; data of cells are lost, unless a visitor carries them over. Give a later call on the same triangulation the
  * earlier constraints again, or it may flip them away. Steiner points of an earlier call are ordinary vertices: they
  * are not removed, and the parts of constraints with points on them must be given as constraints.
  *
@@ -92,7 +92,7 @@ namespace CGAL {
  *                     A negative level means the default.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{constrained_edges}
- *     \cgalParamDescription{edges to be recovered beside those of the triangles}
+ *     \cgalParamDescription{edges to recover, in addition to the edges of the triangles}
  *     \cgalParamType{a `ConstRange` whose value type is an array of two vertex indices}
  *     \cgalParamDefault{no edges}
  *   \cgalParamNEnd
@@ -102,21 +102,22 @@ namespace CGAL {
  *     \cgalParamDefault{no limit}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
- *     \cgalParamDescription{is told about phases, progress, and the cells that go and come, and can stop the recovery}
+ *     \cgalParamDescription{a visitor, which is told of phases, of progress, and of old and new cells, and can stop the
+ *                           recovery}
  *     \cgalParamType{a model of `MeshingVisitor_3`}
  *     \cgalParamDefault{`Default_meshing_visitor_3`}
  *     \cgalParamExtra{Pass `std::ref(visitor)` to have the object itself called and not a copy.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{list_defects}
  *     \cgalParamDescription{whether intersections of constraints, and vertices of `tr` on constraints, are searched
- *                           first, and no cell is flipped if there are any}
+ *                           first. If there are any, no cell is flipped}
  *     \cgalParamType{`bool`}
  *     \cgalParamDefault{`false`: the search comes only when constraints are missing in the end; for intersections also
  *                       earlier, when the flips have taken much longer than the search does}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_number_of_defects}
- *     \cgalParamDescription{the largest number of defects that are listed, the first ones in order; 0: none, only their
- *                           number is told}
+ *     \cgalParamDescription{the largest number of listed defects, the first ones in order; 0: only the number of
+ *                           defects is in the result}
  *     \cgalParamType{`std::size_t`}
  *     \cgalParamDefault{1000000, which take about 0.4 GB}
  *     \cgalParamExtra{Two surfaces of n triangles may intersect in n^2 pairs. If there are more pairs than are listed,
@@ -136,13 +137,13 @@ namespace CGAL {
  *
  * \return the status, and lists of missing constraints and of defects, in the indices of points and triangles. The
  *         result converts to `true` iff every triangle and constrained edge is in the triangulation. If the status is
- *         `stopped`, defects that would have to be searched are not known; if points of the input were still to be
- *         inserted then, all constraints are listed as missing, and the vertices of these points are default handles,
- *         also in `facets`. If the status is `invalid_input`, the triangulation was not changed, with these exceptions:
- *         the points have been inserted if they and the vertices of a triangulation of a dimension less than 3 turn out
- *         to be coplanar, or if a vertex is on a constraint that is not its own, be it of the triangulation or a point
- *         that no constraint uses; and constraints that intersect are, unless `list_defects` is set, found only after
- *         points were inserted, perhaps not all of them, and cells flipped.
+ *         `stopped`, defects that need a search are not known. If the work stopped before all points were inserted, all
+ *         constraints are listed as missing, and the vertices of the missing points are default handles, also in
+ *         `facets`. If the status is `invalid_input`, the triangulation is unchanged, with three exceptions. The points
+ *         are inserted if they and all vertices of a triangulation of a dimension less than 3 turn out to be coplanar.
+ *         The points are inserted if a constraint contains another vertex, which may be a vertex of the triangulation
+ *         or a point without a constraint. Without `list_defects`, constraints that intersect are found only after
+ *         points, perhaps not all, were inserted and cells were flipped.
  *
  * \pre `tr` is valid: `tr.is_valid()` as a `Triangulation_3`; it need not be Delaunay.
  */

@@ -40,14 +40,14 @@ Cell_remeshing_result_3<Tr> remesh_cells_of_triangulation(Tr& tr, const SizingFi
  * else stays.
  *
  * The work is that of `remesh_holes()`, on a triangulation with the indices of CGAL's mesh packages, as
- * `make_boundary_constrained_mesh_3()` and CGAL's remeshing leave it. Its vertices were moved since, by
- * `Vertex::set_point()`, so that it is not valid any more. Afterwards it is valid, if its hull is convex.
+ * `make_boundary_constrained_mesh_3()` and CGAL's remeshing leave it. Since then, vertices were moved by
+ * `Vertex::set_point()`, so that the triangulation is no longer valid. The result is valid if its hull is convex.
  *
- * Constrained are the facets for which `is_facet_on_surface()` holds, those between cells of different
+ * Constrained are the facets for which `is_facet_on_surface()` holds, facets between cells of different
  * `subdomain_index()`, facets of the hull, and the edges of `constrained_edges`. Other vertices may go. Cells outside
- * of the domain, in the region 0, are bad only if they are flat, inverted or selected; they are replaced by cells
- * without field points. Cells outside of the holes, and vertices that stay, keep their handles. New cells and vertices
- * get regions, patches and dimensions.
+ * of the domain, in the region 0, are bad only if they are flat, inverted or selected; the new cells there have no
+ * field points. Cells outside of the holes, and vertices that stay, keep their handles. New cells and vertices get
+ * regions, patches and dimensions.
  *
  * \tparam Triangulation an instance of `Triangulation_3`, or of a class derived from it, whose vertices are models of
  *         `MeshVertexBase_3`, and whose cells are models of `MeshCellBase_3` with an integer as `Subdomain_index`
@@ -68,7 +68,7 @@ Cell_remeshing_result_3<Tr> remesh_cells_of_triangulation(Tr& tr, const SizingFi
  *     \cgalParamDefault{no cell}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{constrained_edges}
- *     \cgalParamDescription{edges that have to stay, beside those of constrained facets}
+ *     \cgalParamDescription{edges that stay, in addition to the edges of constrained facets}
  *     \cgalParamType{a `ConstRange` whose value type is an array of two vertex handles}
  *     \cgalParamDefault{no edges}
  *   \cgalParamNEnd

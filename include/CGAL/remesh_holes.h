@@ -56,25 +56,25 @@ auto remesh_holes_of_ranges(const PointRange& points, const TetrahedronRange& te
 /*!
  * \ingroup PkgBoundaryRecovery3Functions
  *
- * \brief replaces the bad cells of a tetrahedral mesh whose vertices were moved, and some cells around them; everything
- * else stays.
+ * \brief replaces the bad cells of a tetrahedral mesh whose vertices were moved, and some cells around the bad ones;
+ * everything else stays.
  *
- * This is the local remeshing of [CZZ+17, Section 5.2.3]: a body moves through a mesh, the mesh is deformed with it,
- * and now and then, where cells have become bad, flat or inverted, holes are cut out and meshed anew. The function
- * 1. looks for bad cells, and adds layers of cells around them. Each set of cells that facets connect is a hole;
+ * This is the local remeshing of [CZZ+17, Section 5.2.3]: a body moves through a mesh and deforms the mesh; now and
+ * then, where cells have become bad, flat or inverted, holes are cut out and meshed anew. The function
+ * 1. searches bad cells, and adds layers of cells around them. Each set of cells that facets connect is a hole;
  * 2. recovers the boundary of each hole, and the constrained facets and edges in it, see `recover_boundary()`. Where
  *    the boundary of a hole is not a valid surface, since neighbors are inverted or overlap, the hole grows by the
- *    cells there until it is one; a hole whose boundary cannot be recovered grows by a layer;
+ *    cells there until its boundary is valid. A hole whose boundary cannot be recovered grows by a layer;
  * 3. inserts field points, see `insert_field_points()`, and improves the new cells, see `improve_mesh_quality()`. Where
  *    cells at the boundary of a hole are still bad, the hole grows once, and is meshed again;
- * 4. puts old and new together, and tells where in the old mesh each new vertex is.
+ * 4. puts old and new cells together, and locates each new vertex in the old mesh.
  *
  * A mesh with inverted cells is no valid triangulation. Therefore input and output are arrays. Everything outside of
  * the holes is in the result bit for bit, in its order; new vertices and cells follow.
  *
  * Constrained are the facets and edges of the two named parameters, facets between cells of different regions, and
- * facets on the boundary of the mesh. They stay, with their vertices, also inside of holes. If a surface was moved
- * through another one, the result has the pairs of facets that intersect, as far as they are in holes.
+ * facets on the boundary of the mesh. These facets and edges stay, with their vertices, also inside holes. If a surface
+ * was moved through another one, the result has the pairs of intersecting facets in holes.
  *
  * Nothing is printed, and nothing is thrown because of the input. The same input gives the same mesh, bit for bit,
  * unless time is limited. The time depends on the size of the holes; there are a few linear passes over the whole mesh.
@@ -86,9 +86,10 @@ auto remesh_holes_of_ranges(const PointRange& points, const TetrahedronRange& te
  * \tparam SizingField a number type, or a model of `MeshDomainField_3`
  * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
  *
- * \param points the vertices, where they are now. Vertices without a tetrahedron stay, too.
- * \param tetrahedra the tetrahedra, each four positions of points, in the order for which `orientation()` is `POSITIVE`
- *        where they are not inverted. By that order, two tetrahedra with a common facet are on different sides of it.
+ * \param points the vertices, at their new places. Vertices without a tetrahedron stay, too.
+ * \param tetrahedra the tetrahedra, each four positions of points. `orientation()` of a tetrahedron that is not
+ *        inverted is `POSITIVE`. By the order of their vertices, two tetrahedra with a common facet are on different
+ *        sides of the facet.
  * \param size the lengths of new edges, as for `insert_field_points()`, with the regions of `cell_region_map`. Without
  *        this argument, sizes are those of the old mesh at the same place.
  * \param np an optional sequence of named parameters among the ones listed below. The named parameters of this package
@@ -110,8 +111,8 @@ auto remesh_holes_of_ranges(const PointRange& points, const TetrahedronRange& te
  *     \cgalParamExtra{New cells are improved up to this angle, or to 25 degrees if that is more.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{number_of_layers}
- *     \cgalParamDescription{how many layers of cells around bad ones are replaced with them: cells that have a vertex
- *                           in common}
+ *     \cgalParamDescription{the number of layers of cells around bad cells that are replaced, too. A layer has all
+ *                           cells with a vertex of the cells inside}
  *     \cgalParamType{`std::size_t`}
  *     \cgalParamDefault{2}
  *   \cgalParamNEnd
@@ -122,14 +123,14 @@ auto remesh_holes_of_ranges(const PointRange& points, const TetrahedronRange& te
  *     \cgalParamDefault{1 for all}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{constrained_facets}
- *     \cgalParamDescription{facets that have to stay: surfaces of bodies, sheets}
+ *     \cgalParamDescription{facets that stay: surfaces of bodies, sheets}
  *     \cgalParamType{a `ConstRange` whose value type is an array of three positions of points}
  *     \cgalParamDefault{no facets}
- *     \cgalParamExtra{Facets between regions, and those on the boundary of the mesh, need not be named. Facets come
- *                     back in their order, so that patch numbers stay valid.}
+ *     \cgalParamExtra{Facets between regions, and facets on the boundary of the mesh, need not be given. The result has
+ *                     the facets in the same order, so that patch numbers stay valid.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{constrained_edges}
- *     \cgalParamDescription{edges that have to stay, beside those of constrained facets}
+ *     \cgalParamDescription{edges that stay, in addition to the edges of constrained facets}
  *     \cgalParamType{a `ConstRange` whose value type is an array of two positions of points}
  *     \cgalParamDefault{no edges}
  *   \cgalParamNEnd
@@ -144,7 +145,7 @@ auto remesh_holes_of_ranges(const PointRange& points, const TetrahedronRange& te
  *     \cgalParamDefault{no limit}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
- *     \cgalParamDescription{is told about phases and progress, and can stop the work}
+ *     \cgalParamDescription{a visitor, which is told of phases and progress, and can stop the work}
  *     \cgalParamType{a model of `MeshingVisitor_3`}
  *     \cgalParamDefault{`Default_meshing_visitor_3`}
  *     \cgalParamExtra{Pass `std::ref(visitor)` to have the object itself called and not a copy.}
@@ -156,11 +157,12 @@ auto remesh_holes_of_ranges(const PointRange& points, const TetrahedronRange& te
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \return the new mesh, where everything in it was before, and counts. The result converts to `true` iff the status is
- *         `meshed`, also if no cell is bad. Otherwise the mesh is the old one: `invalid_input`: the arrays make no
- *         sense, constrained facets intersect or are turned inside out, as the result tells, or the size field has no
- *         size at a place. `too_large`: with a size field, new cells would not fit into the memory. `stopped`: by the
- *         visitor, or the time limit. `incomplete`: a hole could not be meshed, although it grew over all the mesh.
+ * \return the new mesh, the old positions of its vertices and tetrahedra, and counts. The result converts to `true` iff
+ *         the status is `meshed`, also if no cell is bad. Otherwise, the mesh is the old one. `invalid_input`: the
+ *         arrays are no mesh, constrained facets intersect or are turned inside out, or the size field has no size at a
+ *         place; the result has the defects. `too_large`: with a size field, new cells would not fit into the memory.
+ *         `stopped`: by the visitor, or the time limit. `incomplete`: a hole could not be meshed, although it grew over
+ *         all the mesh.
  */
 #ifdef DOXYGEN_RUNNING
 template <typename PointRange, typename TetrahedronRange, typename SizingField,

@@ -14,7 +14,7 @@ Progress = Optional[Callable[[str, float], Any]]
 
 
 def tetrahedralize(points: Any, triangles: Any, size: Size = None, patches: Any = None,
-                   patch_names: Optional[Dict[int, str]] = None, edges: Any = None, grading: float = 0.2,
+                   patch_names: Optional[Dict[int, str]] = None, edges: Any = None, grading: float = 0.3,
                    min_angle: float = 25.0, effort: str = "normal", improve: bool = True,
                    sources: Union[Path, Sequence[Source]] = (), background: Background = None,
                    max_vertices: Optional[int] = None, time_limit: Optional[float] = None,
@@ -145,7 +145,7 @@ def improve(points: Any, tetrahedra: Any, regions: Any = None, triangles: Any = 
 
 def remesh_holes(points: Any, tetrahedra: Any, selected: Any = None, regions: Any = None, triangles: Any = None,
                  edges: Any = None, patches: Any = None, patch_names: Optional[Dict[int, str]] = None,
-                 size: Size = None, grading: float = 0.2, sources: Union[Path, Sequence[Source]] = (),
+                 size: Size = None, grading: float = 0.3, sources: Union[Path, Sequence[Source]] = (),
                  background: Background = None, min_angle: Optional[float] = None, layers: int = 2,
                  improve: bool = True, time_limit: Optional[float] = None, progress: Progress = None) -> RemeshedMesh:
     """Replaces the bad cells of a mesh whose points were moved, and some cells around them; everything else stays.

@@ -126,7 +126,7 @@ struct Sizes
   Index_rows background_tetrahedra;
   const double* background_sizes = nullptr;
   std::string background_file;
-  double grading = 0.2;
+  double grading = 0.3;
 };
 
 struct Options

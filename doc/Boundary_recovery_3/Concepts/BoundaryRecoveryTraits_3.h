@@ -2,17 +2,17 @@
 \ingroup PkgBoundaryRecovery3Concepts
 \cgalConcept
 
-The concept `BoundaryRecoveryTraits_3` describes what the recovery of boundaries asks of the geometric traits class
-of the triangulation, and of the one that is given as `geom_traits`.
+The concept `BoundaryRecoveryTraits_3` lists the requirements of the boundary recovery on two classes: the geometric
+traits class of the triangulation, and the class of the named parameter `geom_traits`.
 
-All predicates have to be exact: every decision rests on them, and there are no tolerances. Constructions need not
-be. If `FT` is an exact number type, in the sense of `CGAL::Algebraic_structure_traits<FT>::Is_exact`, Steiner
-points are constructed with it. Else positions on constraints are computed with `CGAL::Exact_rational` and converted,
-for which the points have to be those of a kernel of \cgal: the type `CGAL::Kernel_traits<Point_3>::Kernel` is a model
-of `Kernel` with a Cartesian representation.
+All predicates must be exact: every decision rests on a predicate, and there are no tolerances. Constructions may be
+inexact. If `FT` is an exact number type, in the sense of `CGAL::Algebraic_structure_traits<FT>::Is_exact`, Steiner
+points are constructed with `FT`. Otherwise, positions on constraints are computed with `CGAL::Exact_rational` and
+converted. In this case, the points must be points of a kernel of \cgal: the type `CGAL::Kernel_traits<Point_3>::Kernel`
+is a model of `Kernel` with a Cartesian representation.
 
-Besides what is listed below, the triangulation asks for what the traits concept of its own class asks for. The
-concept `SpatialSortingTraits_3` matters only if points are inserted.
+The class of the triangulation has requirements of its own, in addition to the list below. The concept
+`SpatialSortingTraits_3` matters only if points are inserted.
 
 \cgalRefines{DelaunayTriangulationTraits_3}
 \cgalRefines{SpatialSortingTraits_3}
@@ -32,9 +32,9 @@ public:
   /// @{
 
   /*!
-  The point type. A point is constructed from three values of type `double`; it has `x()`, `y()`, `z()`, `bbox()`
-  and `operator[]`, which returns the exact coordinates. It has to be the type of the points of the vertices, so there
-  are no weights.
+  The point type. A point is constructed from three values of type `double`, and has the members `x()`, `y()`, `z()`,
+  `bbox()` and `operator[]`, which returns the exact coordinates. The points of the vertices must have this type, so
+  points with weights are excluded.
   */
   typedef unspecified_type Point_3;
 
@@ -60,10 +60,10 @@ public:
   typedef unspecified_type Orientation_3;
 
   /*!
-  A predicate with `CGAL::Orientation operator()(Point_3 p, Point_3 q, Point_3 r)`, which returns `CGAL::COLLINEAR`
-  iff the points are collinear, and `CGAL::Orientation operator()(Point_3 p, Point_3 q, Point_3 r, Point_3 s)`,
-  which returns for coplanar points, the first three of them not collinear, whether `r` and `s` are on the same side
-  of the line through `p` and `q`.
+  A predicate with two operators. `CGAL::Orientation operator()(Point_3 p, Point_3 q, Point_3 r)` returns
+  `CGAL::COLLINEAR` iff the points are collinear. `CGAL::Orientation operator()(Point_3 p, Point_3 q, Point_3 r, Point_3
+  s)` returns whether `r` and `s` are on the same side of the line through `p` and `q`; the points are coplanar, and
+  `p`, `q`, `r` are not collinear.
   */
   typedef unspecified_type Coplanar_orientation_3;
 
@@ -75,33 +75,34 @@ public:
   /// @}
 
   /// \name Predicates of the Diagnosis
-  /// They look for what is wrong with the input.
+  /// These predicates find defects of the input.
   /// @{
 
   /*!
-  A predicate with `bool operator()(Point_3 p, Point_3 q)`.
+  A predicate with `bool operator()(Point_3 p, Point_3 q)`: whether the points are equal.
   */
   typedef unspecified_type Equal_3;
 
   /*!
-  A predicate with `bool operator()(Point_3 p, Point_3 q, Point_3 r)`.
+  A predicate with `bool operator()(Point_3 p, Point_3 q, Point_3 r)`: whether the points are collinear.
   */
   typedef unspecified_type Collinear_3;
 
   /*!
-  A predicate with `bool operator()(Point_3 p, Point_3 q, Point_3 r)`: whether `q` is between `p` and `r`, known to be
-  collinear, or equal to one of them.
+  A predicate with `bool operator()(Point_3 p, Point_3 q, Point_3 r)`: whether `q` is between `p` and `r`, or equal to
+  one of the two. The points are collinear.
   */
   typedef unspecified_type Collinear_are_ordered_along_line_3;
 
   /*!
-  A predicate with `bool operator()(Segment_3 s, Point_3 p)` and `bool operator()(Triangle_3 t, Point_3 p)`.
+  A predicate with `bool operator()(Segment_3 s, Point_3 p)` and `bool operator()(Triangle_3 t, Point_3 p)`: whether the
+  point is on the segment, or on the triangle.
   */
   typedef unspecified_type Has_on_3;
 
   /*!
   A predicate with `bool operator()(Segment_3, Segment_3)`, `bool operator()(Triangle_3, Segment_3)` and
-  `bool operator()(Triangle_3, Triangle_3)`.
+  `bool operator()(Triangle_3, Triangle_3)`: whether the two have a common point.
   */
   typedef unspecified_type Do_intersect_3;
 
@@ -121,7 +122,7 @@ public:
   typedef unspecified_type Construct_triangle_3;
 
   /*!
-  A constructor with `CGAL::Bbox_3 operator()(Point_3 p)`, a box that encloses the exact coordinates.
+  A constructor with `CGAL::Bbox_3 operator()(Point_3 p)`: a box that contains the point with its exact coordinates.
   */
   typedef unspecified_type Construct_bbox_3;
 

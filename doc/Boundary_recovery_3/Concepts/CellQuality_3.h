@@ -2,16 +2,15 @@
 \ingroup PkgBoundaryRecovery3Concepts
 \cgalConcept
 
-The concept `CellQuality_3` describes what makes a cell of a tetrahedral mesh better than another one, for
-`CGAL::improve_mesh_quality()`: there, the worst cell of those that an operation changes has to become better.
+The concept `CellQuality_3` describes a measure of the shape of tetrahedra. `CGAL::improve_mesh_quality()` makes a
+change only if the worst of the new cells is better than the worst of the old cells.
 
 A quality is a number, and larger is better. It is computed from the coordinates of the corners in floating point
-numbers, since it does not decide which meshes are valid: orientations are decided by exact predicates, whatever the
-quality of a cell is.
+numbers. Qualities do not decide which meshes are valid: exact predicates do.
 
-The members are called millions of times for large meshes. If a model can compute the qualities of two cells in less
-time together than one by one, it may have a member `of_two_cells()` for that, as `Dihedral_angle_quality_3` has; it is
-used where it exists. The qualities must be the very same.
+The members are called millions of times for large meshes. A model may have a further member `of_two_cells()`, as
+`Dihedral_angle_quality_3` has, which computes the qualities of two cells in less time than two calls take. The
+improvement calls this member if it exists. Both qualities must be equal, bit for bit, to the qualities of single calls.
 
 \cgalRefines{CopyConstructible}
 
@@ -29,16 +28,16 @@ public:
   /// @{
 
   /*!
-  returns the quality of the cell with these corners: at most 1, up to rounding, for a cell that is as good as can be;
-  not positive if the cell is flat or not positively oriented. It must not depend on the order of the corners, as long
-  as the orientation is the same, up to rounding, nor on where the cell is, how it is turned, or how large it is.
+  returns the quality of the cell with these corners. The best cell has the quality 1, up to rounding. A cell that is
+  flat or not positively oriented has a quality that is not positive. Up to rounding, the quality must not depend on the
+  order of the corners, as long as the orientation is the same, nor on the position, rotation and scale of the cell.
   */
   double operator()(const std::array<std::array<double, 3>, 4>& corners) const;
 
   /*!
-  returns the quality that a cell has at most if its smallest dihedral angle is `degrees`, where `degrees` is not
-  negative, and not larger than the angle of the regular tetrahedron, 70.53. It grows with the angle: a cell of this
-  quality is good enough if that angle is the target.
+  returns the largest quality of all cells whose smallest dihedral angle is `degrees`. The angle `degrees` is from 0 to
+  70.53, the angle of the regular tetrahedron. The quality grows with the angle: with this angle as target, a cell of
+  this quality is good enough.
   */
   double of_angle(double degrees) const;
 

@@ -2,22 +2,23 @@
 \ingroup PkgBoundaryRecovery3Concepts
 \cgalConcept
 
-The concept `MeshingVisitor_3` describes what is told about the work while it runs, and asked: phases, progress, whether
-to go on, and the cells of the triangulation that go and come. All calls come from the thread that called the function;
-only while sub-domains are meshed, `on_progress()` and `go_further()` are called by several threads, one at a time.
+The concept `MeshingVisitor_3` describes an object that watches the work of a function of this package, and can stop it.
+A visitor is told of phases, of progress, and of cells of the triangulation that are replaced, and it is asked whether
+to go on. All calls come from the thread that called the function, with two exceptions, in which several threads call,
+one at a time: while sub-domains are meshed, they call `on_progress()` and `go_further()`; while several threads change
+one mesh, see `number_of_threads`, they call all members but those of phases, and meanwhile others change other cells.
 
-A visitor must not change the triangulation. It may look at it, and it sees a valid data structure; only in
-`before_cells_removal()`, vertices that are about to get their first cells have none. It may write to the cells that
-came. The coordinates of Steiner points that it sees may be rounded ones until the recovery ends, and cells may be
-inverted by that.
+A visitor must not change the triangulation, but may write to the data of new cells. It may read the triangulation,
+whose data structure is valid; only in `before_cells_removal()`, vertices that are about to get their first cells have
+none. Until the recovery ends, coordinates of Steiner points may be rounded, and the rounding may invert cells.
 
-A member may throw. The exception reaches the caller, with a valid triangulation: of a recovery, as flips left it, and
-without Steiner points if these were not finished. The visitor is not told about what is put back then. A mesh of which
-holes are remeshed is unchanged.
+A member may throw. The exception reaches the caller, and the triangulation is valid. After a recovery, it is as the
+flips left it, without Steiner points if their phases were not finished; the visitor is not told of the cells that are
+put back then. A mesh whose holes are remeshed is unchanged.
 
-A model that cares for few of the members is derived from `CGAL::Default_meshing_visitor_3`, and hides those.
+A model that needs few of the members is derived from `CGAL::Default_meshing_visitor_3`, and hides these members.
 
-A visitor that is given as `std::ref(v)` is called itself, else a copy of it is.
+If a visitor `v` is passed as `std::ref(v)`, the object itself is called; otherwise a copy is called.
 
 \cgalRefines{CopyConstructible}
 
@@ -42,26 +43,27 @@ public:
   /// @{
 
   /*!
-  is called before a phase starts. Phases of a recovery that have nothing to do are left out; those of the meshing come
-  once at most. Of the remeshing of holes, the phases from `hole_recovery` to `hole_improvement` run again if holes grow
-  since cells at their boundaries stayed bad.
+  is called before a phase starts. Phases of a recovery that have nothing to do are left out. Phases of the meshing come
+  once at most. In the remeshing of holes, the phases from `hole_recovery` to `hole_improvement` run again if holes grow
+  because cells at their boundaries stayed bad.
   */
   void on_phase_begin(CGAL::Boundary_recovery_3::Phase phase);
 
   /*!
-  is called after a phase ended, also where it was stopped, with its duration, and what was lost then, how large the
-  mesh was, or how many holes there were; after the forecast, how large the mesh is expected to be.
+  is called after a phase ended, or was stopped. The report has the duration and, by the kind of the phase, the numbers
+  of lost constraints, the size of the mesh, or the number of holes; after the phase `forecast`, it has the expected
+  size of the mesh.
   */
   void on_phase_end(const CGAL::Boundary_recovery_3::Phase_report& report);
 
   /*!
-  is called inside a phase: `done` of `total` is done.
+  is called inside a phase: `done` of `total` items are done.
 
-  In a recovery, that is whenever one more item of a pass was treated: a lost constraint, or a Steiner point in the
-  phases `steiner_splitting` and `steiner_suppression`; in the latter, `done` counts the points that are gone, which may
-  be none. Most phases have several passes. In the remeshing of holes, it is after each hole; in the phase
-  `hole_recovery`, holes that have grown make another round, which is counted by itself. In the meshing, it is from time
-  to time, and the quotient never falls.
+  In a recovery, the call comes after each item of a pass, and most phases have several passes. An item is a lost
+  constraint, or a Steiner point in the phases `steiner_splitting` and `steiner_suppression`; in `steiner_suppression`,
+  `done` counts the points that are gone, which may be none. In the remeshing of holes, the call comes after each hole;
+  in the phase `hole_recovery`, holes that have grown make another round with a count of its own. In the meshing, calls
+  come from time to time, and the quotient of `done` and `total` never falls.
 
   The phases `insertion`, `search`, `recount`, `domain_marking`, `forecast`, `decomposition`, `hole_selection` and
   `hole_sewing` do not call it.
@@ -74,21 +76,21 @@ public:
   /// @{
 
   /*!
-  is asked again and again, between the phases and inside of them, and while the input is searched for defects, but not
-  while old and new are put together in a remeshing. Once it returned `false`, it is not asked again, and the work stops
-  soon, with a valid triangulation; a mesh of which holes are remeshed is returned as it was.
+  is asked again and again: between phases, inside phases, and while the input is searched for defects, but not while a
+  remeshing of holes puts old and new cells together. After the first `false`, it is not asked again, and the work stops
+  soon, with a valid triangulation. A mesh whose holes are remeshed is returned unchanged.
   */
   bool go_further();
 
   /// @}
 
   /// \name Replacement of Cells
-  /// What the insertion of input points replaces is not announced, nor are cells of sub-domains, or of holes that are
-  /// remeshed.
+  /// A visitor is not told of cells that the insertion of input points replaces, of cells of sub-domains, and of cells
+  /// of holes that are remeshed.
   /// @{
 
   /*!
-  is called before cells are removed from the triangulation by a replacement.
+  is called before a replacement removes cells from the triangulation.
 
   \tparam CellRange a model of `ConstRange` whose value type is the cell handle of the triangulation. Infinite cells
   may be in it.
@@ -97,8 +99,8 @@ public:
   void before_cells_removal(const CellRange& cells);
 
   /*!
-  is called after cells came into the triangulation. They cover what the cells of the last `before_cells_removal()`
-  covered.
+  is called after a replacement has put cells into the triangulation. They cover the same space as the cells of the last
+  `before_cells_removal()` that came from the same thread.
 
   \tparam CellRange a model of `ConstRange` whose value type is the cell handle of the triangulation. Infinite cells
   may be in it.

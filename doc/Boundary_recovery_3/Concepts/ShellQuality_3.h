@@ -2,11 +2,11 @@
 \ingroup PkgBoundaryRecovery3Concepts
 \cgalConcept
 
-The concept `ShellQuality_3` describes what makes a covering mesh of a shell better than another one: the main
-quality index \f$ Q \f$ of \cgalCite{CZZ+17}, Section 3.1.
+The concept `ShellQuality_3` describes a measure of covering meshes of a shell: the main quality index \f$ Q \f$ of
+\cgalCite{CZZ+17}, Section 3.1.
 
-A covering mesh belongs to a partial triangulation of the skirt polygon \f$ p_0 \ldots p_{m-1} \f$ of the
-shell of an edge \f$ ab \f$, and is put together from pieces:
+A covering mesh of the shell of an edge \f$ ab \f$ belongs to a partial triangulation of the skirt polygon
+\f$ p_0 \ldots p_{m-1} \f$, and consists of these pieces:
 
 - each triangle \f$ p_i p_k p_j \f$ of the partial triangulation: the two tetrahedra between it and \f$ a \f$
 and \f$ b \f$;
@@ -16,19 +16,18 @@ and its two faces with \f$ a \f$ and with \f$ b \f$;
 - each vertex \f$ p_i \f$ of the core: the supporting face \f$ a b p_i \f$;
 - the supporting edge \f$ ab \f$, unless the core is empty.
 
-The concept gives each piece a value. Those of the pieces of a covering mesh are combined to its value, the
-function \f$ f_Q \f$ of the paper (Eq.\ 2 and 3); larger is better. The optimum is found by dynamic
-programming, which is right because `combine()` is monotone.
+A model gives each piece a value. The value of a covering mesh is the combination of the values of its pieces, by the
+function \f$ f_Q \f$ of the paper (Eq.\ 2 and 3); larger is better. Dynamic programming finds the best covering mesh,
+since `combine()` is monotone.
 
-\f$ Q \f$ is one of three indices that are compared lexicographically (Eq.\ 4). The others are the same for all
-models: \f$ Q' \f$, which is 1 if the covering mesh does not have the face that is to be avoided, else 0, and
-\f$ Q'' \f$, which is larger for a smaller core. Whether a covering mesh is allowed at all is a matter of
-`ShellValidity_3`.
+\f$ Q \f$ is one of three indices that are compared lexicographically (Eq.\ 4). The other two are the same for all
+models: \f$ Q' \f$ is 1 if the covering mesh avoids a given face, and 0 otherwise; \f$ Q'' \f$ is larger for a smaller
+core. `ShellValidity_3` decides which covering meshes are allowed.
 
-All members are called for a shell of type `CGAL::Boundary_recovery_3::Shell_3` and for positions in its skirt
-polygon. They are called often, also for pieces that end in no covering mesh, but only for triangles whose
-tetrahedra are positively oriented. One of the positions may be that of the infinite vertex,
-`Shell_3::infinite_index()`, in a triangle and in the edges and vertices of a core, but not in a chord.
+The arguments are a shell of type `CGAL::Boundary_recovery_3::Shell_3`, and positions in its skirt polygon. The members
+are called often, also for pieces that become part of no covering mesh, but only for triangles whose tetrahedra are
+positively oriented. In a triangle, and in the edges and vertices of a core, one position may be that of the infinite
+vertex, `Shell_3::infinite_index()`; in a chord, none.
 
 \cgalRefines{CopyConstructible}
 
@@ -48,14 +47,14 @@ public:
   /// @{
 
   /*!
-  The value of a piece or of a covering mesh. It has to be default constructible, copyable, and comparable by
-  `operator<`, a strict weak order.
+  The value of a piece or of a covering mesh. The type is default constructible, copyable, and has a strict weak order
+  by `operator<`.
   */
   typedef unspecified_type Value;
 
   /*!
-  `Shell_3<Tr>` of the namespace `CGAL::Boundary_recovery_3`, where `Tr` is the triangulation type. A model
-  may leave this type out, and be a model for any triangulation, if its members are templates.
+  `Shell_3<Tr>` of the namespace `CGAL::Boundary_recovery_3`, where `Tr` is the triangulation type. A model whose
+  members are templates may leave this type out; it is then a model for all triangulations.
   */
   typedef unspecified_type Shell;
 
@@ -65,9 +64,9 @@ public:
   /// @{
 
   /*!
-  The place of the value in the quality vector of [CZZ+17, Eq.\ 4]: `true` for \f$ [Q, Q', Q''] \f$, where a
-  larger degree is accepted for a better value, `false` for \f$ [Q', Q'', Q] \f$, where the value decides only
-  between covering meshes of the same degree.
+  The place of the value in the quality vector of [CZZ+17, Eq.\ 4]. `true` stands for \f$ [Q, Q', Q''] \f$: a better
+  value wins in spite of a larger degree. `false` stands for \f$ [Q', Q'', Q] \f$: the value decides between covering
+  meshes of the same degree only.
   */
   static constexpr bool is_first_in_vector = unspecified_value;
 
@@ -77,7 +76,7 @@ public:
   /// @{
 
   /*!
-  returns the value of nothing, the neutral element of `combine()`.
+  returns the value of no pieces: the neutral element of `combine()`.
   */
   Value best() const;
 
@@ -85,7 +84,7 @@ public:
   returns the value of the union of two sets of pieces with the values `x` and `y`: the function \f$ f_Q \f$
   of [CZZ+17, Eq.\ 2].
 
-  It has to be commutative and associative, up to rounding, and monotone: if `x < y` then
+  The function must be commutative and associative, up to rounding, and monotone: if `x < y`, then
   `combine(y, z) < combine(x, z)` is false for all `z`. Minimum and sum are examples.
   */
   Value combine(Value x, Value y) const;

@@ -44,7 +44,7 @@ struct Background_mesh_3
   std::vector<Tetrahedron> tetrahedra; ///< the tetrahedra
   std::vector<double> sizes;           ///< the size at each vertex, in the unit of the coordinates
 
-  /// returns whether there is a positive and finite size for each vertex, and all tetrahedra name vertices.
+  /// returns whether each vertex has a positive and finite size, and each index of a tetrahedron names a vertex.
   bool is_valid() const
   {
     if(sizes.size() != points.size())
@@ -337,16 +337,16 @@ private:
  * \brief reads a tetrahedral mesh in the text format MEDIT (`.mesh`), and the sizes at its vertices from a solution
  * (`.sol`), as MMG writes and reads them.
  *
- * Of the mesh, the vertices and the tetrahedra are used. The solution has to have one scalar at each vertex.
+ * Only vertices and tetrahedra of the mesh are used. The solution has one scalar at each vertex.
  *
  * \tparam GT the geometric traits
  *
  * \param mesh_stream the `.mesh` file
  * \param sol_stream the `.sol` file
- * \param mesh is set to what is read
- * \param message is set to what is wrong, with the kind of the file and the number of the line
+ * \param mesh is set to the mesh
+ * \param message is set to the error, with the kind of the file and the number of the line
  *
- * \return whether a valid mesh was read. If not, `mesh` is as before.
+ * \return whether a valid mesh was read. Otherwise, `mesh` is unchanged.
  */
 template <typename GT>
 bool read_MEDIT_background_mesh(std::istream& mesh_stream, std::istream& sol_stream, Background_mesh_3<GT>& mesh,
@@ -371,10 +371,10 @@ bool read_MEDIT_background_mesh(std::istream& mesh_stream, std::istream& sol_str
  * \param node_stream the `.node` file
  * \param ele_stream the `.ele` file
  * \param mtr_stream the `.mtr` file
- * \param mesh is set to what is read
- * \param message is set to what is wrong, with the kind of the file and the number of the line
+ * \param mesh is set to the mesh
+ * \param message is set to the error, with the kind of the file and the number of the line
  *
- * \return whether a valid mesh was read. If not, `mesh` is as before.
+ * \return whether a valid mesh was read. Otherwise, `mesh` is unchanged.
  */
 template <typename GT>
 bool read_TetGen_background_mesh(std::istream& node_stream, std::istream& ele_stream, std::istream& mtr_stream,
@@ -395,11 +395,11 @@ bool read_TetGen_background_mesh(std::istream& node_stream, std::istream& ele_st
  *
  * \tparam GT the geometric traits
  *
- * \param filename the name of one of the files; its extension tells which ones are read
- * \param mesh is set to what is read
- * \param message is set to what is wrong, with the kind of the file and the number of the line
+ * \param filename the name of one of the files; the extension tells the format
+ * \param mesh is set to the mesh
+ * \param message is set to the error, with the kind of the file and the number of the line
  *
- * \return whether a valid mesh was read. If not, `mesh` is as before.
+ * \return whether a valid mesh was read. Otherwise, `mesh` is unchanged.
  */
 template <typename GT>
 bool read_background_mesh(const std::string& filename, Background_mesh_3<GT>& mesh, std::string& message)

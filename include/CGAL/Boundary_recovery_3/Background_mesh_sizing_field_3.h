@@ -69,19 +69,19 @@ inline void grade_sizes(const std::vector<Coordinates_3>& points,
  *
  * \brief a size field that interpolates the sizes at the vertices of a tetrahedral mesh.
  *
- * Inside of a tetrahedron sizes are interpolated linearly. Where several tetrahedra are, as in a soup, the smallest
- * size wins; those without a volume are ignored. Outside, the size is that at the nearest point of the boundary of the
- * mesh, which is made of the facets that only one tetrahedron has. Hence sizes are never smaller, or larger, than those
- * at the vertices. If the mesh is not valid all sizes are NaN, and if it has no tetrahedron with a volume, infinite: no
- * mesh can have them.
+ * Inside a tetrahedron, sizes are interpolated linearly. Where tetrahedra overlap, as in a soup, the smallest size
+ * wins. Tetrahedra without volume are ignored. Outside the mesh, the nearest point of its boundary counts; the boundary
+ * consists of the facets of only one tetrahedron. Hence all sizes are between the smallest and the largest size of the
+ * vertices. If the mesh is not valid, all sizes are NaN; if no tetrahedron has a volume, all sizes are infinite. No
+ * mesh can have such sizes.
  *
- * With a *grading*, sizes at vertices are made smaller, from small to large, until they grow along no edge of the mesh
- * by more than the grading times its length. Between vertices they can grow faster, if cells are thin. Hence there is
- * no member function `grading()`, which would promise that they do not; how small they can get near a place,
- * `least_size_around()` tells nevertheless.
+ * With a *grading*, sizes at vertices are reduced, from small to large, until no size grows along an edge of the mesh
+ * by more than the grading times the length of the edge. Between the vertices of thin cells, sizes can grow faster.
+ * Hence the field has no member function `grading()`, but it has `least_size_around()`, a bound for the sizes near a
+ * place.
  *
- * Sizes are computed in floating point numbers, and depend on the point alone. Several threads may ask at the same
- * time.
+ * Sizes are computed in floating point numbers, and depend on the point only. Several threads may call the field at the
+ * same time.
  *
  * \tparam GT the geometric traits
  *
@@ -97,10 +97,10 @@ public:
   typedef Background_mesh_3<GT> Mesh;    ///< the type of the mesh
 
   /*!
-   * \brief makes the field of a mesh, which is not used afterwards.
+   * \brief makes the field of a mesh. The mesh is not used after the construction.
    *
    * \param mesh the mesh
-   * \param grading by how much sizes may grow per length along edges, without unit; infinity for any
+   * \param grading the largest growth of sizes per length along edges, without unit; infinity: no limit
    */
   explicit Background_mesh_sizing_field_3(const Mesh& mesh,
                                           const double grading = std::numeric_limits<double>::infinity())
@@ -121,8 +121,8 @@ public:
   template <typename AnyIndex>
   FT operator()(const Point_3& p, const int /* dimension */, const AnyIndex& /* index */) const { return (*this)(p); }
 
-  /// returns a number that no size within a distance `radius` of `p` is below. The smaller the radius is, the nearer it
-  /// is to the size at `p`.
+  /// returns a lower bound of the sizes within a distance `radius` of `p`. The smaller the radius, the nearer is the
+  /// bound to the size at `p`.
   FT least_size_around(const Point_3& p, const double radius, const int /* index */) const
   {
     return m_is_valid ? m_interpolation.least_around(internal::coordinates_of(p), radius)

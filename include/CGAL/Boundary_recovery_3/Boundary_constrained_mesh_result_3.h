@@ -26,7 +26,7 @@ namespace CGAL {
 namespace Boundary_recovery_3 {
 
 /// \ingroup PkgBoundaryRecovery3Classes
-/// a place where a size field has no size: neither a positive number nor one that is finite.
+/// a place where a size field has no positive finite size.
 template <typename Point_3_>
 struct Invalid_size_3
 {
@@ -46,27 +46,27 @@ struct Field_points_result_3
   typedef typename Triangulation::Geom_traits::Point_3 Point_3;       ///< its point type
   typedef Invalid_size_3<Point_3>                      Invalid_size;  ///< a place without a size
 
-  /// how it ended; `meshed` if no edge is left that the size field calls too long, but where no point fits
+  /// the end of the insertion; `meshed`: no edge is longer than the size field allows, except where no point fits
   Meshing_status status = Meshing_status::meshed;
 
-  /// the number of cells in the domain that the size field asks for, estimated before any point was inserted: the
-  /// integral of \f$ 6 \sqrt 2 / h^3 \f$, or the number of cells that are there if that is larger. It is made again if
-  /// it was so low that points had to be refused.
+  /// the estimated number of cells in the domain, made before the first point is inserted: the integral of
+  /// \f$ 6 \sqrt 2 / h^3 \f$ for the size \f$ h \f$, or the present number of cells if that is larger. If points had to
+  /// be refused because the estimate was too low, it is made again.
   double forecast_of_cells = 0;
 
   double forecast_of_vertices = 0; ///< the same for the vertices of the triangulation
 
   std::size_t number_of_field_points = 0; ///< number of points that were inserted
 
-  /// whether all places with sizes below an eighth of the cell's size were looked at. `false` means that this is not
-  /// known: the field has neither `grading()` nor `least_size_around()`, or its grading is so large that there was no
-  /// end of questions. A cell counts as looked at if eight such places in it had no room for a point.
+  /// whether all places with sizes below an eighth of the cell's size were found. `false` means that this is not known:
+  /// the field has neither `grading()` nor `least_size_around()`, or its grading is so large that the questions would
+  /// have no end. A cell with eight such places without room for a point counts as done.
   bool is_field_resolved = true;
 
-  /// the place that made the status `invalid_input`: none, or one
+  /// the place of the invalid size if the status is `invalid_input`: none, or one
   std::vector<Invalid_size> invalid_sizes;
 
-  double seconds = 0; ///< duration in seconds (wall clock), that of the forecast included
+  double seconds = 0; ///< duration in seconds (wall clock), with the forecast
 
   /// returns `true` iff all is done.
   explicit operator bool() const { return status == Meshing_status::meshed; }
@@ -92,13 +92,13 @@ struct Boundary_constrained_mesh_result_3
   /// how the meshing ended
   Meshing_status status = Meshing_status::incomplete;
 
-  /// steps 2 to 4: the boundary recovery. Steiner points that the improvement moved, or removed, are not among its
-  /// `steiner_vertices` any more.
+  /// steps 2 to 4: the boundary recovery. Its `steiner_vertices` are without the Steiner points that the improvement
+  /// moved or removed.
   Recovery recovery;
 
   int number_of_regions = 0; ///< step 5: number of regions of the domain
 
-  /// the positions in the named parameter `void_points` of places that are outside or on the surface, which makes the
+  /// the positions in the named parameter `void_points` of places outside or on the surface. Such places make the
   /// status `invalid_input`
   std::vector<std::size_t> invalid_void_points;
 
@@ -110,8 +110,8 @@ struct Boundary_constrained_mesh_result_3
   /// step 7: the improvement of the quality; empty without an improvement
   Improvement improvement;
 
-  /// the mesh edges that the edges of the named parameter `constrained_edges` consist of. `Constrained_edge_map_3`
-  /// makes a property map of them for functions that change the mesh. Empty if the recovery failed.
+  /// the edges of the mesh that form the edges of the named parameter `constrained_edges`; empty if the recovery
+  /// failed. `Constrained_edge_map_3` makes a property map of these edges, for functions that change the mesh.
   std::vector<Vertex_pair> constrained_edges;
 
   std::vector<Phase_report> phases; ///< one entry for each phase after the recovery
@@ -123,7 +123,7 @@ struct Boundary_constrained_mesh_result_3
 };
 
 /// \ingroup PkgBoundaryRecovery3Classes
-/// writes a place without a size: what the field returned there, or threw.
+/// writes a place without a size, and what the field returned or threw there.
 template <typename Point_3>
 std::ostream& operator<<(std::ostream& os, const Invalid_size_3<Point_3>& invalid)
 {
@@ -150,7 +150,7 @@ using Boundary_recovery_3::Field_points_result_3;
 namespace Boundary_recovery_3 {
 
 /// \ingroup PkgBoundaryRecovery3Classes
-/// writes the status, and what the steps did: a line each, with more of them for what is wrong or missing.
+/// writes a line for the status and for each step, and further lines for defects and missing constraints.
 template <typename Triangulation>
 std::ostream& operator<<(std::ostream& os, const Boundary_constrained_mesh_result_3<Triangulation>& result)
 {

@@ -30,38 +30,37 @@ struct Input_simplex_3
 {
   typedef Point_3_ Point_3; ///< the point type
 
-  /// value of `index` of an edge that was given as an edge of a facet only, and of a vertex that is in the
-  /// triangulation but not in the input
+  /// the `index` of an edge that is in the input only as an edge of a facet, and of a vertex of the triangulation that
+  /// is not in the input
   static constexpr std::size_t no_index = std::size_t(-1);
 
   int dimension = -1;                ///< 0: vertex, 1: edge, 2: facet, 3: tetrahedron
-  std::size_t index = no_index;      ///< position of the vertex, constrained edge, facet or tetrahedron in its input
-                                     ///< range
-  std::vector<std::size_t> vertices; ///< the input indices of its vertices; none for a vertex without index
-  std::vector<Point_3> points;       ///< the coordinates of its vertices; empty where an index has no finite point
+  std::size_t index = no_index;      ///< position in the range of the input
+  std::vector<std::size_t> vertices; ///< the input indices of the vertices; none for a vertex without index
+  std::vector<Point_3> points;       ///< the coordinates of the vertices; empty where an index has no finite point
 };
 
 /// \ingroup PkgBoundaryRecovery3Classes
-/// a defect of the input, and the simplices that cause it: one, two, or none if the input as a whole is defective.
+/// a defect of the input, with the simplices that cause the defect: one, two, or none if the whole input is the cause.
 template <typename Point_3_>
 struct Input_defect_3
 {
-  Input_defect_kind kind;                            ///< what is wrong
-  std::vector<Input_simplex_3<Point_3_> > simplices; ///< with what
+  Input_defect_kind kind;                            ///< the kind of the defect
+  std::vector<Input_simplex_3<Point_3_> > simplices; ///< the simplices that cause the defect
 };
 
 /// \ingroup PkgBoundaryRecovery3Classes
-/// the state at the end of a phase, and its duration. Phases of a recovery count lost constraints, phases of the
-/// meshing count vertices and cells, phases of the remeshing count holes; the other members are 0.
+/// the duration of a phase, and counts at its end. Phases of a recovery count lost constraints, phases of the meshing
+/// count vertices and cells, phases of the remeshing of holes count holes. All other counts are 0.
 struct Phase_report
 {
   Phase phase;                        ///< the phase
   std::size_t lost_edges = 0;         ///< number of constrained edges that are not in the triangulation
   std::size_t lost_facets = 0;        ///< number of constrained facets that are not in the triangulation
-  std::size_t number_of_vertices = 0; ///< number of vertices of the triangulation; after the phase `forecast`, of the
-                                      ///< mesh that is to be expected
-  std::size_t number_of_cells = 0;    ///< number of finite cells of the triangulation, those outside the domain
-                                      ///< included; after the phase `forecast`, of the domain, as it is to be expected
+  std::size_t number_of_vertices = 0; ///< number of vertices of the triangulation; after the phase `forecast`, the
+                                      ///< expected number
+  std::size_t number_of_cells = 0;    ///< number of finite cells of the triangulation, in and outside the domain; after
+                                      ///< the phase `forecast`, the expected number in the domain
   std::size_t number_of_holes = 0;    ///< number of holes
   double seconds = 0;                 ///< duration in seconds (wall clock)
 };
@@ -75,23 +74,23 @@ struct Recursion_level_report
   std::size_t n1 = 0;               ///< number of lost edges (or facets)
   std::size_t n2 = 0;               ///< number of intersections of lost edges (facets) with mesh entities
   std::size_t n3 = 0;               ///< largest number of intersections of one lost edge (facet)
-  std::size_t n4 = 0;               ///< number of mesh entities that are crossed, each counted once: the size of the
-                                    ///< paper's hash table
+  std::size_t n4 = 0;               ///< number of crossed mesh entities, each counted once: the size of the paper's
+                                    ///< hash table
 };
 
 /// \ingroup PkgBoundaryRecovery3Classes
-/// a mesh edge or facet that is a part of a constraint. Mesh edges come one after the other, as they are on the
-/// constrained edge; mesh facets come in any order, each in the orientation of the constrained facet.
+/// a mesh edge or facet that is a part of a constraint. Mesh edges follow each other in the order of their places on
+/// the constrained edge. Mesh facets come in any order, each in the orientation of the constrained facet.
 template <typename Vertex_handle_, typename Point_3_>
 struct Constraint_part_3
 {
-  std::vector<Vertex_handle_> vertices;    ///< its vertices: two or three
-  Input_simplex_3<Point_3_> constraint;    ///< the constraint that it is a part of
+  std::vector<Vertex_handle_> vertices;    ///< the vertices: two or three
+  Input_simplex_3<Point_3_> constraint;    ///< the whole constraint
 };
 
 /// \ingroup PkgBoundaryRecovery3Classes
-/// a mesh facet of the surface: the array of its three vertices, in the orientation of the constrained facet that it is
-/// or is a part of.
+/// a mesh facet of the surface: an array of three vertices, in the orientation of the constrained facet to which the
+/// mesh facet belongs.
 template <typename Vertex_handle_>
 struct Surface_facet_3
   : public std::array<Vertex_handle_, 3>
@@ -122,13 +121,12 @@ struct Boundary_recovery_result_3
   /// how the recovery ended
   Recovery_status status = Recovery_status::incomplete;
 
-  /// the vertex of the triangulation for each input vertex, by input index.
-  /// Input vertices that no constraint uses have one, too. Empty if `status` is `invalid_input`.
+  /// the vertex of the triangulation for each input vertex, by input index. Input vertices without a constraint are
+  /// included. Empty if `status` is `invalid_input`.
   std::vector<Vertex_handle> vertices;
 
-  /// the vertices of each constrained facet, by input index, in the orientation of the input.
-  /// Facets that are missing have theirs, too; they are default handles where `vertices` has such. Empty if `status` is
-  /// `invalid_input`.
+  /// the vertices of each constrained facet, by input index, in the orientation of the input. Missing facets are
+  /// included; a vertex is a default handle if it is one in `vertices`. Empty if `status` is `invalid_input`.
   std::vector<Vertex_triple> facets;
 
   /// the constrained edges that are not in the triangulation
@@ -137,49 +135,49 @@ struct Boundary_recovery_result_3
   /// the constrained facets that are not in the triangulation
   std::vector<Input_simplex> missing_facets;
 
-  /// the constraints for which a Steiner point was needed, on them or beside them, whose position the number type of
-  /// the kernel cannot store, in the last attempt: the edges, then the facets. Not empty only if `status` is
-  /// `incomplete` and the mode is not `flips_only`.
+  /// the constraints that need a Steiner point, on or beside the constraint, at a position that the number type of the
+  /// kernel cannot store: the edges of the last attempt, then the facets. Empty unless `status` is `incomplete` and the
+  /// mode is not `flips_only`.
   std::vector<Input_simplex> unrepresentable_constraints;
 
-  /// what is wrong with the input, if `status` is `invalid_input`; the first ones if there are more than the named
-  /// parameter `maximum_number_of_defects`
+  /// the defects of the input, if `status` is `invalid_input`: at most as many as the named parameter
+  /// `maximum_number_of_defects` allows, the first ones
   std::vector<Input_defect> defects;
 
-  /// number of defects; larger than that of the listed ones iff there are more, and then, of pairs of constraints that
-  /// intersect, there are at least so many
+  /// number of defects. It is larger than the number of listed defects iff the list is cut off; the number of pairs of
+  /// constraints that intersect is then a lower bound
   std::size_t number_of_defects = 0;
 
-  /// the mesh edges that constrained edges with Steiner points on them consist of (mode `conforming` only); constrained
-  /// edges that are not named here are single mesh edges, unless they are missing
+  /// the mesh edges that form constrained edges with Steiner points (mode `conforming` only). Each other constrained
+  /// edge is one mesh edge, or missing
   std::vector<Constraint_part> parts_of_edges;
 
-  /// the mesh facets that constrained facets with Steiner points on them consist of (mode `conforming` only);
-  /// constrained facets that are not named here are single mesh facets, unless they are missing
+  /// the mesh facets that form constrained facets with Steiner points (mode `conforming` only). Each other constrained
+  /// facet is one mesh facet, or missing
   std::vector<Constraint_part> parts_of_facets;
 
-  /// the Steiner points that are left in the triangulation, those outside of the domain included
+  /// the Steiner points that are left in the triangulation, in and outside the domain
   std::vector<Vertex_handle> steiner_vertices;
 
-  std::size_t number_of_edges = 0;             ///< number of constrained edges, those of the facets included (of
-                                               ///< faces that are no triangles, none)
+  std::size_t number_of_edges = 0;             ///< number of constrained edges, with the edges of triangles, but
+                                               ///< without the edges of other faces
   std::size_t number_of_facets = 0;            ///< number of constrained facets
   std::size_t number_of_constraint_points = 0; ///< number of Steiner points that were put on constraints
-  std::size_t number_of_steiner_points = 0;    ///< number of Steiner points that came off the constraints in their
-                                               ///< place (none in the mode `conforming`), and of those of the phase
-                                               ///< `planar_edge_recovery`, in all modes; those that were removed later
-                                               ///< included
+  std::size_t number_of_steiner_points = 0;    ///< number of Steiner points off the constraints that replaced points on
+                                               ///< constraints (none in the mode `conforming`), plus the points of the
+                                               ///< phase `planar_edge_recovery` in all modes; points that were removed
+                                               ///< later count
   std::size_t number_of_inserted_vertices = 0; ///< number of input points that were not in the triangulation before
-  std::size_t number_of_shell_transformations = 0; ///< number of replacements of cells by flips and reconnections,
-                                                   ///< those that were taken back included
+  std::size_t number_of_shell_transformations = 0; ///< number of replacements of cells by flips and reconnections, with
+                                                   ///< replacements that were taken back
 
-  std::vector<Phase_report> phases;           ///< one entry for each run of a phase; those with Steiner points run
+  std::vector<Phase_report> phases;           ///< one entry for each run of a phase. Phases with Steiner points run
                                               ///< again if other points have to be tried, up to six times
   std::vector<Recursion_level_report> levels; ///< one entry for each pass of [CZZ+17, Alg.\ 5]
 
-  /// returns the mesh facets that the surface consists of, in the order of the constrained facets: such a facet
-  /// itself, its parts if there are Steiner points on it (mode `conforming` only), or nothing if it is missing.
-  /// `label_regions()` and `CGAL::recover_boundary()` take them as they are.
+  /// returns the mesh facets of the surface, in the order of the constrained facets: for each constrained facet the
+  /// mesh facet, or several parts if it has Steiner points (mode `conforming` only), or nothing if it is missing.
+  /// `label_regions()` and `CGAL::recover_boundary()` accept this range.
   std::vector<Surface_facet> surface_facets() const
   {
     std::vector<Surface_facet> result;
@@ -206,7 +204,7 @@ struct Boundary_recovery_result_3
 };
 
 /// \ingroup PkgBoundaryRecovery3Classes
-/// writes a simplex of the input: its kind, index, vertices and coordinates.
+/// writes the kind, index, vertices and coordinates of a simplex of the input.
 template <typename Point_3>
 std::ostream& operator<<(std::ostream& os, const Input_simplex_3<Point_3>& simplex)
 {
@@ -227,7 +225,7 @@ std::ostream& operator<<(std::ostream& os, const Input_simplex_3<Point_3>& simpl
 }
 
 /// \ingroup PkgBoundaryRecovery3Classes
-/// writes a defect of the input: its kind and its simplices.
+/// writes the kind and the simplices of a defect of the input.
 template <typename Point_3>
 std::ostream& operator<<(std::ostream& os, const Input_defect_3<Point_3>& defect)
 {
@@ -244,7 +242,8 @@ using Boundary_recovery_3::Boundary_recovery_result_3;
 namespace Boundary_recovery_3 {
 
 /// \ingroup PkgBoundaryRecovery3Classes
-/// writes the status and, a line each, the defects, all missing constraints, and those without storable points.
+/// writes the status and, one a line, the defects, the missing constraints, and the constraints without storable
+/// points.
 template <typename Triangulation>
 std::ostream& operator<<(std::ostream& os, const Boundary_recovery_result_3<Triangulation>& result)
 {

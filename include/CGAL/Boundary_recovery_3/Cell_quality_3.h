@@ -41,22 +41,21 @@ inline double possible_min_dihedral_angle(const double degrees)
 /*!
  * \ingroup PkgBoundaryRecovery3Classes
  *
- * \brief the quality of a cell is the smallest sine of its six dihedral angles, of which obtuse ones are counted as
- * worse than they are.
+ * \brief the quality of a cell is the smallest sine of its six dihedral angles, where obtuse angles count as worse.
  *
- * The sine of an obtuse angle is multiplied by a factor, so that not only small angles count, but also large ones: with
- * the factor 0.6, an angle of 145 degrees is as bad as one of 20. All is divided by the sine of the dihedral angle of
- * the regular tetrahedron, whose quality is 1. The quality jumps where an angle exceeds 90 degrees, but far above of
- * what meshes are improved for.
+ * The sine of an obtuse angle is multiplied by a factor, so that large angles count, too: with the factor 0.6, an angle
+ * of 145 degrees is as bad as an angle of 20 degrees. The result is divided by the sine of the dihedral angle of the
+ * regular tetrahedron, so that the regular tetrahedron has the quality 1. The quality jumps where an angle exceeds 90
+ * degrees, but such cells are far better than any target.
  *
- * A cell that is at least as good as `of_angle()` tells has no dihedral angle below that one.
+ * A cell of at least the quality `of_angle(a)` has no dihedral angle below `a`.
  *
  * \cgalModels{CellQuality_3}
  */
 class Dihedral_angle_quality_3
 {
 public:
-  /// \param obtuse_factor what sines of obtuse angles are multiplied by, a number from 0 to 1; 1: only the sine counts
+  /// \param obtuse_factor the factor for the sines of obtuse angles, from 0 to 1; 1: only the sine counts
   explicit Dihedral_angle_quality_3(const double obtuse_factor = 0.6)
     : m_squared_obtuse_factor(obtuse_factor * obtuse_factor)
   { }
@@ -69,7 +68,8 @@ public:
     return is_ordinary(measures.product) ? quality(measures) : of_extreme_cell(corners);
   }
 
-  /// returns the qualities of two cells, the very same as one by one, in hardly more time than one of them takes.
+  /// returns the qualities of two cells, equal bit for bit to those of single calls, in hardly more time than one call
+  /// takes.
   std::array<double, 2> of_two_cells(const std::array<std::array<double, 3>, 4>& first,
                                      const std::array<std::array<double, 3>, 4>& second) const
   {
@@ -80,13 +80,13 @@ public:
     return {{ qualities[0], qualities[1] }};
   }
 
-  /// returns the quality that a cell has at most if its smallest dihedral angle is `degrees`.
+  /// returns the largest quality of all cells whose smallest dihedral angle is `degrees`.
   double of_angle(const double degrees) const
   {
     return sine_factor * std::sin(internal::possible_min_dihedral_angle(degrees));
   }
 
-  /// returns what sines of obtuse angles are multiplied by.
+  /// returns the factor for the sines of obtuse angles.
   double obtuse_factor() const { return std::sqrt(m_squared_obtuse_factor); }
 
 private:
@@ -145,12 +145,12 @@ private:
 /*!
  * \ingroup PkgBoundaryRecovery3Classes
  *
- * \brief the quality of a cell is its volume, over the cube of the root mean square of the lengths of its edges.
+ * \brief the quality of a cell is its volume, divided by the cube of the root mean square of its edge lengths.
  *
- * It is scaled so that the regular tetrahedron has the quality 1. The quality is smooth, and zero only for cells
- * without a volume; not only angles count, but edges that are short beside others, too.
+ * The scale is such that the regular tetrahedron has the quality 1. The quality is smooth, and zero only for cells
+ * without a volume. Not only angles count, but also edges that are short beside others.
  *
- * A cell that is at least as good as `of_angle()` tells has no dihedral angle below that one.
+ * A cell of at least the quality `of_angle(a)` has no dihedral angle below `a`.
  *
  * \cgalModels{CellQuality_3}
  */
@@ -166,10 +166,9 @@ public:
     return is_ordinary ? quality(corners, square) : of_extreme_cell(internal::scaled_corners(corners));
   }
 
-  /// returns the quality that a cell has at most if its smallest dihedral angle is `degrees`.
+  /// returns the largest quality of all cells whose smallest dihedral angle is `degrees`.
   ///
-  /// It is that of the cell where the edge at this angle and the one opposite to it are as long as is best:
-  /// \f$ 2 \sqrt 2 \sin(\theta) / (3 - \cos(\theta)) \f$.
+  /// The best cell with this angle \f$ \theta \f$ has the quality \f$ 2 \sqrt 2 \sin(\theta) / (3 - \cos(\theta)) \f$.
   double of_angle(const double degrees) const
   {
     const double angle = internal::possible_min_dihedral_angle(degrees);

@@ -27,7 +27,7 @@ namespace CGAL::Boundary_recovery_3 {
  *
  * \brief a size field: at each place the smallest size of several fields.
  *
- * Where one of them has a size that is not positive, or NaN, the minimum has it, too.
+ * A size that is not positive, or NaN, of one field is the size of the minimum, too.
  *
  * \tparam GT the geometric traits
  * \tparam Fields number types, functions of a point, models of `MeshDomainField_3` whose indices can be made of
@@ -45,7 +45,7 @@ public:
   typedef typename GT::Point_3 Point_3; ///< the point type
   typedef int                  Index;   ///< the type of the number of a region
 
-  /// makes the minimum of some fields.
+  /// makes the minimum of the given fields.
   explicit Minimum_sizing_field_3(const Fields& ... fields) : m_fields(fields...) { }
 
   /// returns the size at `p`.
@@ -66,7 +66,7 @@ public:
     return smallest;
   }
 
-  /// returns a number that no size within a distance `radius` of `p` is below, 0 if one of the fields does not tell.
+  /// returns a lower bound of the sizes within a distance `radius` of `p`; 0 if one of the fields has no bound.
   FT least_size_around(const Point_3& p, const double radius, const int index) const
   {
     const auto smallest = [&](const Fields& ... fields)
@@ -77,7 +77,7 @@ public:
     return std::apply(smallest, m_fields);
   }
 
-  /// returns by how much sizes grow per length, at most; infinity if one of the fields does not tell.
+  /// returns the largest growth of sizes per length; infinity if one of the fields has none.
   double grading() const
   {
     const auto largest = [](const Fields& ... fields)
@@ -92,7 +92,7 @@ private:
 };
 
 /// \ingroup PkgBoundaryRecovery3Functions
-/// returns the minimum of some size fields, with copies of them; pass `std::cref(field)` for one that is large.
+/// returns the minimum of size fields. The fields are copied; pass `std::cref(field)` for a large one.
 template <typename GT, typename ... Fields>
 Minimum_sizing_field_3<GT, Fields...> make_minimum_sizing_field(const Fields& ... fields)
 {
@@ -104,7 +104,7 @@ Minimum_sizing_field_3<GT, Fields...> make_minimum_sizing_field(const Fields& ..
  *
  * \brief a size field: the sizes of another field, between two bounds.
  *
- * Sizes that are not positive, or NaN, stay as they are, so that they are noticed.
+ * Sizes that are not positive, or NaN, stay as they are, so that the error is noticed.
  *
  * \tparam GT the geometric traits
  * \tparam Field a function of a point, a model of `MeshDomainField_3` whose indices can be made of numbers, or a
@@ -122,8 +122,8 @@ public:
 
   /*!
    * \param field the field
-   * \param lower the smallest size, in the unit of the coordinates; 0 for any
-   * \param upper the largest size, infinity for any. It wins if it is below `lower`.
+   * \param lower the smallest size, in the unit of the coordinates; 0: no bound
+   * \param upper the largest size; infinity: no bound. `upper` wins if it is below `lower`.
    */
   Bounded_sizing_field_3(const Field& field, const double lower, const double upper)
     : m_field(field), m_lower(lower), m_upper(upper)
@@ -136,14 +136,14 @@ public:
     return size > 0 ? (std::min)((std::max)(size, m_lower), m_upper) : size;
   }
 
-  /// returns a number that no size within a distance `radius` of `p` is below, 0 if the field does not tell.
+  /// returns a lower bound of the sizes within a distance `radius` of `p`; 0 if the field has no bound.
   FT least_size_around(const Point_3& p, const double radius, const int index) const
   {
     const double least = internal::least_size_of_field_around<GT>(m_field, p, radius, index);
     return least > 0 ? (std::min)((std::max)(least, m_lower), m_upper) : 0;
   }
 
-  /// returns by how much sizes grow per length, at most; infinity if the field does not tell.
+  /// returns the largest growth of sizes per length; infinity if the field has none.
   double grading() const { return internal::grading_of_field<GT>(m_field); }
 
 private:
@@ -153,7 +153,7 @@ private:
 };
 
 /// \ingroup PkgBoundaryRecovery3Functions
-/// returns a size field between bounds, with a copy of the field; pass `std::cref(field)` for a field that is large.
+/// returns a size field between bounds. The field is copied; pass `std::cref(field)` for a large one.
 template <typename GT, typename Field>
 Bounded_sizing_field_3<GT, Field> make_bounded_sizing_field(const Field& field, const double lower, const double upper)
 {
@@ -180,7 +180,7 @@ public:
   typedef typename GT::Point_3 Point_3; ///< the point type
   typedef int                  Index;   ///< the type of the number of a region
 
-  /// makes a field with the same sizes in all regions, as long as `set_field()` is not called.
+  /// makes a field with the same sizes in all regions, until `set_field()` is called.
   template <typename Field>
   explicit Region_sizing_field_3(const Field& field) : m_default(make_part(field)) { }
 
@@ -188,8 +188,8 @@ public:
   template <typename Field>
   void set_field(const int region, const Field& field) { m_parts[region] = make_part(field); }
 
-  /// returns the size at `p` in the region `index`. On the surface, where `dimension` is not 3, it is the smallest size
-  /// of all regions, as there the index is not one of a region.
+  /// returns the size at `p` in the region `index`. If `dimension` is not 3, `p` is on the surface, and the index is
+  /// not that of a region; the size is then the smallest one of all regions.
   FT operator()(const Point_3& p, const int dimension, const Index& index) const
   {
     if(dimension == 3)
@@ -203,16 +203,15 @@ public:
     return smallest;
   }
 
-  /// returns a number that no size within a distance `radius` of `p` is below in the region `index`, 0 if the field
-  /// there does not tell.
+  /// returns a lower bound of the sizes in the region `index` within a distance `radius` of `p`; 0 if the field of the
+  /// region has no bound.
   FT least_size_around(const Point_3& p, const double radius, const int index) const
   {
     const auto found = m_parts.find(index);
     return (found != m_parts.end() ? found->second : m_default).least_size(p, radius, index);
   }
 
-  /// returns by how much sizes grow per length inside of a region, at most; infinity if one of the fields does not
-  /// tell.
+  /// returns the largest growth of sizes per length inside a region; infinity if one of the fields has none.
   double grading() const
   {
     double largest = m_default.grading;

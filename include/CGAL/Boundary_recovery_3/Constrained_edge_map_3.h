@@ -24,8 +24,8 @@ namespace CGAL::Boundary_recovery_3 {
 /*!
  * \ingroup PkgBoundaryRecovery3Classes
  *
- * \brief tells which edges of a triangulation are constrained: a property map for the named parameter
- * `edge_is_constrained_map` of this package's functions and of CGAL's tetrahedral remeshing.
+ * \brief a property map of the constrained edges of a triangulation, for the named parameter `edge_is_constrained_map`
+ * of this package and of CGAL's tetrahedral remeshing.
  *
  * The order of the ends makes no difference. Copies share their edges.
  *
@@ -42,12 +42,12 @@ public:
   typedef std::pair<Vertex_handle, Vertex_handle> key_type;      ///< the ends of an edge
   typedef bool                                    value_type;    ///< whether it is constrained
   typedef bool                                    reference;     ///< the same
-  typedef boost::read_write_property_map_tag      category;      ///< it can be changed, too
+  typedef boost::read_write_property_map_tag      category;      ///< for reading and writing
 
   /// no edge is constrained.
   Constrained_edge_map_3() : m_edges(std::make_shared<Edges>()) { }
 
-  /// the edges in `edges` are, a range of arrays of two vertex handles, such as
+  /// the edges in `edges` are constrained, a range of arrays of two vertex handles, such as
   /// `Boundary_constrained_mesh_result_3::constrained_edges`.
   template <typename EdgeRange>
   explicit Constrained_edge_map_3(const EdgeRange& edges)
@@ -63,7 +63,7 @@ public:
     return (*map.m_edges)[{{ edge.first, edge.second }}] != Edges::none;
   }
 
-  /// makes an edge a constrained one, or a free one.
+  /// makes an edge constrained or free.
   friend void put(const Constrained_edge_map_3& map, const key_type& edge, const bool is_constrained)
   {
     if(is_constrained)

@@ -25,21 +25,21 @@ namespace CGAL {
 namespace Boundary_recovery_3 {
 
 /// \ingroup PkgBoundaryRecovery3Classes
-/// where a place is in the old mesh, so that a solution can be interpolated there.
+/// the location of a place in the old mesh, for the interpolation of a solution.
 struct Old_mesh_location_3
 {
   std::size_t cell = std::size_t(-1); ///< the position of the old tetrahedron
 
-  /// the weights of its four vertices: not negative, with the sum 1 up to rounding
+  /// the weights of the four vertices: not negative, and with the sum 1, up to rounding
   std::array<double, 4> coordinates = {{ 0, 0, 0, 0 }};
 };
 
 /*!
  * \ingroup PkgBoundaryRecovery3Classes
  *
- * \brief the result of `CGAL::remesh_holes()`: the new mesh, where everything in it was before, and counts.
+ * \brief the result of `CGAL::remesh_holes()`: the new mesh, old positions of its vertices and tetrahedra, and counts.
  *
- * If the status is not `meshed`, the mesh is the old one, and nothing in it is new.
+ * If the status is not `meshed`, the mesh is the old mesh.
  *
  * \tparam Point_3_ the point type
  */
@@ -53,7 +53,7 @@ struct Hole_remeshing_result_3
   typedef Input_defect_3<Point_3>     Input_defect; ///< a defect of the input
   typedef Invalid_size_3<Point_3>     Invalid_size; ///< a place without a size
 
-  /// the old position of what is new
+  /// the old position of new vertices and tetrahedra
   static constexpr std::size_t no_index = std::size_t(-1);
 
   /// how it ended
@@ -62,24 +62,25 @@ struct Hole_remeshing_result_3
   /// \name The Mesh
   /// @{
 
-  std::vector<Point_3> points;         ///< the vertices: first those that stayed, in their old order, then new ones
-  std::vector<Tetrahedron> tetrahedra; ///< the tetrahedra: first those that stayed, in their old order, then new ones,
-                                       ///< positively oriented
+  std::vector<Point_3> points;         ///< the vertices: first the old ones that stayed, in their order, then the new
+                                       ///< ones
+  std::vector<Tetrahedron> tetrahedra; ///< the tetrahedra: first the old ones that stayed, in their order, then the new
+                                       ///< ones, positively oriented
   std::vector<int> regions;            ///< the region of each tetrahedron
-  std::vector<Facet> facets;           ///< the constrained facets, in their old order: all of them are still there
-  std::vector<Edge> edges;             ///< the constrained edges, in their old order: all of them are still there
+  std::vector<Facet> facets;           ///< the constrained facets, in their old order; none is missing
+  std::vector<Edge> edges;             ///< the constrained edges, in their old order; none is missing
 
   /// @}
 
   /// \name Where It Was
   /// @{
 
-  std::vector<std::size_t> old_vertices; ///< for each vertex its old position, or `no_index`
-  std::vector<std::size_t> old_cells;    ///< for each tetrahedron its old position, or `no_index`
+  std::vector<std::size_t> old_vertices; ///< the old position of each vertex, or `no_index`
+  std::vector<std::size_t> old_cells;    ///< the old position of each tetrahedron, or `no_index`
 
-  /// for each new vertex, from `number_of_kept_vertices` on, where it is in the old mesh, as that was given: in an old
-  /// tetrahedron of the same region and hole that is not inverted or flat. There is always one; where inverted cells
-  /// fold back, there are several.
+  /// the location of each new vertex, from `number_of_kept_vertices` on, in the old mesh as it was given: an old
+  /// tetrahedron of the same region and hole that is neither inverted nor flat. There is always one, and where inverted
+  /// cells fold back, one of several is named.
   std::vector<Old_mesh_location_3> locations;
 
   /// @}
@@ -90,34 +91,37 @@ struct Hole_remeshing_result_3
   std::size_t number_of_kept_vertices = 0; ///< number of vertices that stayed; the first ones of `points`
   std::size_t number_of_kept_cells = 0;    ///< number of tetrahedra that stayed; the first ones of `tetrahedra`
   std::size_t number_of_bad_cells = 0;     ///< number of old tetrahedra that were bad
-  std::size_t number_of_inverted_cells = 0; ///< number of those that were flat or inverted
+  std::size_t number_of_inverted_cells = 0; ///< number of bad tetrahedra that were flat or inverted
   std::size_t number_of_holes = 0;         ///< number of holes that were meshed
-  std::size_t number_of_enlargements = 0;  ///< how often a hole grew because its boundary was no valid surface
-  std::size_t number_of_enlargements_for_quality = 0; ///< how often a hole grew since cells at its boundary stayed bad
-  std::size_t number_of_failures = 0;      ///< how often a hole grew because its valid boundary could not be recovered
-  std::size_t number_of_steiner_points = 0; ///< number of Steiner points that the recovery left in holes; the
-                                           ///< improvement may have moved or removed them
-  std::size_t number_of_holes_with_steiner_points = 0; ///< number of holes that have them
+  std::size_t number_of_enlargements = 0;  ///< number of times that a hole grew because its boundary was no valid
+                                           ///< surface
+  std::size_t number_of_enlargements_for_quality = 0; ///< number of times that a hole grew because cells at its
+                                                      ///< boundary stayed bad
+  std::size_t number_of_failures = 0;      ///< number of times that a hole grew because its valid boundary could not be
+                                           ///< recovered
+  std::size_t number_of_steiner_points = 0; ///< number of Steiner points in holes before the improvement
+  std::size_t number_of_holes_with_steiner_points = 0; ///< number of holes with Steiner points
 
-  /// the smallest dihedral angle of the new cells in degrees; 180 if there are none
+  /// the smallest dihedral angle of the new cells, in degrees; 180 without new cells
   double smallest_new_angle = 180;
 
   std::size_t number_of_forced_cells = 0;  ///< number of new cells below the target of the improvement because of
-                                           ///< facets that have to stay, those in gaps between them included, see
+                                           ///< constrained facets: forced cells and cells in gaps, see
                                            ///< `Quality_certificate_3`
-  std::size_t number_of_needles = 0;       ///< number of those that are as thin as a facet of theirs that has to stay
+  std::size_t number_of_needles = 0;       ///< number of new cells below the target that are as thin as one of their
+                                           ///< constrained facets
   std::size_t number_of_unimproved_cells = 0; ///< number of other new cells below the target
 
-  /// what is wrong with the input, if `status` is `invalid_input`
+  /// the defects of the input, if `status` is `invalid_input`
   std::vector<Input_defect> defects;
 
-  /// the place where the size field has no size, if that made the status `invalid_input`: none, or one
+  /// the place without a size, if that is the reason of the status `invalid_input`: none, or one
   std::vector<Invalid_size> invalid_sizes;
 
-  std::vector<Phase_report> phases; ///< one entry for each run of a phase; those from `hole_recovery` to
+  std::vector<Phase_report> phases; ///< one entry for each run of a phase; the phases from `hole_recovery` to
                                     ///< `hole_improvement` run again if holes grow for quality
 
-  double seconds = 0; ///< duration of all in seconds (wall clock)
+  double seconds = 0; ///< the whole duration in seconds (wall clock)
 
   /// @}
 
@@ -142,7 +146,7 @@ using Boundary_recovery_3::Hole_remeshing_result_3;
 namespace Boundary_recovery_3 {
 
 /// \ingroup PkgBoundaryRecovery3Classes
-/// writes the status and the main numbers as one line, and a line for each thing that is wrong.
+/// writes the status and the main numbers as one line, and a line for each defect.
 template <typename Point_3>
 std::ostream& operator<<(std::ostream& os, const Hole_remeshing_result_3<Point_3>& result)
 {
@@ -158,11 +162,11 @@ std::ostream& operator<<(std::ostream& os, const Hole_remeshing_result_3<Point_3
 /*!
  * \ingroup PkgBoundaryRecovery3Classes
  *
- * \brief the result of `CGAL::remesh_cells()`: the new mesh as arrays, with its vertices and cells in the
- * triangulation, and counts.
+ * \brief the result of `CGAL::remesh_cells()`: the new mesh as arrays, the handles of its vertices and cells, and
+ * counts.
  *
- * Old positions are those in the order of `finite_vertex_handles()` and `finite_cell_handles()` before the call. The
- * arrays have all finite cells, those outside of the domain with the region 0.
+ * Old positions count in the order of `finite_vertex_handles()` and `finite_cell_handles()` before the call. The arrays
+ * have all finite cells; cells outside of the domain have the region 0.
  *
  * \tparam Triangulation_ an instance of `CGAL::Triangulation_3`, or of a class derived from it
  */
@@ -174,8 +178,8 @@ struct Cell_remeshing_result_3
   typedef typename Triangulation::Vertex_handle  Vertex_handle; ///< its vertex handle
   typedef typename Triangulation::Cell_handle    Cell_handle;   ///< its cell handle
 
-  std::vector<Vertex_handle> vertices; ///< the vertex of the triangulation for each one of `points`
-  std::vector<Cell_handle> cells;      ///< the cell of the triangulation for each one of `tetrahedra`
+  std::vector<Vertex_handle> vertices; ///< the vertex of the triangulation for each element of `points`
+  std::vector<Cell_handle> cells;      ///< the cell of the triangulation for each element of `tetrahedra`
 };
 
 } // namespace Boundary_recovery_3

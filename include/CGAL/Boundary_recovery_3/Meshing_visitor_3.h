@@ -21,10 +21,9 @@ namespace CGAL {
 /*!
  * \ingroup PkgBoundaryRecovery3Classes
  *
- * \brief a visitor that does nothing; derive from it to watch or to stop the work, or to carry over data that is
- * attached to cells.
+ * \brief a visitor that does nothing; derive from it to watch or to stop the work, or to carry over data of cells.
  *
- * Pass it with `CGAL::parameters::visitor(std::ref(v))`, else a copy of it is called.
+ * Pass `CGAL::parameters::visitor(std::ref(v))` to have the visitor `v` itself called; otherwise a copy is called.
  *
  * \cgalModels{MeshingVisitor_3}
  */
@@ -36,19 +35,20 @@ struct Default_meshing_visitor_3
   /// is called after a phase ended.
   void on_phase_end(const Boundary_recovery_3::Phase_report& /* report */) { }
 
-  /// is called inside a phase from time to time: `done` of `total` is done.
+  /// is called inside a phase from time to time: `done` of `total` items are done.
   void on_progress(Boundary_recovery_3::Phase /* phase */, std::size_t /* done */, std::size_t /* total */) { }
 
-  /// is asked at a steady rate; once it returned `false`, the work stops soon, with a valid triangulation.
+  /// is asked again and again. After the first `false`, the work stops soon, with a valid triangulation.
   bool go_further() { return true; }
 
-  /// is called before the cells in `cells`, a range of cell handles, are removed from the triangulation by a
-  /// replacement; what point insertion replaces is not announced.
+  /// is called before a replacement removes the cells in `cells`, a range of cell handles, from the triangulation.
+  /// Replacements by point insertion are not announced.
   template <typename CellRange>
   void before_cells_removal(const CellRange& /* cells */) { }
 
-  /// is called after the cells in `cells`, a range of cell handles, came into the triangulation, which is valid then.
-  /// They cover what the cells of the last `before_cells_removal()` covered.
+  /// is called after a replacement has put the cells in `cells`, a range of cell handles, into the triangulation, which
+  /// is valid then. They cover the same space as the cells of the last `before_cells_removal()` that came from the same
+  /// thread.
   template <typename CellRange>
   void after_cells_creation(const CellRange& /* cells */) { }
 };

@@ -28,7 +28,7 @@ namespace Boundary_recovery_3 {
 /*!
  * \ingroup PkgBoundaryRecovery3Classes
  *
- * \brief figures of the shapes, and of the sizes, of the cells of a mesh, see `mesh_quality()`.
+ * \brief figures of the shapes and sizes of the cells of a mesh, see `mesh_quality()`.
  *
  * Without a cell, or without known sizes, figures are NaN.
  */
@@ -52,23 +52,24 @@ struct Mesh_quality_3
   /// numbers of cells whose smallest dihedral angle is at least 0, 5, ..., 85 degrees, and less than 5 degrees more
   std::array<std::size_t, 18> histogram = {{ 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }};
 
-  /// the mean of the radius ratios of the cells: 3 times the radius of the inscribed sphere, over that of the
-  /// circumscribed one, 1 for the regular tetrahedron
+  /// the mean radius ratio of the cells: 3 times the radius of the inscribed sphere, divided by the radius of the
+  /// circumscribed sphere; 1 for the regular tetrahedron
   double mean_radius_ratio = std::numeric_limits<double>::quiet_NaN();
 
   /// the smallest radius ratio
   double min_radius_ratio = std::numeric_limits<double>::quiet_NaN();
 
-  /// number of inner edges whose length should be known: they are in no constrained facet, and both ends know a size
+  /// number of inner edges with a known size: edges that are in no constrained facet, and whose ends both have a size
   std::size_t number_of_sized_edges = 0;
 
-  /// the share of those edges that are at least \f$ 1 / \sqrt 2 \f$ and at most \f$ \sqrt 2 \f$ times as long as the
-  /// mean of the sizes at their ends
+  /// the share of these edges that are at least \f$ 1 / \sqrt 2 \f$ and at most \f$ \sqrt 2 \f$ times as long as the
+  /// mean of the sizes at both ends
   double share_of_edges_in_size = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// \ingroup PkgBoundaryRecovery3Classes
-/// writes the number of cells, the extreme dihedral angles, and how many cells have one below 10 degrees, as one line.
+/// writes one line: the number of cells, the extreme dihedral angles, and the number of cells with an angle below 10
+/// degrees.
 inline std::ostream& operator<<(std::ostream& os, const Mesh_quality_3& quality)
 {
   os << quality.number_of_cells << " cells";
@@ -98,34 +99,36 @@ struct Bad_cell_3
 
   double min_dihedral_angle; ///< its smallest dihedral angle, in degrees
 
-  Vertex_pair edge; ///< the edge where that angle is
+  Vertex_pair edge; ///< the edge of the smallest dihedral angle
 
-  Bad_cell_reason reason; ///< why it is bad
+  Bad_cell_reason reason; ///< the reason of the small angle
 
-  /// - `forced`: the two constrained facets. They share an edge of the cell, maybe another one than `edge`, and there
-  ///   may be other cells between them.
-  /// - `gap`: the second one is above the center of the inscribed circle of the first one, at the height `distance`,
-  ///   with nothing constrained in between. If the first one is a facet of the cell, that proves that each cell that
-  ///   has it has an angle of at most `surface_angle` at one of its edges. Else the cell has an edge of it, and all its
-  ///   vertices are near the plane of that facet: nearer than it would take to have angles as large as the target.
-  /// - `needle`: the first one is the constrained facet.
-  /// - `not_improved`: both, if they are facets of the cell that are nearly in a plane, so that it is flat as long as
-  ///   it alone is between them. Else, if constrained facets with a plane angle below the target have an edge of the
-  ///   cell, or else a vertex, the first one is that with the smallest angle; it may be the cause, but need not be.
+  /// - `forced`: the two constrained facets. They share an edge of the cell, perhaps not `edge`, and other cells may be
+  ///   between the facets.
+  /// - `gap`: two constrained facets. The second one is above the center of the inscribed circle of the first one, at
+  ///   the height `distance`, and no constraint is in between. If the first one is a facet of the cell, this proves
+  ///   that each cell with this facet has an angle of at most `surface_angle` at one of the edges of the facet.
+  ///   Otherwise, the cell has an edge of the first facet, and all vertices of the cell are too near to the plane of
+  ///   this facet for angles as large as the target.
+  /// - `needle`: the first entry is the constrained facet.
+  /// - `not_improved`: two constrained facets of the cell that are nearly in a plane; as long as only this cell is
+  ///   between the facets, it is flat. Without such facets, the first entry is the constrained facet with the smallest
+  ///   plane angle, if that is below the target, of all with an edge of the cell, or else of all with a vertex of the
+  ///   cell. This facet may be the cause, but need not be.
   ///
-  /// What is not named is `Triangulation::Facet()`.
+  /// An entry without a facet is `Triangulation::Facet()`.
   std::array<Facet, 2> facets;
 
-  /// The angle between both facets that are named, or the one that a gap allows, or the smallest plane angle of the
-  /// only facet. It is below the target, in degrees, or if both facets are nearly in a plane, above 180 less the
-  /// target. NaN: none is named.
+  /// The angle between the two facets, or the largest angle that a gap allows, or the smallest plane angle of the only
+  /// facet, in degrees. It is below the target; between two facets that are nearly in a plane, it is above 180 minus
+  /// the target. NaN without facets.
   double surface_angle = std::numeric_limits<double>::quiet_NaN();
 
-  /// `gap`: how far above the first facet the second one is, at the center of the inscribed circle of the first one;
-  /// less than the length of any edge of that one. Else NaN.
+  /// `gap`: the height of the second facet above the first one, at the center of the inscribed circle of the first one.
+  /// It is less than the length of any edge of the first facet. NaN for other reasons.
   double distance = std::numeric_limits<double>::quiet_NaN();
 
-  /// returns how many facets are named.
+  /// returns the number of named facets.
   int number_of_facets() const
   {
     return static_cast<int>(std::count_if(facets.begin(), facets.end(), [](const Facet& f) { return f != Facet(); }));
@@ -135,7 +138,7 @@ struct Bad_cell_3
 /*!
  * \ingroup PkgBoundaryRecovery3Classes
  *
- * \brief a list of all cells that have a dihedral angle below a target, each with the reason.
+ * \brief a list of all cells with a dihedral angle below a target, each with the reason.
  *
  * The list has handles of cells and vertices, which are valid as long as the mesh is not changed.
  *
@@ -149,13 +152,13 @@ struct Quality_certificate_3
 
   double min_dihedral_angle = 0; ///< the target, in degrees
 
-  std::vector<Bad_cell> cells; ///< the cells below the target, those with the smallest angles first
+  std::vector<Bad_cell> cells; ///< the cells below the target, by increasing angle
 
-  /// whether the list is complete. It is not, and is empty, without an improvement, and if the work ended before it, or
-  /// with no time left for the list.
+  /// whether the list is complete. Otherwise it is empty: there was no improvement, or the work ended before the list
+  /// was made.
   bool is_complete = false;
 
-  /// returns how many cells are bad for this reason, and have an angle below `degrees`.
+  /// returns the number of cells with this reason and with an angle below `degrees`.
   std::size_t number_of_cells(const Bad_cell_reason reason,
                               const double degrees = std::numeric_limits<double>::infinity()) const
   {
@@ -167,7 +170,7 @@ struct Quality_certificate_3
 };
 
 /// \ingroup PkgBoundaryRecovery3Classes
-/// writes how many cells are below the target for each reason, as one line.
+/// writes one line: the number of cells below the target for each reason.
 template <typename Triangulation>
 std::ostream& operator<<(std::ostream& os, const Quality_certificate_3<Triangulation>& certificate)
 {
@@ -183,12 +186,12 @@ std::ostream& operator<<(std::ostream& os, const Quality_certificate_3<Triangula
 }
 
 /// \ingroup PkgBoundaryRecovery3Classes
-/// counts of the changes of `CGAL::improve_mesh_quality()`, without changes that were undone.
+/// numbers of changes by `CGAL::improve_mesh_quality()`, without changes that were undone.
 struct Quality_improvement_counts
 {
-  std::size_t number_of_rounds = 0;               ///< number of times that all bad cells were looked at
+  std::size_t number_of_rounds = 0;               ///< number of rounds over all bad cells
   std::size_t number_of_removed_edges = 0;        ///< number of edges that shell transformations removed
-  std::size_t number_of_removed_facets = 0;       ///< number of times that facets were removed, or others put there
+  std::size_t number_of_removed_facets = 0;       ///< number of times that facets were removed, or replaced by others
   std::size_t number_of_moved_vertices = 0;       ///< number of times that a vertex was moved
   std::size_t number_of_inserted_points = 0;      ///< number of vertices that were inserted
   std::size_t number_of_removed_vertices = 0;     ///< number of vertices that were removed
@@ -197,8 +200,8 @@ struct Quality_improvement_counts
 /*!
  * \ingroup PkgBoundaryRecovery3Classes
  *
- * \brief the result of `CGAL::improve_mesh_quality()`: the status, the quality before and after, and the reasons of
- * cells below the target.
+ * \brief the result of `CGAL::improve_mesh_quality()`: the status, the quality before and after, and the cells below
+ * the target with their reasons.
  *
  * \tparam Triangulation_ an instance of `CGAL::Triangulation_3`, or of a class derived from it
  */
@@ -208,29 +211,29 @@ struct Quality_improvement_result_3
   typedef Triangulation_                       Triangulation; ///< the triangulation type
   typedef Quality_certificate_3<Triangulation> Certificate;   ///< the type of the certificate
 
-  /// how it ended; `meshed` if no cell is below the target any more, or nothing helps
+  /// the end of the improvement; `meshed`: no cell is below the target any more, or nothing helps
   Meshing_status status = Meshing_status::meshed;
 
   Mesh_quality_3 before; ///< the quality before the first change
   Mesh_quality_3 after;  ///< the quality after the last one
 
-  /// whether `after` is there: not if nobody asked for the improvement, or the work ended before it, or was stopped
-  /// with no time left to measure. Then `after` has no cells, nor has `before` if that was before the first change.
+  /// whether `after` was measured. Otherwise `after` has no cells: no improvement was asked for, or the work ended
+  /// before it, or the time was up. If the work ended before the first change, `before` has no cells either.
   bool is_measured = false;
 
-  /// the cells that are below the target, with the reasons; if the work was stopped, see `is_complete` there
+  /// the cells below the target, with the reasons; if the work was stopped, see `Quality_certificate_3::is_complete`
   Certificate certificate;
 
-  Quality_improvement_counts counts; ///< what was changed
+  Quality_improvement_counts counts; ///< numbers of changes
 
-  double seconds = 0; ///< duration in seconds (wall clock), that of the measuring included
+  double seconds = 0; ///< duration in seconds (wall clock), with the measurements
 
-  /// returns `true` iff all is done, which does not mean that no cell is below the target.
+  /// returns `true` iff all is done. Cells may still be below the target.
   explicit operator bool() const { return status == Meshing_status::meshed; }
 };
 
 /// \ingroup PkgBoundaryRecovery3Classes
-/// writes the status, the quality before and after, and the certificate, as a line each.
+/// writes a line each for the status, the quality before and after, and the certificate.
 template <typename Triangulation>
 std::ostream& operator<<(std::ostream& os, const Quality_improvement_result_3<Triangulation>& result)
 {

@@ -25,10 +25,9 @@ namespace CGAL::Boundary_recovery_3 {
  *
  * \brief the shell of an edge `ab`: the cells around `ab` and the skirt polygon `p_0 ... p_{m-1}`, the link of `ab`.
  *
- * Indices are cyclic in the paper; here they run from 0 to `degree() - 1`, and `next(i)`, `previous(i)` are cyclic.
- * The cell `cell(i)` has the vertices `a`, `b`, `p_i`, `p_{next(i)}`, which are positively oriented in this order.
- * One vertex of the skirt polygon is the infinite vertex if `ab` is on the convex hull.
- * Source: [CZZ+17, Section 1.3].
+ * Indices are cyclic in the paper; here they are from 0 to `degree() - 1`, and `next(i)` and `previous(i)` are cyclic.
+ * The cell `cell(i)` has the vertices `a`, `b`, `p_i`, `p_{next(i)}`, which are positively oriented in this order. One
+ * vertex of the skirt polygon is the infinite vertex if `ab` is on the convex hull. Source: [CZZ+17, Section 1.3].
  *
  * \tparam Tr an instance of `CGAL::Triangulation_3`
  */
@@ -111,8 +110,8 @@ private:
  *
  * \brief a partial triangulation of the skirt polygon of a shell, by positions in the polygon.
  *
- * It stands for a covering mesh: each triangle `p_i p_k p_j` for its tetrahedra with `a` and with `b`, each edge
- * `p_i p_j` of the core for the tetrahedron `a b p_i p_j`. Source: [CZZ+17, Section 3.1.1, Eq.\ 1].
+ * It represents a covering mesh: each triangle `p_i p_k p_j` represents the tetrahedra of the triangle with `a` and
+ * with `b`, and each edge `p_i p_j` of the core the tetrahedron `a b p_i p_j`. Source: [CZZ+17, Section 3.1.1, Eq.\ 1].
  */
 struct Partial_triangulation
 {

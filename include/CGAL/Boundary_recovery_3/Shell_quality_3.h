@@ -24,7 +24,7 @@ namespace CGAL::Boundary_recovery_3 {
 /*!
  * \ingroup PkgBoundaryRecovery3Classes
  *
- * \brief a quality for which all covering meshes are equal, so that the one of the smallest degree is taken.
+ * \brief a quality for which all covering meshes are equal, so that the covering mesh of the smallest degree wins.
  *
  * \cgalModels{ShellQuality_3}
  */
@@ -63,12 +63,12 @@ struct No_shell_quality_3
 /*!
  * \ingroup PkgBoundaryRecovery3Classes
  *
- * \brief the quality `Q_1` of [CZZ+17, Eq.\ 5]: that of the worst tetrahedron.
+ * \brief the quality `Q_1` of [CZZ+17, Eq.\ 5]: the quality of the worst tetrahedron.
  *
  * The quality of a tetrahedron of volume \f$ V \f$ and edge lengths \f$ l_i \f$ is
- * \f$ 72 \sqrt{3} \, V / (\sum l_i^2)^{3/2} \f$, which is 1 for the regular tetrahedron, tends to 0 for flat ones, and
- * does not change with scale. It is computed with doubles: it ranks valid tetrahedra, and never decides whether one is
- * valid. Infinite cells do not count.
+ * \f$ 72 \sqrt{3} \, V / (\sum l_i^2)^{3/2} \f$, which is 1 for the regular tetrahedron, tends to 0 for flat
+ * tetrahedra, and does not change with scale. It is computed with doubles: it ranks valid tetrahedra, and does not
+ * decide on validity. Infinite cells do not count.
  *
  * \tparam Tr an instance of `CGAL::Triangulation_3`
  *
@@ -150,12 +150,12 @@ private:
  *
  * \brief the quality `Q_2` of [CZZ+17, Eq.\ 6]: the fewer intersections with lost constraints, the better.
  *
- * The intersections are counted entity by entity, each edge and face inside the shell once. The paper divides
- * the count of an entity among its tetrahedra only to remain element-wise; the sums are the same.
+ * Intersections are counted once for each edge and face inside the shell. The paper divides the count of an edge or
+ * face among its tetrahedra; the sums are the same.
  *
  * \tparam Tr an instance of `CGAL::Triangulation_3`
- * \tparam Counter has member functions `number_of_crossings(u, v)` and `number_of_crossings(u, v, w)`, the number of
- *         lost constraints that cross the mesh edge `uv`, and the mesh face `uvw`, in their relative interiors
+ * \tparam Counter has member functions `number_of_crossings(u, v)` and `number_of_crossings(u, v, w)`, which return the
+ *         number of lost constraints that cross the mesh edge `uv`, or the mesh face `uvw`, in relative interiors
  *
  * \cgalModels{ShellQuality_3}
  */
@@ -167,7 +167,7 @@ public:
   typedef Shell_3<Tr> Shell;                       ///< the shell type
   static constexpr bool is_first_in_vector = true; ///< the vector is \f$ [Q_2, Q', Q''] \f$
 
-  /// a quality that counts with `counter`, which has to outlive it
+  /// a quality that counts with `counter`, which must outlive the quality
   explicit Fewest_intersections_quality_3(Counter& counter) : m_counter(&counter) { }
 
   /// the value of an empty mesh

@@ -25,7 +25,7 @@ namespace CGAL::Boundary_recovery_3 {
  *
  * \brief a validity condition that allows everything; no edge and no facet is constrained.
  *
- * It serves as base class of other conditions, which hide the members that they decide themselves.
+ * It is the base class of conditions that hide some of its members.
  *
  * \cgalModels{ShellValidity_3}
  */
@@ -62,7 +62,7 @@ struct No_shell_validity_3
 /*!
  * \ingroup PkgBoundaryRecovery3Classes
  *
- * \brief both of two validity conditions.
+ * \brief the conjunction of two validity conditions.
  *
  * \tparam Validity_1 a model of `ShellValidity_3`
  * \tparam Validity_2 a model of `ShellValidity_3`
@@ -91,7 +91,7 @@ public:
     return m_v1.is_valid_chord(s, i, j) && m_v2.is_valid_chord(s, i, j);
   }
 
-  /// returns whether both allow the covering mesh that `k` stands for.
+  /// returns whether both allow the covering mesh of `k`.
   template <typename Shell> bool is_valid_covering_mesh(const Shell& s, const Partial_triangulation& k) const
   {
     return m_v1.is_valid_covering_mesh(s, k) && m_v2.is_valid_covering_mesh(s, k);
@@ -102,14 +102,14 @@ public:
   /// A simplex is constrained if one of the conditions says so.
   /// @{
 
-  /// returns whether one of both wants the edge `uv` to stay.
+  /// returns whether one of the conditions keeps the edge `uv`.
   template <typename Vertex_handle>
   bool is_constrained(const Vertex_handle u, const Vertex_handle v) const
   {
     return m_v1.is_constrained(u, v) || m_v2.is_constrained(u, v);
   }
 
-  /// returns whether one of both wants the facet `uvw` to stay.
+  /// returns whether one of the conditions keeps the facet `uvw`.
   template <typename Vertex_handle>
   bool is_constrained(const Vertex_handle u, const Vertex_handle v, const Vertex_handle w) const
   {
@@ -127,7 +127,7 @@ private:
  *
  * \brief the condition that keeps given edges and facets.
  *
- * \tparam Constraints has `is_constrained(u, v)` and `is_constrained(u, v, w)` for vertex handles
+ * \tparam Constraints a class with the members `is_constrained(u, v)` and `is_constrained(u, v, w)` for vertex handles
  *
  * \cgalModels{ShellValidity_3}
  */
@@ -136,7 +136,7 @@ class Kept_constraints_3
   : public No_shell_validity_3
 {
 public:
-  /// keeps what is constrained in `constraints`, which has to outlive this object
+  /// keeps the constraints in `constraints`, which must outlive this object
   explicit Kept_constraints_3(const Constraints& constraints) : m_constraints(&constraints) { }
 
   /// \name Constraints
@@ -166,9 +166,9 @@ private:
  *
  * \brief condition BRC1 of [CZZ+17, Section 3.2]: no new mesh entity intersects a given segment.
  *
- * Intersections are transversal and in relative interiors: a new edge is crossed in a point inside both, a new face is
- * pierced in a point inside both. A face in a plane with the segment is not an intersection; those of its edges that
- * are crossed are.
+ * Intersections are transversal and in relative interiors: the segment crosses a new edge, or pierces a new face, in a
+ * point inside both. A face in a plane with the segment does not count, but its edges do where the segment crosses
+ * them.
  *
  * \tparam Tr an instance of `CGAL::Triangulation_3`
  *
@@ -236,7 +236,7 @@ private:
  *
  * \brief condition BRC2 of [CZZ+17, Section 3.2]: no new mesh entity intersects a given triangle.
  *
- * The edges of the triangle being edges of the mesh, it can be intersected by mesh edges only.
+ * The edges of the triangle are edges of the mesh, so only mesh edges can intersect the triangle.
  *
  * \tparam Tr an instance of `CGAL::Triangulation_3`
  *
@@ -281,12 +281,12 @@ private:
 /*!
  * \ingroup PkgBoundaryRecovery3Classes
  *
- * \brief conditions BRC3 and BRC4 of [CZZ+17, Section 3.2]: no more intersections with all lost edges (BRC3) or
- * all lost facets (BRC4) than before.
+ * \brief conditions BRC3 and BRC4 of [CZZ+17, Section 3.2]: the number of intersections with all lost edges (BRC3) or
+ * with all lost facets (BRC4) does not grow.
  *
- * It judges the covering mesh as a whole, after the best one was chosen. With `Fewest_intersections_quality_3` on the
- * same counter the best one always fulfills it; with another quality the transformation may be given up although a
- * worse covering mesh would fulfill it.
+ * The condition judges the best covering mesh as a whole. With `Fewest_intersections_quality_3` and the same counter,
+ * the best covering mesh always meets the condition. With another quality, the transformation may be given up although
+ * a worse covering mesh would meet the condition.
  *
  * \tparam Tr an instance of `CGAL::Triangulation_3`
  * \tparam Counter as in `Fewest_intersections_quality_3`, for lost edges (BRC3) or for lost facets (BRC4)
@@ -300,13 +300,13 @@ class BRC3
 public:
   typedef Shell_3<Tr> Shell; ///< the shell type
 
-  /// a condition that counts with `counter`, which has to outlive this object
+  /// a condition that counts with `counter`, which must outlive this object
   explicit BRC3(Counter& counter) : m_quality(counter) { }
 
   /// \name Conditions
   /// @{
 
-  /// returns whether the covering mesh that `k` stands for has no more intersections than the present one.
+  /// returns whether the covering mesh of `k` has no more intersections than the present one.
   bool is_valid_covering_mesh(const Shell& s, const Partial_triangulation& k) const
   {
     return number_of_intersections(s, k) <= number_of_intersections(s);

@@ -26,7 +26,7 @@
 namespace CGAL::Boundary_recovery_3 {
 
 /// \ingroup PkgBoundaryRecovery3Classes
-/// how the size around a source grows with the distance from it.
+/// the growth of the size around a source with the distance from the source.
 class Size_growth
 {
 public:
@@ -34,14 +34,14 @@ public:
   /// 0.
   static Size_growth linear(const double grading) { return Size_growth(true, grading); }
 
-  /// beyond the radius `r`, the size is \f$ size \cdot e^{\ln 2 (d - r) / (D - r)} \f$: it has doubled at the distance
-  /// `D` from the source, and doubles again with each further length of `D - r`.
+  /// beyond the radius `r`, the size is \f$ size \cdot e^{\ln 2 (d - r) / (D - r)} \f$: it doubles up to the distance
+  /// `D` from the source, and again with each further length of `D - r`.
   static Size_growth doubling_at(const double D) { return Size_growth(false, D); }
 
   /// returns whether it is linear.
   bool is_linear() const { return m_is_linear; }
 
-  /// returns the grading, or the distance where the size has doubled.
+  /// returns the grading, or the distance `D` of the double size.
   double value() const { return m_value; }
 
 private:
@@ -54,10 +54,10 @@ private:
 /*!
  * \ingroup PkgBoundaryRecovery3Classes
  *
- * \brief a source of a size field: a point, a segment, a triangle, or a box, around which edges have a certain size.
+ * \brief a source of a size field: a point, a segment, a triangle, or a box, around which edges have a given size.
  *
- * Within `radius` the size is `size`, beyond it grows. Distances are those from the nearest point of the source, and 0
- * within a box. Segments, triangles and boxes may be degenerate.
+ * Up to the distance `radius`, the size is `size`; beyond, it grows. Distances are measured from the nearest point of
+ * the source, and are 0 inside a box. Segments, triangles and boxes may be degenerate.
  *
  * \tparam GT the geometric traits
  */
@@ -112,7 +112,7 @@ public:
     return Size_source_3(Shape::triangle, {{ p, q, r }}, size, radius, growth);
   }
 
-  /// makes a source of a box; `p` and `q` are any two corners that are opposite to each other.
+  /// makes a source of a box; `p` and `q` are any two opposite corners.
   static Size_source_3 box(const Point_3& p, const Point_3& q, const double size, const double radius,
                            const Size_growth& growth)
   {
@@ -122,7 +122,7 @@ public:
   /// returns the shape.
   Shape shape() const { return m_shape; }
 
-  /// returns the `i`-th of the points that the source was made of, the last one for all larger `i` up to 2.
+  /// returns the `i`-th point of the source; for larger `i` up to 2, the last point.
   const Point_3& vertex(const int i) const { return m_points[i]; }
 
   /// returns the size within the radius.
@@ -134,11 +134,11 @@ public:
   /// returns how the size grows beyond the radius.
   const Size_growth& growth() const { return m_growth; }
 
-  /// returns whether the size is positive, the radius not negative, the grading not negative, or the distance where the
-  /// size has doubled larger than the radius; and all of them finite.
+  /// returns whether all numbers are finite and valid: the size is positive, the radius is not negative, and the
+  /// grading is not negative or the distance of the double size is larger than the radius.
   bool is_valid() const { return what_is_wrong()[0] == '\0'; }
 
-  /// returns what is wrong if it is not valid, else nothing: `"the size is not a positive number"`, for instance.
+  /// returns the error of an invalid source, such as `"the size is not a positive number"`, or an empty string.
   const char* what_is_wrong() const
   {
     const auto is_finite = [](const double x) { return std::abs(x) < std::numeric_limits<double>::infinity(); };
@@ -258,8 +258,8 @@ private:
 /*!
  * \ingroup PkgBoundaryRecovery3Functions
  *
- * \brief reads sources for a `Source_sizing_field_3` from a text: one source in a line, numbers and words separated by
- * blanks.
+ * \brief reads sources for a `Source_sizing_field_3` from a text: one source a line, with blanks between numbers and
+ * words.
  *
  * ```
  * point    x y z                     size radius growth
@@ -267,17 +267,18 @@ private:
  * triangle x y z  x y z  x y z       size radius growth
  * box      x y z  x y z              size radius growth    # two opposite corners
  * ```
- * `growth` is either a number, by which the size grows per length beyond the radius, or the word `doubling` and the
- * distance from the source where the size has doubled, see `Size_growth`. A comment begins with `#` and ends with the
- * line. Lines may be empty. Numbers are written as in C++, with a point, whatever the locale is.
+ *
+ * `growth` is a number, the growth of the size per length beyond the radius, or the word `doubling` and the distance of
+ * the double size from the source, see `Size_growth`. A comment begins with `#` and ends with the line. Lines may be
+ * empty. Numbers are written as in C++, with a decimal point in all locales.
  *
  * \tparam GT the geometric traits
  *
  * \param in the stream
  * \param sources the sources are added here
- * \param message is set to what is wrong, with the number of the line, for instance `line 3: the radius is negative`
+ * \param message is set to the error, with the number of the line, for instance `line 3: the radius is negative`
  *
- * \return whether all lines were understood, and all sources in them are valid. If not, `sources` is as before.
+ * \return whether all lines were understood, and all their sources are valid. Otherwise, `sources` is unchanged.
  */
 template <typename GT>
 bool read_size_sources(std::istream& in, std::vector<Size_source_3<GT> >& sources, std::string& message)

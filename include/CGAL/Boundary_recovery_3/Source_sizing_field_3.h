@@ -252,13 +252,13 @@ private:
 /*!
  * \ingroup PkgBoundaryRecovery3Classes
  *
- * \brief a size field of sources: the size at a point is the smallest one of all sources there, and of the background.
+ * \brief a size field of sources: the size at a point is the smallest size of all sources and of the background.
  *
- * Sources may be anywhere, also outside of the domain. If one of them, or the background, is not valid, no size is:
- * they are all NaN, which no mesh can have. If there is no source, and no background, sizes are infinite, as bad.
+ * Sources may be anywhere, also outside of the domain. If a source or the background is not valid, all sizes are NaN.
+ * Without source and background, all sizes are infinite. No mesh can have such sizes.
  *
- * Sizes are computed in floating point numbers, and depend on the point alone. Several threads may ask at the same
- * time.
+ * Sizes are computed in floating point numbers, and depend on the point only. Several threads may call the field at the
+ * same time.
  *
  * \tparam GT the geometric traits
  *
@@ -276,10 +276,10 @@ public:
   typedef Size_source_3<GT>    Source;  ///< the type of sources
 
   /*!
-   * \brief makes the field of some sources.
+   * \brief makes the field of the given sources.
    *
    * \param sources the sources
-   * \param background a size that is nowhere exceeded, in the unit of the coordinates; infinity for none
+   * \param background the largest size, in the unit of the coordinates; infinity: no limit
    */
   explicit Source_sizing_field_3(const std::vector<Source>& sources,
                                  const double background = std::numeric_limits<double>::infinity())
@@ -301,13 +301,13 @@ public:
   template <typename AnyIndex>
   FT operator()(const Point_3& p, const int /* dimension */, const AnyIndex& /* index */) const { return (*this)(p); }
 
-  /// returns a number that no size within a distance `radius` of `p` is below: the smallest one.
+  /// returns a lower bound of the sizes within a distance `radius` of `p`: the smallest one.
   FT least_size_around(const Point_3& p, const double radius, const int /* index */) const
   {
     return m_is_valid ? m_sizes.around(internal::coordinates_of(p), radius) : std::numeric_limits<double>::quiet_NaN();
   }
 
-  /// returns by how much sizes grow per length, at most; infinity if some double, and there is no background.
+  /// returns the largest growth of sizes per length; infinity if some sources double, and there is no background.
   double grading() const { return m_sizes.grading(); }
 
 private:

@@ -244,17 +244,19 @@ inline std::vector<Cone_minimum_3::Site> sites_of_surface(const Sized_surface_3&
  * there, carried into space, where sizes grow with the distance.
  *
  * The size at a point `p` is the smallest \f$ h_q + g |pq| \f$ of all vertices `q` of the surface, where \f$ h_q \f$ is
- * the size of the surface at `q`, and `g` is the *grading*. Hence no size is larger than another one plus `g` times the
- * distance.
+ * the size of the surface at `q`, and `g` is the *grading*. Hence sizes at two places differ by at most `g` times the
+ * distance of the places.
  *
  * The size of the surface at `q` is the mean length \f$ m_q \f$ of its edges there, unless `q` belongs to a few small
- * triangles on a coarse surface, as isosurfaces have them. To see that, a triangle first has the mean length of its
- * edges; then a vertex has the mean of its triangles, weighted by area, a triangle the mean of its vertices, and a
- * vertex again the mean of its triangles, \f$ a_q \f$. If \f$ a_q > (1 + g) m_q \f$, that is, if the surface grows
- * faster than sizes may over the length of an edge, \f$ a_q \f$ is the size. Vertices without edges, edges without
- * length and triangles without area do not count. If nothing does, the size is infinite, which no mesh can have.
+ * triangles on a coarse surface, as isosurfaces have them. A second mean \f$ a_q \f$ tells: each triangle has the mean
+ * length of its edges; each vertex gets the mean of its triangles, weighted by area, each triangle the mean of its
+ * vertices, and each vertex again the mean of its triangles, \f$ a_q \f$. If \f$ a_q > (1 + g) m_q \f$, the surface
+ * grows faster than sizes may over the length of an edge, and the size is \f$ a_q \f$. Vertices without edges, edges
+ * without length and triangles without area do not count. If nothing counts, all sizes are infinite. No mesh can have
+ * such sizes.
  *
- * Sizes are computed in floating point numbers, and depend on `p` alone. Several threads may ask at the same time.
+ * Sizes are computed in floating point numbers, and depend on `p` only. Several threads may call the field at the same
+ * time.
  *
  * \tparam Tr an instance of `CGAL::Triangulation_3`, or of a class derived from it; the field needs its traits only
  *
@@ -268,27 +270,30 @@ public:
   typedef typename Tr::Geom_traits::Point_3 Point_3; ///< the point type
   typedef int                               Index;   ///< the type of the number of a region
 
+  /// the grading if none is given: 0.3. \hideinitializer
+  static constexpr double default_grading = internal::default_surface_grading;
+
   /*!
-   * \brief takes the surface from the indices in the cells of a triangulation: facets for which `is_facet_on_surface()`
-   * is true, or the two cells at which have different values of `subdomain_index()`.
+   * \brief takes the surface from the indices of the cells of a triangulation: facets for which `is_facet_on_surface()`
+   * is true, and facets between cells with different `subdomain_index()`.
    *
-   * The triangulation is not used afterwards.
+   * The triangulation is not used after the construction.
    *
-   * \param tr the triangulation; its cells are models of `MeshCellBase_3`, as far as these functions go
-   * \param grading by how much sizes grow per length, without unit; 0.3 by default
+   * \param tr the triangulation; its cells have these two functions of `MeshCellBase_3`
+   * \param grading the largest growth of sizes per length, without unit
    * \pre `grading` is not negative, and finite.
    */
-  explicit Surface_sizing_field_3(const Tr& tr, const double grading = internal::default_surface_grading)
+  explicit Surface_sizing_field_3(const Tr& tr, const double grading = default_grading)
     : Surface_sizing_field_3(tr, grading, std::vector<std::array<typename Tr::Vertex_handle, 2> >())
   { }
 
   /*!
-   * \brief takes the surface from the indices in the cells of a triangulation, and counts other edges as well, such as
-   * constrained ones that no facet has.
+   * \brief takes the surface from the indices of the cells of a triangulation, with further edges, such as constrained
+   * edges without facets.
    *
    * \tparam VertexPairRange a range of pairs `e` of vertices `e[0]` and `e[1]`
    * \param tr the triangulation; see above
-   * \param grading by how much sizes grow per length, without unit
+   * \param grading the largest growth of sizes per length, without unit
    * \param edges the edges, some of which may be edges of the surface
    * \pre `grading` is not negative, and finite.
    */
@@ -303,15 +308,15 @@ public:
    * \brief takes the surface from points and triangles.
    *
    * \tparam PointRange a range of `Point_3` with random access
-   * \tparam TriangleRange a range of triples of numbers of points, from 0
+   * \tparam TriangleRange a range of index triples; indices of points count from 0
    * \param points the points
-   * \param triangles the triangles; neither their orientation nor their order matters
-   * \param grading by how much sizes grow per length, without unit; 0.3 by default
-   * \pre `grading` is not negative, and finite. All points that the triangles name are there.
+   * \param triangles the triangles, in any order and orientation
+   * \param grading the largest growth of sizes per length, without unit
+   * \pre `grading` is not negative, and finite. All indices of the triangles name points.
    */
   template <typename PointRange, typename TriangleRange>
   Surface_sizing_field_3(const PointRange& points, const TriangleRange& triangles,
-                         const double grading = internal::default_surface_grading)
+                         const double grading = default_grading)
     : m_sizes(internal::sites_of_surface(internal::sized_surface(points, triangles), grading), grading)
   {
     CGAL_precondition(grading >= 0 && grading < internal::Axis_box_3::infinity());
@@ -324,13 +329,13 @@ public:
   template <typename AnyIndex>
   FT operator()(const Point_3& p, const int /* dimension */, const AnyIndex& /* index */) const { return (*this)(p); }
 
-  /// returns a number that no size within a distance `radius` of `p` is below: the smallest one.
+  /// returns a lower bound of the sizes within a distance `radius` of `p`: the smallest one.
   FT least_size_around(const Point_3& p, const double radius, const int /* index */) const
   {
     return m_sizes.around(internal::coordinates_of(p), radius);
   }
 
-  /// returns by how much sizes grow per length, at most.
+  /// returns the largest growth of sizes per length.
   double grading() const { return m_sizes.grading(); }
 
 private:

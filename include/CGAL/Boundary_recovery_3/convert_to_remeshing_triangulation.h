@@ -98,8 +98,7 @@ private:
 /*!
  * \ingroup PkgBoundaryRecovery3Functions
  *
- * \brief hands a mesh over to CGAL's tetrahedral remeshing: copies it, with all indices, into a triangulation of the
- * remeshing's own type.
+ * \brief copies a mesh, with all indices, into a triangulation of the type of CGAL's tetrahedral remeshing.
  *
  * \code
  * CGAL::Tetrahedral_remeshing::Remeshing_triangulation_3<Kernel> remeshing_tr;
@@ -109,20 +108,21 @@ private:
  *   remeshing_tr, size, CGAL::parameters::remesh_boundaries(false).edge_is_constrained_map(edges));
  * \endcode
  *
- * The remeshing takes triangulations over `Boundary_constrained_mesh_triangulation_3::type`, too, as complexes and
- * writers of files do, without any call. But then its result depends on addresses in memory, and so changes from run to
- * run: the lean vertices and cells have no time stamps.
+ * The remeshing, complexes and writers of files also accept a triangulation of the type
+ * `Boundary_constrained_mesh_triangulation_3::type` as it is. But then the result of the remeshing depends on addresses
+ * in memory, and changes from run to run, since vertices and cells of this type have no time stamps.
  *
  * \tparam Source an instance of `CGAL::Triangulation_3`, or of a class derived from it, whose vertices and cells are
  *         models of `MeshVertexBase_3` and `MeshCellBase_3`
- * \tparam Target the same, such as `Tetrahedral_remeshing::Remeshing_triangulation_3`. Its kernel may be another one,
- *         such as `Exact_predicates_inexact_constructions_kernel`, as the remeshing does not compile with exact
- *         constructions; then coordinates are rounded, and `target.is_valid()` tells whether no cell was turned over.
+ * \tparam Target the same, such as `Tetrahedral_remeshing::Remeshing_triangulation_3`. The kernel may be a different
+ *         one: the remeshing does not compile with exact constructions, so a triangulation with exact constructions is
+ *         copied to one over `Exact_predicates_inexact_constructions_kernel`. Coordinates are then rounded, and
+ *         `target.is_valid()` tells whether all cells kept their orientation.
  * \tparam EdgeRange a model of `ConstRange` whose value type is an array of two vertex handles of `Source`
  *
  * \param source the triangulation, marked by `mark_domain()`
- * \param target the copy; what it was before is gone. Vertices and cells are in the same order.
- * \param constrained_edges the edges to be kept beside those of facets on the surface, such as
+ * \param target the copy, with vertices and cells in the same order. The previous contents are lost.
+ * \param constrained_edges the edges to keep in addition to the edges of facets on the surface, such as
  *        `Boundary_constrained_mesh_result_3::constrained_edges`
  *
  * \return the copies of these edges, for the named parameter `edge_is_constrained_map`

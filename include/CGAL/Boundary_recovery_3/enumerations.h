@@ -20,12 +20,12 @@ namespace CGAL::Boundary_recovery_3 {
 /// how far `CGAL::recover_boundary()` goes to recover a constraint.
 enum class Recovery_mode
 {
-  constrained, ///< every constraint becomes one simplex of the triangulation; Steiner points only off the constraints
+  constrained, ///< every constraint becomes one simplex of the triangulation; Steiner points are off the constraints
   conforming,  ///< Steiner points stay on the constraints, which become unions of simplices. A Steiner point of the
                ///< phase `planar_edge_recovery` may be left off the constraints
-  flips_only   ///< no points: where a few edges stay lost, Steiner points are tried as a temporary means, and all is
-               ///< taken back unless every one of them can be removed again; so are points beside planes, see the phase
-               ///< `planar_edge_recovery`
+  flips_only   ///< no points are left. Where a few edges stay lost, and beside planes, see the phase
+               ///< `planar_edge_recovery`, Steiner points are tried; all changes are taken back unless all these points
+               ///< can be removed again
 };
 
 /// \ingroup PkgBoundaryRecovery3Classes
@@ -46,12 +46,12 @@ inline const char* to_string(const Recovery_mode value)
 inline std::ostream& operator<<(std::ostream& os, const Recovery_mode value) { return os << to_string(value); }
 
 /// \ingroup PkgBoundaryRecovery3Classes
-/// what a boundary recovery may give up for the other: time, or Steiner points. The mode `flips_only`, where no point
-/// may be left, and the constraints that are recovered are the same for all of them.
+/// what a boundary recovery gives up: time, or Steiner points. The recovered constraints do not depend on the effort,
+/// and the mode `flips_only`, which leaves no points, does not depend on it at all.
 enum class Recovery_effort
 {
-  more_time,  ///< time is given up: all is tried so that few points are needed, and few of them are left
-  more_points ///< points are given up: what needs much time for the last few of them is left out
+  more_time,  ///< time is given up: everything is tried to need few points, and to leave few
+  more_points ///< points are given up: work that takes much time to save the last few points is left out
 };
 
 /// \ingroup PkgBoundaryRecovery3Classes
@@ -75,14 +75,13 @@ inline std::ostream& operator<<(std::ostream& os, const Recovery_effort value) {
 enum class Recovery_status
 {
   recovered,     ///< every constraint is in the triangulation (mode `conforming`: as a union of simplices)
-  incomplete,    ///< some constraints are missing; they are listed. In the modes with points, none could be represented
-                 ///< where it would have to be; the triangulation is as the flips left it. Of Steiner points, only
-                 ///< those are in it that are left of the phase `planar_edge_recovery`, if any
-  invalid_input, ///< the input cannot be recovered by anybody; its defects are listed. If intersections were found only
-                 ///< after flips, Steiner points of the phase `planar_edge_recovery` may be in the triangulation
-  stopped        ///< the visitor or the time limit ended the recovery early; what is missing then is listed. Of Steiner
-                 ///< points, only those are in the triangulation that are left of the phase `planar_edge_recovery`, if
-                 ///< any
+  incomplete,    ///< some constraints are missing; they are listed. In the modes with points, a point that is needed
+                 ///< has a position that cannot be represented. The triangulation is as the flips left it, and its only
+                 ///< Steiner points are those of the phase `planar_edge_recovery`, if any
+  invalid_input, ///< no method can recover the input; its defects are listed. If intersections were found after flips
+                 ///< only, Steiner points of the phase `planar_edge_recovery` may be in the triangulation
+  stopped        ///< the visitor or the time limit ended the recovery early; missing constraints are listed. The only
+                 ///< Steiner points in the triangulation are those of the phase `planar_edge_recovery`, if any
 };
 
 /// \ingroup PkgBoundaryRecovery3Classes
@@ -104,15 +103,15 @@ inline const char* to_string(const Recovery_status status)
 inline std::ostream& operator<<(std::ostream& os, const Recovery_status value) { return os << to_string(value); }
 
 /// \ingroup PkgBoundaryRecovery3Classes
-/// the phases of the work, in the order in which they run first: those of a boundary recovery, from `insertion` to
-/// `recount`, by the names of [CZZ+17, Section 4]; those of the meshing, from `domain_marking` to
-/// `quality_improvement`; and those of the remeshing of holes.
+/// the phases of the work, in the order of their first run: of a boundary recovery, from `insertion` to `recount`, by
+/// the names of [CZZ+17, Section 4]; of the meshing, from `domain_marking` to `quality_improvement`; of the remeshing
+/// of holes, from `hole_selection` to `hole_sewing`.
 enum class Phase
 {
-  insertion,                  ///< surface points that are not in the triangulation are inserted
+  insertion,                  ///< surface points that the triangulation lacks are inserted
   search,                     ///< the constraints that the triangulation lacks are searched
-  planar_edge_recovery,       ///< lost edges that cross many mesh edges in a plane, by Steiner points close to it that
-                              ///< are removed again where possible
+  planar_edge_recovery,       ///< lost edges that cross many mesh edges in a plane are recovered by Steiner points
+                              ///< close to the plane, which are removed again where possible
   plain_removal,              ///< complete removals of single shells, without recursion
   edge_recovery_brc1,         ///< first calling of [CZZ+17, Alg.\ 5]: lost edges, under BRC1
   edge_recovery_brc3,         ///< second calling of [CZZ+17, Alg.\ 5]: intersections of lost edges, under BRC3
@@ -120,23 +119,26 @@ enum class Phase
   facet_recovery_brc2,        ///< first calling for facets, under BRC2
   facet_recovery_brc4,        ///< second calling for facets, under BRC4
   facet_reconnection,         ///< small polyhedron reconnection of the cells around each lost facet
-  conforming_edge_recovery,   ///< Steiner points on lost edges, or beside them, where many edges of no facet are lost
-  conforming_facet_recovery,  ///< Steiner points on lost facets
+  conforming_edge_recovery,   ///< Steiner points are put on lost edges, or beside them, where many edges of no facet
+                              ///< are lost
+  conforming_facet_recovery,  ///< Steiner points are put on lost facets
   steiner_splitting,          ///< Steiner points come off the constraints [CZZ+17, Alg.\ A.1 to A.5]
   steiner_suppression,        ///< Steiner points are removed [CZZ+17, Section 4.3]
-  recount,                    ///< if any was lost, every constraint is looked up again; only this decides the status
+  recount,                    ///< if any constraint was lost, all constraints are looked up again; only this decides on
+                              ///< the status
 
-  domain_marking,             ///< step 5: what is outside, and the regions of the domain
+  domain_marking,             ///< step 5: regions and the outside are marked
   forecast,                   ///< the number of cells is estimated from the size field
-  decomposition,              ///< the domain is divided into sub-domains, if these are asked for
-  field_point_insertion,      ///< step 6
-  quality_improvement,        ///< step 7
+  decomposition,              ///< the domain is divided into sub-domains, if they are asked for
+  field_point_insertion,      ///< step 6: field points are inserted
+  quality_improvement,        ///< step 7: the quality is improved
 
-  hole_selection,             ///< the input is checked, and the cells are looked for that are to be replaced
-  hole_recovery,              ///< the boundary of each hole is recovered; holes grow until it is a valid surface
+  hole_selection,             ///< the input is checked, and cells to replace are searched
+  hole_recovery,              ///< the boundary of each hole is recovered; holes grow until their boundaries are valid
+                              ///< surfaces
   hole_filling,               ///< field points are inserted
   hole_improvement,           ///< the quality of new cells is improved
-  hole_sewing                 ///< old and new are put together, and new vertices are looked for in the old mesh
+  hole_sewing                 ///< old and new cells are put together, and new vertices are located in the old mesh
 };
 
 /// \ingroup PkgBoundaryRecovery3Classes
@@ -186,29 +188,29 @@ inline bool is_of_recovery(const Phase phase) { return phase <= Phase::recount; 
 } // namespace internal
 
 /// \ingroup PkgBoundaryRecovery3Classes
-/// what can be wrong with an input.
+/// the kinds of defects of an input.
 enum class Input_defect_kind
 {
   empty_input,              ///< no facet and no edge was given
   non_finite_coordinate,    ///< a vertex has a NaN or an infinite coordinate
   index_out_of_range,       ///< a facet or edge names a vertex that does not exist
   not_a_triangle,           ///< a face does not have three vertices
-  unknown_vertex,           ///< a vertex handle is null, infinite, or not of the triangulation; or a point is no vertex
-                            ///< of a triangulation that is not Delaunay, so it cannot be inserted
+  unknown_vertex,           ///< a vertex handle is null, infinite, or of another triangulation; or a point is not a
+                            ///< vertex of a triangulation that is not Delaunay, and so cannot be inserted
   degenerate_facet,         ///< the vertices of a facet are collinear, or not distinct
   degenerate_edge,          ///< both ends of a constrained edge are the same vertex
   duplicate_facet,          ///< two facets have the same three vertices
   coincident_vertices,      ///< two vertices of constraints are at one point
   dimension_less_than_3,    ///< all the points are coplanar
-  intersecting_constraints, ///< two constraints intersect elsewhere than in a common vertex or edge, or a vertex is
-                            ///< on a constraint that is not its own
+  intersecting_constraints, ///< two constraints intersect, not in a common vertex or edge; or a vertex is on the
+                            ///< constraint of other vertices
   repeated_vertex,          ///< a tetrahedron of a mesh names a vertex twice
   nonmanifold_facet,        ///< more than two tetrahedra of a mesh have the same facet
-  inconsistent_orientation, ///< two tetrahedra of a mesh are on the same side of a common facet, by the order of their
-                            ///< vertices
-  not_in_mesh,              ///< a constrained facet or edge of a mesh is none of its tetrahedra
-  inverted_region           ///< the facets that bound a region of a mesh, and have to stay, do not have it on the side
-                            ///< where its tetrahedra are by the order of their vertices
+  inconsistent_orientation, ///< by the order of their vertices, two tetrahedra of a mesh are on the same side of a
+                            ///< common facet
+  not_in_mesh,              ///< a constrained facet or edge is not a facet or edge of a tetrahedron of the mesh
+  inverted_region           ///< the constrained facets that bound a region of a mesh do not have the region on the side
+                            ///< where, by the order of the vertices, its tetrahedra are
 };
 
 /// \ingroup PkgBoundaryRecovery3Classes
@@ -242,16 +244,16 @@ inline const char* to_string(const Input_defect_kind kind)
 inline std::ostream& operator<<(std::ostream& os, const Input_defect_kind value) { return os << to_string(value); }
 
 /// \ingroup PkgBoundaryRecovery3Classes
-/// how `CGAL::make_boundary_constrained_mesh_3()`, or one of its steps, ended.
+/// the end of `CGAL::make_boundary_constrained_mesh_3()`, or of one of its steps.
 enum class Meshing_status
 {
-  meshed,        ///< all that was asked for is done
-  no_region,     ///< the surface is in the triangulation, but it bounds no region: there is nothing to be meshed
-  incomplete,    ///< constraints are missing; they are listed in the result of the recovery. Nothing was meshed
-  invalid_input, ///< the surface cannot be recovered by anybody, or a size is not a positive number, or an angle not
-                 ///< possible; what is wrong is listed
-  too_large,     ///< the mesh would take more vertices, or more memory, than allowed; the forecast tells how many. No
-                 ///< field point was inserted, or if the first forecast was too low, no more than allowed
+  meshed,        ///< all is done
+  no_region,     ///< the surface is in the triangulation, but bounds no region: there is nothing to mesh
+  incomplete,    ///< constraints are missing; the result of the recovery lists them. Nothing was meshed
+  invalid_input, ///< no method can recover the surface, or a size is not a positive number, or an angle is impossible;
+                 ///< the result lists the errors
+  too_large,     ///< the mesh would take more vertices, or more memory, than allowed; the forecast has the number. No
+                 ///< field point was inserted, or, if the first forecast was too low, not more points than allowed
   stopped        ///< the visitor or the time limit ended the work early, with a valid mesh
 };
 
@@ -276,12 +278,12 @@ inline const char* to_string(const Meshing_status status)
 inline std::ostream& operator<<(std::ostream& os, const Meshing_status value) { return os << to_string(value); }
 
 /// \ingroup PkgBoundaryRecovery3Classes
-/// how much work the improvement of a mesh is worth. An operation is tried on bad cells of one kind as long as it makes
-/// them better at a sufficient rate; work is counted, not timed, so the mesh does not depend on the machine.
+/// the work that the improvement of a mesh is worth. An operation is tried on bad cells of one kind as long as it
+/// improves them at a sufficient rate. Work is counted, not timed, so the mesh does not depend on the machine.
 enum class Improvement_effort
 {
-  low,    ///< what improves most for least
-  normal, ///< what pays; on most smooth surfaces, all that can be done
+  low,    ///< the operations with the largest gain for the least work
+  normal, ///< all operations that pay; on most smooth surfaces, all that is possible
   high    ///< forty times the credit, and a fortieth of the rate: for the last bad cells
 };
 
@@ -303,16 +305,17 @@ inline const char* to_string(const Improvement_effort value)
 inline std::ostream& operator<<(std::ostream& os, const Improvement_effort value) { return os << to_string(value); }
 
 /// \ingroup PkgBoundaryRecovery3Classes
-/// why a cell has a dihedral angle below the target.
+/// the reason of a dihedral angle below the target.
 enum class Bad_cell_reason
 {
-  forced,      ///< it has such an angle between two constrained facets that meet at less than the target: there is no
-               ///< mesh with these facets that has no such cell there
-  gap,         ///< it has a constrained facet, or at least an edge of one, that is so near below another one, without a
-               ///< common edge, that no cell with all angles above the target fits in between, see `Bad_cell_3::facets`
-  needle,      ///< it has a constrained facet with a plane angle below the target, and less than twice its own smallest
-               ///< angle: only a cell as thin as that facet could do better
-  not_improved ///< none of these: there may be better cells, though they are hard to find beside a needle
+  forced,      ///< the cell has this angle between two constrained facets that meet at less than the target: every mesh
+               ///< with these facets has such a cell there
+  gap,         ///< the cell has a constrained facet, or at least an edge of one, and another constrained facet without
+               ///< a common edge is so near above it that no cell with all angles above the target fits in between, see
+               ///< `Bad_cell_3::facets`
+  needle,      ///< the cell has a constrained facet with a plane angle below the target and below twice the smallest
+               ///< angle of the cell: only a cell as thin as this facet could do better
+  not_improved ///< none of these: better cells may exist, but are hard to find beside a needle
 };
 
 /// \ingroup PkgBoundaryRecovery3Classes

@@ -26,9 +26,9 @@ namespace CGAL::Boundary_recovery_3 {
 /*!
  * \ingroup PkgBoundaryRecovery3Functions
  *
- * \brief measures the cells of a mesh: angles, radius ratios, and the lengths of edges beside the sizes asked for.
+ * \brief measures the cells of a mesh: angles, radius ratios, and lengths of edges in comparison with the sizes.
  *
- * Sizes are those that `CGAL::insert_field_points()` leaves in vertices that have `meshing_info()`.
+ * The sizes are those that `CGAL::insert_field_points()` writes to vertices with a member `meshing_info()`.
  *
  * \tparam Triangulation an instance of `Triangulation_3`, or of a class derived from it, whose cells are models of
  *         `MeshCellBase_3`
@@ -60,11 +60,10 @@ Mesh_quality_3 mesh_quality(const Triangulation& tr, const CGAL_NP_CLASS& np = p
 /*!
  * \ingroup PkgBoundaryRecovery3Functions
  *
- * \brief lists the cells of a mesh with a dihedral angle below a target, and for each the part of the surface that is
- * the reason, if there is one.
+ * \brief lists the cells of a mesh with a dihedral angle below a target, each with the reason.
  *
- * `CGAL::improve_mesh_quality()` returns such a list; this function makes one for any mesh. Constrained are the facets
- * for which `is_facet_on_surface()` holds, and those to cells of another region, or that are not selected.
+ * `CGAL::improve_mesh_quality()` returns such a list; this function makes the list for any mesh. Constrained are the
+ * facets for which `is_facet_on_surface()` holds, facets between regions, and facets between selected cells and others.
  *
  * \tparam Triangulation an instance of `Triangulation_3`, or of a class derived from it, whose cells are models of
  *         `MeshCellBase_3`
@@ -74,7 +73,7 @@ Mesh_quality_3 mesh_quality(const Triangulation& tr, const CGAL_NP_CLASS& np = p
  * \param min_dihedral_angle the target, in degrees
  * \param np an optional sequence of named parameters: those of `mesh_quality()`
  *
- * \return the certificate: empty if `min_dihedral_angle` is NaN, or not positive
+ * \return the certificate; empty if `min_dihedral_angle` is NaN or not positive
  */
 template <typename Triangulation, typename CGAL_NP_TEMPLATE_PARAMETERS>
 Quality_certificate_3<Triangulation> quality_certificate(const Triangulation& tr, const double min_dihedral_angle,

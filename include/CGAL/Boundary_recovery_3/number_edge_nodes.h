@@ -25,10 +25,10 @@ namespace CGAL::Boundary_recovery_3 {
 /*!
  * \ingroup PkgBoundaryRecovery3Classes
  *
- * \brief the nodes in the middle of edges of a mesh of second order, as `number_edge_nodes()` numbers them, from 0.
+ * \brief the nodes in the middle of edges of a mesh of second order, numbered from 0 by `number_edge_nodes()`.
  *
  * The order of the nodes of a simplex is that of VTK (`VTK_QUADRATIC_TETRA`, `VTK_QUADRATIC_TRIANGLE`), MEDIT and
- * Abaqus. In Gmsh's, the last two nodes of a tetrahedron change places.
+ * Abaqus. In the order of Gmsh, the last two nodes of a tetrahedron change places.
  *
  * \tparam Index_ an integer type
  */
@@ -37,13 +37,13 @@ struct Edge_nodes_3
 {
   typedef Index_ Index; ///< the type of numbers
 
-  /// of each node the vertices at both ends of its edge, the smaller number first
+  /// for each node, the vertices at the ends of its edge, the smaller number first
   std::vector<std::array<Index, 2> > edges;
 
-  /// of each tetrahedron the nodes of its edges 01, 12, 20, 03, 13, 23
+  /// for each tetrahedron, the nodes of its edges 01, 12, 20, 03, 13, 23
   std::vector<std::array<Index, 6> > tetrahedra;
 
-  /// of each triangle the nodes of its edges 01, 12, 20
+  /// for each triangle, the nodes of its edges 01, 12, 20
   std::vector<std::array<Index, 3> > triangles;
 };
 
@@ -174,14 +174,14 @@ using Index_of_simplices = std::decay_t<decltype((*std::begin(std::declval<const
 /*!
  * \ingroup PkgBoundaryRecovery3Functions
  *
- * \brief numbers the nodes in the middle of edges that a mesh of second order has beside its vertices.
+ * \brief numbers the nodes in the middle of edges, which a mesh of second order has in addition to its vertices.
  *
- * Each edge has one node, however many simplices it is of. First come the edges of the triangles, then the other ones,
- * both in ascending order of their smaller vertices, and then of their larger ones: the numbers of the nodes do not
- * depend on the order of the simplices. The time is about linear.
+ * Each edge has one node, which all its simplices share. The edges of the triangles come first, then the other edges,
+ * both sorted by the smaller vertex, then by the larger one. So the numbers of the nodes do not depend on the order of
+ * the simplices. The time is about linear.
  *
- * Edges of a mesh of this package are straight. Its nodes are where `CGAL::midpoint()` of the vertices of
- * `Edge_nodes_3::edges` is; in files, they follow the vertices, so that the number of vertices is added to theirs.
+ * Edges of a mesh of this package are straight. The place of a node is `CGAL::midpoint()` of its two vertices in
+ * `Edge_nodes_3::edges`. In files, nodes follow the vertices: add the number of vertices to the number of a node.
  *
  * \code
  * const auto nodes = CGAL::Boundary_recovery_3::number_edge_nodes(tetrahedra, triangles);
@@ -195,13 +195,13 @@ using Index_of_simplices = std::decay_t<decltype((*std::begin(std::declval<const
  *         vertices, as `std::array<std::size_t, 4>` has
  * \tparam TriangleRange the same with three vertices
  *
- * \param tetrahedra the tetrahedra; may be none
- * \param triangles the triangles, such as those of the surface; may be none, and need not be facets of the tetrahedra
+ * \param tetrahedra the tetrahedra, or an empty range
+ * \param triangles the triangles, such as those of the surface, or an empty range. They need not be facets of the
+ *        tetrahedra
  *
- * \return the nodes, with numbers of the type that the tetrahedra have. Memory is taken for as many vertices as the
- *         largest number says.
+ * \return the nodes, with numbers of the type in the tetrahedra. The memory grows with the largest number of a vertex.
  *
- * \pre The numbers of vertices are not negative, and the number of edges can be stored in their type.
+ * \pre The numbers of vertices are not negative, and their type can store the number of edges.
  */
 template <typename TetrahedronRange, typename TriangleRange>
 #ifdef DOXYGEN_RUNNING

@@ -151,7 +151,7 @@ CGAL_BOUNDARY_RECOVERY_3_PARAMETER(list_defects)
 CGAL_BOUNDARY_RECOVERY_3_PARAMETER(maximum_number_of_defects)
 
 /// \ingroup PkgBoundaryRecovery3Functions
-/// by how much the size of cells may grow per length, a number: \f$ h(p) \le h(q) + g |pq| \f$.
+/// the largest growth of sizes per length, a number \f$ g \f$: \f$ h(p) \le h(q) + g |pq| \f$.
 CGAL_BOUNDARY_RECOVERY_3_PARAMETER(grading)
 
 /// \ingroup PkgBoundaryRecovery3Functions
@@ -163,7 +163,7 @@ CGAL_BOUNDARY_RECOVERY_3_PARAMETER(maximum_number_of_vertices)
 CGAL_BOUNDARY_RECOVERY_3_PARAMETER(min_dihedral_angle)
 
 /// \ingroup PkgBoundaryRecovery3Functions
-/// decides which of two cells is better: a model of `CellQuality_3`.
+/// the measure of the quality of cells: a model of `CellQuality_3`.
 CGAL_BOUNDARY_RECOVERY_3_PARAMETER(cell_quality)
 
 /// \ingroup PkgBoundaryRecovery3Functions
@@ -171,7 +171,7 @@ CGAL_BOUNDARY_RECOVERY_3_PARAMETER(cell_quality)
 CGAL_BOUNDARY_RECOVERY_3_PARAMETER(improve_quality)
 
 /// \ingroup PkgBoundaryRecovery3Functions
-/// how much work the improvement is worth: a value of `CGAL::Boundary_recovery_3::Improvement_effort`.
+/// the work that the improvement is worth: a value of `CGAL::Boundary_recovery_3::Improvement_effort`.
 CGAL_BOUNDARY_RECOVERY_3_PARAMETER(improvement_effort)
 
 /// \ingroup PkgBoundaryRecovery3Functions
@@ -179,11 +179,11 @@ CGAL_BOUNDARY_RECOVERY_3_PARAMETER(improvement_effort)
 CGAL_BOUNDARY_RECOVERY_3_PARAMETER(cell_region_map)
 
 /// \ingroup PkgBoundaryRecovery3Functions
-/// facets of a mesh that must stay: a range of arrays of three vertex indices.
+/// facets of a mesh that stay: a range of arrays of three vertex indices.
 CGAL_BOUNDARY_RECOVERY_3_PARAMETER(constrained_facets)
 
 /// \ingroup PkgBoundaryRecovery3Functions
-/// the number of layers of cells around bad ones that are remeshed with them, an integer.
+/// the number of layers of cells around bad cells that are remeshed, too, an integer.
 CGAL_BOUNDARY_RECOVERY_3_PARAMETER(number_of_layers)
 
 /// \ingroup PkgBoundaryRecovery3Functions

@@ -154,18 +154,17 @@ namespace IO {
 /*!
  * \ingroup PkgBoundaryRecovery3Functions
  *
- * \brief writes the domain that is marked in a triangulation in MEDIT's text format (`.mesh`), which Gmsh, mmg and
- * meshio read.
+ * \brief writes the marked domain of a triangulation in MEDIT's text format (`.mesh`), which Gmsh, mmg and meshio read.
  *
  * The file has
- * - the vertices of the domain and of the constrained facets, with all their digits: coordinates that are `double` are
+ * - the vertices of the domain and of the constrained facets, with all digits: coordinates of the type `double` are
  *   read back bit for bit;
  * - each constrained facet once, with its patch as reference, as `mark_domain()` writes it;
- * - the cells of the domain, with their region as reference, positively oriented. What is outside, in region 0, is left
+ * - the cells of the domain, with their region as reference, positively oriented. Cells outside, in region 0, are left
  *   out.
  *
- * `CGAL::IO::write_MEDIT()` writes all vertices of the triangulation instead, and with \cgal 5 each facet twice, with
- * the regions on its sides.
+ * By contrast, `CGAL::IO::write_MEDIT()` writes all vertices of the triangulation, and with \cgal 5 each facet twice,
+ * with the regions on both sides.
  *
  * \tparam Triangulation an instance of `CGAL::Triangulation_3`, or of a class derived from it, such as
  *         `Boundary_constrained_mesh_triangulation_3::type`, whose vertices and cells are models of `MeshVertexBase_3`
@@ -173,13 +172,13 @@ namespace IO {
  *
  * \param os the stream
  * \param tr the triangulation, after `make_boundary_constrained_mesh_3()`, `mark_domain()` or any of the steps after it
- * \param recovery the result of the recovery of the boundary in `tr`, `Boundary_constrained_mesh_result_3::recovery` of
- *        a mesh. With it, the vertices of the input come first, in their order, without those that are not in the mesh,
- *        and facets have the order and the orientation of the input. Without it, facets are in the order of their
- *        patches, and turn outward from the region with the larger number; their vertices come first, in the order in
- *        which the facets have them.
+ * \param recovery the result of the boundary recovery in `tr`, such as `Boundary_constrained_mesh_result_3::recovery`.
+ *        With this argument, the vertices of the input that are in the mesh come first, in their order, and facets have
+ *        the order and the orientation of the input. Without this argument, facets are in the order of their patches,
+ *        and face away from the region with the larger number; the vertices of the facets come first, in the order of
+ *        the facets.
  *
- * \return `true` iff nothing went wrong with the stream
+ * \return `true` iff the stream had no error
  *
  * \pre There are fewer than 2<sup>32</sup> - 4 vertices, else `std::length_error` is thrown.
  */
@@ -195,9 +194,9 @@ bool write_domain_MEDIT(std::ostream& os, const Triangulation& tr,
 /*!
  * \ingroup PkgBoundaryRecovery3Functions
  *
- * \brief writes the domain that is marked in a triangulation to the file `fname`, see the function above.
+ * \brief writes the marked domain of a triangulation to the file `fname`, see the function above.
  *
- * \return `true` iff the file was written as a whole
+ * \return `true` iff the whole file was written
  */
 template <typename Triangulation>
 bool write_domain_MEDIT(const std::string& fname, const Triangulation& tr,

@@ -316,7 +316,7 @@ class Checker:
     def check_readme(self):
         example = read(self.root, "examples/%s/make_boundary_constrained_mesh.cpp" % PACKAGE)
         self.require("```cpp\n%s```" % example in read(self.root, "README.md"), "README.md", "does not show the example as it is")
-        for link in re.findall(r"\]\((?!https?:)([^)#]+)\)", read(self.root, "README.md")):
+        for link in re.findall(r'(?:\]\(|src=")(?!https?:)([^)#"]+)[)"]', read(self.root, "README.md")):
             self.require(os.path.exists(os.path.join(self.root, link)), "README.md", "links to %s, which does not exist" % link)
 
     def check_pages_for_users(self):
@@ -436,6 +436,7 @@ def self_test(scratch, root):
         "wrong licence": append("package_info/%s/license.txt" % PACKAGE, "or not\n"),
         "not sorted": append("package_info/%s/dependencies" % PACKAGE, "AABB_tree\n"),
         "does not show": append(examples + "make_boundary_constrained_mesh.cpp", "// more\n"),
+        "links to doc/no.svg": replace("README.md", "doc/%s/fig/meshed_wing.svg" % PACKAGE, "doc/no.svg"),
         "has no picture": replace("doc/%s/sizes.txt" % PACKAGE, "\\cgalFigureBegin", "\\section"),
         "words in the manual": append(PAGES_FOR_USERS[0], 9000 * "x\n"),
         "names lost/Recover_constraint_3.h, which does not exist": lambda copy: os.remove(os.path.join(copy, lost)),
