@@ -220,21 +220,22 @@ struct Scene
 void test_division()
 {
   Scene scene;
-  std::vector<std::vector<Vertex_handle> > all(4);
   for(int round = 0; round < 4; ++round)
   {
-    internal::Divide_vertices_3<Vertex_handle> divide(round);
+    internal::Divide_space_3 divide(7, round);
     for(const Vertex_handle v : scene.tr.finite_vertex_handles())
-      divide.add(v, v->point().x() < 0 ? 3 : 1);
-    const std::size_t number = divide(7);
+      divide.add(internal::coordinates_of(v->point()), v->point().x() < 0 ? 3 : 1);
+    divide();
+    const std::size_t number = divide.number_of_parts();
     assert(number == (round == 0 ? 7 : 8));
     std::vector<double> work(number + 1, 0);
     double sum = 0;
     for(const Vertex_handle v : scene.tr.finite_vertex_handles())
     {
-      assert(internal::owner(v) > 0 && ! internal::is_on_border(v));
       const double w = v->point().x() < 0 ? 3 : 1;
-      work.at(internal::owner(v)) += w;
+      const internal::Part_number part = divide.part_of(internal::coordinates_of(v->point()));
+      assert(part > 0);
+      work.at(part) += w;
       sum += w;
     }
     if(round > 0)

@@ -22,41 +22,49 @@
 #include <array>
 #include <cstddef>
 #include <deque>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Boundary_recovery_3::internal {
 
 /*
- * Divides vertices among parts by *recursive coordinate bisection*: the box of the vertices is cut across its longest
- * side, so that both halves have the work of their parts, and so on. Parts are compact, and have few vertices on their
- * borders.
+ * Divides space into parts of equal work by *recursive coordinate bisection*: the box of the work is cut across its
+ * longest side, so that both halves have the work of their parts, and so on. Parts are compact, and have few vertices
+ * on their borders.
  *
  * Each round of work has axes of its own, so that its borders are elsewhere: they meet those of another round only
  * where two planes meet. In a long body, all axes put the vertices into the same order; so the borders of each round
  * are also shifted by a part of the work of a part.
  */
-template <typename Vertex_handle>
-class Divide_vertices_3
+class Divide_space_3
 {
 public:
-  explicit Divide_vertices_3(const int round) : m_axes(axes_of_round(round)), m_shift(shift_of_round(round)) { }
+  // Into parts with the work of one of `number` equal ones. If a round is shifted, there is one more: the first and the
+  // last one share the work of one of these.
+  Divide_space_3(const std::size_t number, const int round)
+    : m_number(number), m_axes(axes_of_round(round)), m_shift(shift_of_round(round)), m_cuts(number_of_parts())
+  { }
 
-  // `work` is what has to be done at the vertex.
-  void add(const Vertex_handle v, const double work)
-  {
-    const Coordinates_3 p = internal::coordinates_of(v->point());
-    m_items.push_back(Item{ {{ dot_product(m_axes[0], p), dot_product(m_axes[1], p), dot_product(m_axes[2], p) }},
-                            work, m_items.size(), v });
-  }
+  std::size_t number_of_parts() const { return m_shift > 0 ? m_number + 1 : m_number; }
 
-  // Gives all vertices owners, parts from 1 on, with the work of one of `number` equal parts. Returns how many parts
-  // there are: one more if the first and the last one share the work of one of these.
-  std::size_t operator()(const std::size_t number)
+  // There is that much to do around a point.
+  void add(const Coordinates_3& p, const double work) { m_items.push_back(Item{ place(p), work, m_items.size() }); }
+
+  // To be called when all work was added.
+  void operator()() { divide(m_items.begin(), m_items.end(), 0, number_of_parts()); }
+
+  // The part, from 1 on, that a point is in.
+  Part_number part_of(const Coordinates_3& p) const
   {
-    m_number = number;
-    const std::size_t number_of_parts = m_shift > 0 ? number + 1 : number;
-    divide(m_items.begin(), m_items.end(), 0, number_of_parts);
-    return number_of_parts;
+    const Coordinates_3 q = place(p);
+    std::size_t first = 0, last = number_of_parts();
+    while(last - first > 1)
+    {
+      const std::size_t half = (first + last) / 2;
+      (q[m_cuts[half].axis] < m_cuts[half].place ? last : first) = half;
+    }
+    return static_cast<Part_number>(last);
   }
 
 private:
@@ -65,11 +73,22 @@ private:
     Coordinates_3 place;
     double work;
     std::size_t number; // so that the order of equal places is known
-    Vertex_handle vertex;
   };
 
-  typedef typename std::vector<Item>::iterator Iterator;
-  typedef std::array<Coordinates_3, 3>         Axes;
+  // Between the parts before and from a position on.
+  struct Cut
+  {
+    std::size_t axis = 0;
+    double      place = 0;
+  };
+
+  typedef std::vector<Item>::iterator  Iterator;
+  typedef std::array<Coordinates_3, 3> Axes;
+
+  Coordinates_3 place(const Coordinates_3& p) const
+  {
+    return {{ dot_product(m_axes[0], p), dot_product(m_axes[1], p), dot_product(m_axes[2], p) }};
+  }
 
   static double shift_of_round(const int round)
   {
@@ -93,10 +112,12 @@ private:
   void divide(const Iterator begin, const Iterator end, const std::size_t first_part, const std::size_t last_part)
   {
     if(last_part - first_part == 1)
-      return own(begin, end, static_cast<Part_number>(last_part));
+      return;
     const std::size_t half = (first_part + last_part) / 2;
-    const Iterator middle = split(begin, end, (work_before(half) - work_before(first_part)) /
-                                              (work_before(last_part) - work_before(first_part)));
+    const std::size_t axis = longest_side(begin, end);
+    const Iterator middle = split(begin, end, axis, (work_before(half) - work_before(first_part)) /
+                                                    (work_before(last_part) - work_before(first_part)));
+    m_cuts[half] = { axis, middle == end ? std::numeric_limits<double>::infinity() : middle->place[axis] };
     divide(begin, middle, first_part, half);
     divide(middle, end, half, last_part);
   }
@@ -107,17 +128,10 @@ private:
     return (std::min)((std::max)(double(part) - m_shift, 0.), double(m_number));
   }
 
-  static void own(const Iterator begin, const Iterator end, const Part_number part)
-  {
-    for(Iterator item = begin; item != end; ++item)
-      item->vertex->set_part(part);
-  }
-
   // Returns where the second half begins, if the first one is to have that share of the work. Each step sorts half of
   // the items that the last one did, so all of them take linear time.
-  static Iterator split(const Iterator begin, const Iterator end, const double share)
+  static Iterator split(const Iterator begin, const Iterator end, const std::size_t axis, const double share)
   {
-    const int axis = longest_side(begin, end);
     const double target = share * work(begin, end);
     Iterator first = begin, last = end;
     double before = 0;
@@ -148,19 +162,20 @@ private:
     return sum;
   }
 
-  static int longest_side(const Iterator begin, const Iterator end)
+  static std::size_t longest_side(const Iterator begin, const Iterator end)
   {
     Axis_box_3 box;
     for(Iterator item = begin; item != end; ++item)
       box.add(item->place);
     const Coordinates_3 sides = difference(box.upper, box.lower);
-    return static_cast<int>(std::max_element(sides.begin(), sides.end()) - sides.begin());
+    return static_cast<std::size_t>(std::max_element(sides.begin(), sides.end()) - sides.begin());
   }
 
+  const std::size_t m_number;
   const Axes m_axes;
   const double m_shift;
-  std::size_t m_number = 0;
   std::vector<Item> m_items;
+  std::vector<Cut> m_cuts;
 };
 
 /*
@@ -231,11 +246,10 @@ public:
   Owned_parts_3(Tr& tr, const Domain& domain, const std::size_t number, const int round, const Work& work)
     : m_tr(tr)
   {
-    Divide_vertices_3<Vertex_handle> divide(round);
+    const Divide_space_3 divide = divided_space(number, round, work);
     for(const Vertex_handle v : tr.finite_vertex_handles())
-      divide.add(v, work(v));
-    const std::size_t number_of_parts = divide(number);
-    for(std::size_t k = 0; k < number_of_parts; ++k)
+      v->set_part(divide.part_of(internal::coordinates_of(v->point())));
+    for(std::size_t k = 0; k < divide.number_of_parts(); ++k)
       m_parts.emplace_back(tr, domain, static_cast<Part_number>(k + 1));
   }
 
@@ -270,6 +284,26 @@ public:
   }
 
 private:
+  static constexpr std::size_t vertices_per_part = 2000; // that the work of others is added to
+
+  // Vertices that follow one another are mostly near each other: of several, one stands for all.
+  template <typename Work>
+  Divide_space_3 divided_space(const std::size_t number, const int round, const Work& work) const
+  {
+    Divide_space_3 divide(number, round);
+    const std::size_t step = 1 + m_tr.number_of_vertices() / (number * vertices_per_part);
+    double sum = 0;
+    std::size_t k = 0;
+    for(const Vertex_handle v : m_tr.finite_vertex_handles())
+    {
+      sum += work(v);
+      if(++k % step == 0)
+        divide.add(internal::coordinates_of(v->point()), std::exchange(sum, 0));
+    }
+    divide();
+    return divide;
+  }
+
   Tr& m_tr;
   std::deque<Part> m_parts;
 };

@@ -68,7 +68,12 @@ public:
   void put_back(const Bad_cell& c) { m_cells.push_back(c); }
   void put_back(const std::vector<Bad_cell>& cells) { m_cells.insert(m_cells.end(), cells.begin(), cells.end()); }
 
-  // Whether a handle, maybe of a cell that is gone, is one of a bad cell of the domain.
+  // Whether a handle, maybe of a cell that is gone, is one of a cell of the domain; the second: of a bad one.
+  bool is_in_domain(const Cell_handle c) const
+  {
+    return m_mesh.triangulation().tds().cells().is_used(c) && m_mesh.domain().contains(c);
+  }
+
   bool contains(const Cell_handle c) const
   {
     return is_in_domain(c) && m_mesh.quality(c) < m_mesh.enough();
@@ -123,12 +128,6 @@ private:
   static void sort_worst_first(const Iterator begin, const Iterator end)
   {
     std::stable_sort(begin, end, [](const Bad_cell& x, const Bad_cell& y) { return x.quality < y.quality; });
-  }
-
-  // A cell that is gone is not.
-  bool is_in_domain(const Cell_handle c) const
-  {
-    return m_mesh.triangulation().tds().cells().is_used(c) && m_mesh.domain().contains(c);
   }
 
   // Takes out cells that are gone or good, and those that are there before.

@@ -167,7 +167,7 @@ private:
     std::vector<std::vector<Bad_cell> > cells(parts.size() + 1); // the last ones are inner to none
     std::vector<std::size_t> amounts(parts.size() + 1, 0);
     for(const Bad_cell& c : bad)
-      if(bad_cells().contains(c.cell))
+      if(bad_cells().is_in_domain(c.cell))
       {
         const std::size_t k = parts.part_of(c.cell);
         cells[k].push_back(c);
