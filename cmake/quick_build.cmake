@@ -2,9 +2,10 @@
 set(br3_precompiled_headers <CGAL/Delaunay_triangulation_3.h> <CGAL/Exact_predicates_exact_constructions_kernel.h>
   <CGAL/Exact_predicates_inexact_constructions_kernel.h>)
 
-# br3_build_quickly(FOLDER OPTION...): compiles the programs of this folder with these options, too. What most of them
-# include is parsed once for all that have the same options, and Clang also instantiates its templates once; but not for
-# those that are alone in what they are linked with, or define macros before they include CGAL.
+# br3_build_quickly(FOLDER OPTION...): compiles the programs of this folder with these options, too, or with those that
+# their property BR3_QUICK_OPTIONS has. What most of them include is parsed once for all that have the same options, and
+# Clang also instantiates its templates once; but not for those that are alone in what they are linked with, or define
+# macros before they include CGAL.
 function(br3_build_quickly folder)
   get_property(targets DIRECTORY ${folder} PROPERTY BUILDSYSTEM_TARGETS)
   foreach(target ${targets})
@@ -12,7 +13,11 @@ function(br3_build_quickly folder)
     if(NOT type STREQUAL "EXECUTABLE")
       continue()
     endif()
-    target_compile_options(${target} PRIVATE ${ARGN})
+    get_target_property(options ${target} BR3_QUICK_OPTIONS)
+    if(NOT options)
+      set(options ${ARGN})
+    endif()
+    target_compile_options(${target} PRIVATE ${options})
     get_target_property(source ${target} SOURCES)
     get_target_property(source_dir ${target} SOURCE_DIR)
     cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${source_dir})

@@ -48,5 +48,10 @@ python_build_packages=(pybind11-dev python3-dev)
 python_packages=("${python_build_packages[@]}" python3-numpy python3-scipy python3-meshio python3-vtk9 xvfb xauth)
 with_python=(-DBR3_BUILD_PYTHON=ON -DPython_EXECUTABLE=/usr/bin/python3)
 
+# Clang, and the linker that goes with it, which needs a fifth of the time of that of GCC.
+clang_packages=(clang lld)
 # For CMake, which takes the name of precompiled headers of C++ from the compiler of C.
 with_clang=(-DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++)
+for kind in EXE SHARED MODULE; do
+  with_clang+=("-DCMAKE_${kind}_LINKER_FLAGS=-fuse-ld=lld")
+done

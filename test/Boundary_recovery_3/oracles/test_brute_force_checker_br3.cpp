@@ -12,6 +12,7 @@
 #undef NDEBUG
 
 #include "brute_force_checker_br3.h"
+#include "recovery_of_oracles_br3.h"
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>

@@ -1,6 +1,7 @@
 // Exact_mesh_checker agrees with good results in all modes with both kernels, and notices faults of many kinds.
 
 #include "recovered_mesh_br3.h"
+#include "recovery_of_oracles_br3.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/IO/polygon_soup_io.h>
