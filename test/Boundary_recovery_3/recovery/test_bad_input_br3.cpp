@@ -20,7 +20,6 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/Triangulation_3.h>
 #include <CGAL/recover_boundary.h>
 
 #include <algorithm>
@@ -244,7 +243,7 @@ struct Test
     check(flat, {{{a, b, c}}}, Kind::dimension_less_than_3, {{}});
   }
 
-  void other_types()
+  void polygons()
   {
     CGAL::Surface_mesh<P> m;
     const auto a = m.add_vertex(P(0,0,0)), b = m.add_vertex(P(1,0,0)), c = m.add_vertex(P(1,1,0));
@@ -253,12 +252,6 @@ struct Test
     m.add_face(a, b, c, d);
     Dt tr(five.begin(), five.end());
     check_refused(tr, [&](Dt& t) { return CGAL::recover_boundary(t, m); }, Kind::not_a_triangle, {{{2,1}}});
-    typedef CGAL::Triangulation_3<K> Plain;
-    Plain plain(tet.begin(), tet.end());
-    Points p = tet;
-    p.push_back(P(7,7,7));
-    check_refused(plain, [&](Plain& t) { return CGAL::recover_boundary(t, p, tet_faces); },
-                  Kind::unknown_vertex, {{{0,4}}});
   }
 
   // Says stop once, at one of the questions; who is asked again says something else. No points are inserted then.
@@ -356,13 +349,6 @@ struct Test
     Points fan;
     Faces faces;
     make_fan(fan, faces);
-    {
-      CGAL::Triangulation_3<K> plain(fan.begin() + 2, fan.end());
-      Stopping_visitor visitor(0);
-      const auto r = CGAL::recover_boundary(plain, fan, faces, params::list_defects(true),
-                                            params::visitor(std::ref(visitor)));
-      assert(visitor.has_stopped() && defects(r, Kind::unknown_vertex).size() == 2 && r.defects.size() == 2);
-    }
     fan.back() = P(0,4000,0);
     Dt flat(fan.begin(), fan.end());
     Stopping_visitor visitor(0);
@@ -422,7 +408,7 @@ struct Test
     foreign_vertices();
     foreign_vertices_on_single_constraints();
     handles();
-    other_types();
+    polygons();
     stopped_on_invalid_input();
     stopped_on_wrong_triangulation();
     stopped_on_valid_input();

@@ -35,6 +35,7 @@
 #include <map>
 #include <memory>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -297,6 +298,70 @@ void test_overloads()
   assert(facets == expected.facets);
   const auto of_handles = CGAL::recover_boundary(tr, facets);
   assert(of_handles && of_handles.facets == facets && cells_by_index(tr, expected.vertices) == cells);
+}
+
+// Says stop at the first question. No points are inserted then.
+struct Stop_at_once
+  : public CGAL::Default_meshing_visitor_3
+{
+  bool go_further()
+  {
+    is_asked = true;
+    return false;
+  }
+
+  void on_phase_begin(const Phase phase) { assert(phase != Phase::insertion || ! is_asked); }
+
+  bool is_asked = false;
+};
+
+// By their indices.
+template <typename Result>
+std::vector<std::size_t> unknown_vertices(const Result& result)
+{
+  typedef CGAL::Boundary_recovery_3::Input_defect_kind Kind;
+  assert(result.status == Recovery_status::invalid_input && ! result);
+  std::ostringstream os;
+  os << result;
+  assert(os && os.str().find(to_string(Kind::unknown_vertex)) != std::string::npos);
+  std::vector<std::size_t> indices;
+  for(const auto& d : result.defects)
+    if(d.kind == Kind::unknown_vertex)
+    {
+      assert(d.simplices.size() == 1 && d.simplices[0].dimension == 0);
+      indices.push_back(d.simplices[0].index);
+    }
+  return indices;
+}
+
+// Nothing is inserted in a triangulation that is not Delaunay by type. Points that it does not have are told, even if
+// the search for other defects was stopped.
+template <typename K>
+void test_unknown_vertices()
+{
+  typedef CGAL::Triangulation_3<K> Plain;
+  typedef typename K::Point_3      Point_3;
+  typedef std::vector<std::size_t> Indices;
+  std::vector<Point_3> points = { Point_3(0, 0, 0), Point_3(4, 0, 0), Point_3(0, 4, 0), Point_3(0, 0, 4) };
+  Plain tetrahedron(points.begin(), points.end());
+  points.push_back(Point_3(7, 7, 7));
+  const std::vector<Indices> faces = { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } };
+  assert(unknown_vertices(CGAL::recover_boundary(tetrahedron, points, faces)) == Indices({ 4 }));
+  assert(tetrahedron.number_of_vertices() == 4 && tetrahedron.number_of_cells() == 5 && tetrahedron.is_valid());
+
+  const std::size_t n = 60;
+  std::vector<Point_3> fan;
+  std::vector<Indices> triangles;
+  for(std::size_t i = 0; i <= n; ++i)
+    fan.emplace_back(double(i), double(i * i), 0);
+  fan.emplace_back(0, 0, 100);
+  for(std::size_t i = 0; i < n; ++i)
+    triangles.push_back({ i, i + 1, n + 1 });
+  Plain plain(fan.begin() + 2, fan.end());
+  Stop_at_once visitor;
+  const auto result = CGAL::recover_boundary(plain, fan, triangles, params::list_defects(true),
+                                             params::visitor(std::ref(visitor)));
+  assert(visitor.is_asked && unknown_vertices(result).size() == 2 && result.defects.size() == 2);
 }
 
 template <typename K>
@@ -708,12 +773,14 @@ int main()
   test_surfaces<K>();
   test_split_facets<K>();
   test_overloads<K>();
+  test_unknown_vertices<K>();
   test_parameters<K>();
 #ifndef BR3_TEST_EPICK_ONLY // to save time where compiling is slow
   typedef CGAL::Exact_predicates_exact_constructions_kernel EK;
   test_surfaces<EK>();
   test_split_facets<EK>();
   test_overloads<EK>();
+  test_unknown_vertices<EK>();
   test_parameters<EK>();
 #endif
   test_number_of_crossed_entities();
