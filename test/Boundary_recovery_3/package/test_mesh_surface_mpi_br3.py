@@ -386,7 +386,7 @@ def wait_for_results(process, folder, count):
 
 def test_killed_rank():
     write('boxes.off', boxes())
-    arguments = 'boxes.off', '--size', '0.25', '--quiet', '--subdomains', '8', '--work', 'work', '-o', 'm.mesh'
+    arguments = 'boxes.off', '--size', '0.3', '--quiet', '--subdomains', '8', '--work', 'work', '-o', 'm.mesh'
     process = start(2, *arguments)
     wait_for_results(process, 'work', 2)
     os.kill(processes_below(process.pid)[1], signal.SIGKILL)
