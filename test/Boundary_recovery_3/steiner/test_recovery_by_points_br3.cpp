@@ -58,6 +58,8 @@ struct Visitor
     assert(report.phase == begun.back());
     ended.push_back(report);
     count();
+    if(report.phase == Phase::recount)
+      recounts.push_back(number_of_calls);
   }
 
   void on_progress(const Phase phase, const std::size_t done, const std::size_t total)
@@ -96,6 +98,7 @@ struct Visitor
 
   std::vector<Phase> begun;
   std::vector<BR::Phase_report> ended;
+  std::vector<std::size_t> recounts; // at which calls these ended
   std::size_t number_of_calls = 0;
   std::size_t last_call = std::size_t(-1), last_call_before_stop = std::size_t(-1);
   bool has_thrown = false;
@@ -162,7 +165,8 @@ struct Earlier
   std::map<const void*, Tr::Point> positions;
 };
 
-// Attempts, each of some phases in their order, that end with a recount; none but the last one works.
+// Attempts, each of some phases in their order, that end with a recount; none but the last one works. One that was
+// stopped before its first phase has the recount only.
 void check_account(const Scene& scene, const Mode mode, const bool is_done)
 {
   const std::vector<BR::Phase_report>& phases = scene.state.phases;
@@ -175,7 +179,10 @@ void check_account(const Scene& scene, const Mode mode, const bool is_done)
     assert(scene.visitor.ended[i].lost_edges == phases[i].lost_edges && phases[i].seconds >= 0);
     assert(scene.visitor.ended[i].lost_facets == phases[i].lost_facets);
     number_of_attempts += phases[i].phase == Phase::conforming_edge_recovery;
-    assert(last == Phase::recount ? phases[i].phase == Phase::conforming_edge_recovery : phases[i].phase > last);
+    const bool is_first = phases[i].phase == Phase::conforming_edge_recovery
+                       || (scene.context.is_stopped() && phases[i].phase == Phase::recount);
+    assert(last == Phase::recount ? is_first : phases[i].phase > last);
+    number_of["stopped before the first phase"] += last == Phase::recount && phases[i].phase == Phase::recount;
     assert(mode != Mode::conforming || phases[i].phase == Phase::recount || phases[i].phase < Phase::steiner_splitting);
     last = phases[i].phase;
   }
@@ -281,16 +288,22 @@ void test_exceptions(const Plc& plc, const Mode mode)
   }
 }
 
-// Stopped at some of the questions: what is not complete is taken back.
+// Stopped at some of the questions, those between two attempts included: what is not complete is taken back.
 void test_stops(const Plc& plc, const Mode mode)
 {
   Scene unstopped(plc);
   recover(unstopped, mode);
   const std::size_t n = unstopped.visitor.number_of_calls;
+  std::vector<std::size_t> calls;
   for(std::size_t i = 0; i < n; i += 1 + n / 10)
+    calls.push_back(i);
+  for(const std::size_t end_of_attempt : unstopped.visitor.recounts)
+    for(std::size_t i = 0; i < 3; ++i)
+      calls.push_back(end_of_attempt + i);
+  for(const std::size_t call : calls)
   {
     Scene scene(plc);
-    scene.visitor.last_call_before_stop = i;
+    scene.visitor.last_call_before_stop = call;
     number_of["stopped"] += ! recover(scene, mode) && scene.context.is_stopped();
   }
 }
@@ -329,7 +342,7 @@ int main()
     std::cout << n.second << " x " << n.first << std::endl;
   for(const std::string kind : { "recovered", "recovered conforming", "recovered without points in the end",
                                  "taken back without points", "settled points", "stopped",
-                                 "thrown before the first phase" })
+                                 "stopped before the first phase", "thrown before the first phase" })
     assert(number_of[kind] > 0);
   for(const Phase phase : { Phase::conforming_edge_recovery, Phase::conforming_facet_recovery, Phase::steiner_splitting,
                             Phase::steiner_suppression, Phase::recount })
