@@ -30,8 +30,10 @@
 #include <CGAL/Boundary_recovery_3/internal/steiner/Suppress_free_point_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Suppress_steiner_points_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Mesh_visitor_3.h>
+#include <CGAL/recover_boundary.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
@@ -443,6 +445,57 @@ void test_forgetting()
   assert(scene.cells() == before && scene.ledger.positions().empty());
 }
 
+// What could not be removed is not tried again by flips as long as its neighbors stay; another object, which does not
+// know that, does try. The points are those that segments between random points need.
+void test_failed_removals()
+{
+  std::mt19937 rng(1);
+  std::vector<Point> points;
+  for(int i = 0; i < 60; ++i)
+  {
+    const int x = random_int(rng, 100003), y = random_int(rng, 100003);
+    points.emplace_back(x, y, random_int(rng, 100003));
+  }
+  std::vector<std::array<std::size_t, 2> > segments;
+  for(std::size_t i = 0; i < points.size(); i += 2)
+    segments.push_back({{ i, i + 1 }});
+  Tr tr;
+  const auto result = CGAL::recover_boundary(tr, points, std::vector<std::array<std::size_t, 3> >(),
+                                             CGAL::parameters::constrained_edges(segments),
+                                             CGAL::parameters::effort(BR::Recovery_effort::more_points));
+  Constraints constraints;
+  for(const auto& segment : segments)
+  {
+    Vertex_handle u, v;
+    assert(tr.is_vertex(points[segment[0]], u) && tr.is_vertex(points[segment[1]], v));
+    constraints.insert(u, v);
+  }
+  Ledger ledger(constraints);
+  for(const Vertex_handle v : result.steiner_vertices)
+    ledger.insert_free(v, { 1, 0 });
+  const Predicates predicates(tr, &ledger.positions());
+  Mirror mirror(tr);
+  Any_mirror any_mirror(mirror);
+  Editor editor(tr, any_mirror);
+  Context context(any_mirror);
+  Mesh mesh(editor, predicates, constraints, ledger, context);
+  BR::internal::Suppress_steiner_points_3<Tr> suppress(mesh), other(mesh);
+  const auto suppress_again = [&]
+  {
+    const Vertices before = ledger.free_points();
+    suppress(4, BR::Recovery_effort::more_points);
+    return ledger.free_points() != before;
+  };
+  while(suppress_again()) { }
+  suppress_again(); // what lost a neighbor in the last round but one was tried in the last
+  const std::size_t number_of_transformations = suppress.number_of_transformations();
+  assert(! suppress_again() && ! ledger.free_points().empty());
+  assert(suppress.number_of_transformations() == number_of_transformations);
+  other(4, BR::Recovery_effort::more_points);
+  assert(other.number_of_transformations() > 0 && BR::internal::is_mesh_valid(tr, predicates));
+  mirror.check(tr);
+}
+
 int main()
 {
   for(unsigned seed = 0; seed < 12; ++seed)
@@ -452,6 +505,7 @@ int main()
   }
   test_merge_of_exact_position();
   test_forgetting();
+  test_failed_removals();
   test_points_without_number();
   for(unsigned seed = 0; seed < 60; ++seed)
     test_cluster_without_numbers(seed);

@@ -127,19 +127,19 @@ private:
 };
 
 /*
- * Where reconnection of growing cavities failed. It fails again as long as the Steiner points in the cavity are there:
- * all else around it stays much the same.
+ * Where points could not be removed in some way. That fails again as long as the Steiner points around are there: all
+ * else stays much the same.
  */
 template <typename Ledger>
-class Failed_growths_3
+class Failed_removals_3
 {
 public:
   typedef typename Ledger::Vertex_handle Vertex_handle;
   typedef std::vector<Vertex_handle>     Points;
 
-  explicit Failed_growths_3(const Ledger& ledger) : m_ledger(ledger) { }
+  explicit Failed_removals_3(const Ledger& ledger) : m_ledger(ledger) { }
 
-  // `points` are the free points in the cavity around v, with v.
+  // `points` are free points around v.
   void insert(const Vertex_handle v, Points points) { m_points[&*v] = std::move(points); }
 
   bool contains(const Vertex_handle v) const
@@ -220,7 +220,7 @@ public:
   std::size_t number_of_transformations() const { return m_suppress.number_of_transformations(); }
 
 private:
-  typedef Failed_growths_3<typename Mesh::Ledger> Failed_growths;
+  typedef Failed_removals_3<typename Mesh::Ledger> Failed_removals;
 
   // Where there is a domain, the points in its exterior are not worth much time.
   enum Points { ALL_POINTS, POINTS_OF_DOMAIN };
@@ -228,9 +228,10 @@ private:
   // --- the schedule -------------------------------------------------------------------------------------------------
 
   // Tries to remove each of the points, as long as this is worthwhile; if the recursion level is high, until this has
-  // failed too often.
+  // failed too often. It fails again where it failed before, at this level or a higher one.
   void remove_points(const Points points, const int l_max)
   {
+    const bool is_high = l_max > low_recursion_level;
     std::size_t before;
     do
     {
@@ -238,8 +239,7 @@ private:
       std::size_t number_of_failures = 0;
       for_each_point(points, [&](const Vertex_handle v)
       {
-        if((l_max <= low_recursion_level || is_success_likely(before, number_of_failures))
-           && ! m_suppress.remove(v, l_max))
+        if((! is_high || is_success_likely(before, number_of_failures)) && ! remove(v, l_max, is_high))
           ++number_of_failures;
       });
       if(number_of_points() == before)
@@ -247,6 +247,19 @@ private:
       relocate_points();
     }
     while(is_worthwhile(before));
+  }
+
+  bool remove(const Vertex_handle v, const int l_max, const bool is_high)
+  {
+    if(m_failed_flips[is_high].contains(v))
+      return false;
+    if(m_suppress.remove(v, l_max))
+      return true;
+    std::vector<Vertex_handle> neighbors;
+    m_mesh.tr.finite_adjacent_vertices(v, std::back_inserter(neighbors));
+    for(int level = 0; level <= static_cast<int>(is_high); ++level)
+      m_failed_flips[level].insert(v, free_points_of(neighbors));
+    return false;
   }
 
   std::size_t number_of_points() const { return m_mesh.ledger.free_points().size(); }
@@ -312,7 +325,7 @@ private:
   // failed before.
   void reconnect_points(const typename Growing_cavity::Growth growth)
   {
-    Failed_growths& failed = m_failed_growths[growth == Growing_cavity::AROUND ? 0 : 1];
+    Failed_removals& failed = m_failed_growths[growth == Growing_cavity::AROUND ? 0 : 1];
     const std::size_t before = number_of_points();
     std::size_t number_of_failures = 0;
     for_each_point(POINTS_OF_DOMAIN, [&](const Vertex_handle v)
@@ -329,20 +342,18 @@ private:
       }
       ++number_of_failures;
       if(outcome == Growing_cavity::NONE) // no growth helps
-        for(Failed_growths& f : m_failed_growths)
-          f.insert(v, points_in_cavity());
+        for(Failed_removals& f : m_failed_growths)
+          f.insert(v, free_points_of(m_growing_cavity.vertices()));
       else
-        failed.insert(v, points_in_cavity());
+        failed.insert(v, free_points_of(m_growing_cavity.vertices()));
     });
   }
 
-  // Those of the cavity that grew last.
-  std::vector<Vertex_handle> points_in_cavity()
+  std::vector<Vertex_handle> free_points_of(const std::vector<Vertex_handle>& vertices) const
   {
     std::vector<Vertex_handle> result;
-    for(const Vertex_handle v : m_growing_cavity.vertices())
-      if(m_mesh.ledger.is_free(v))
-        result.push_back(v);
+    std::copy_if(vertices.begin(), vertices.end(), std::back_inserter(result),
+                 [this](const Vertex_handle v) { return m_mesh.ledger.is_free(v); });
     return result;
   }
 
@@ -418,7 +429,8 @@ private:
   Merge_points_3<Tr> m_merge;
   Round_free_point_3<Tr> m_round;
   Growing_cavity m_growing_cavity;
-  std::array<Failed_growths, 2> m_failed_growths{{ Failed_growths(m_mesh.ledger), Failed_growths(m_mesh.ledger) }};
+  std::array<Failed_removals, 2> m_failed_flips{{ Failed_removals(m_mesh.ledger), Failed_removals(m_mesh.ledger) }};
+  std::array<Failed_removals, 2> m_failed_growths{{ Failed_removals(m_mesh.ledger), Failed_removals(m_mesh.ledger) }};
   std::optional<std::vector<Vertex_handle> > m_exterior_points; // where there is a domain; none until asked for
   std::vector<Cell_handle> m_star;
 };
