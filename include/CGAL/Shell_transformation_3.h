@@ -165,7 +165,8 @@ public:
   bool remove_edge(const Edge& e, const int l_max, const Validity& validity)
   {
     m_validity_of_call = &validity;
-    return remove(e.first->vertex(e.second), e.first->vertex(e.third), Vertex_handle(), e.first, l_max);
+    return remove(e.first->vertex(e.second), e.first->vertex(e.third), Vertex_handle(), e.first, l_max,
+                  m_max_number_of_shells);
   }
 
   /*!
@@ -195,7 +196,7 @@ public:
     Cell_handle c = f.first;
     for(int i = 0; i < 3; ++i)
     {
-      if(remove(v[i], v[(i + 1) % 3], v[(i + 2) % 3], c, l_max))
+      if(remove(v[i], v[(i + 1) % 3], v[(i + 2) % 3], c, l_max, (m_max_number_of_shells + 2) / 3))
         return true;
       was_cut_off |= m_was_cut_off;
       // The facet is still there, but its cells may have been replaced.
@@ -206,8 +207,8 @@ public:
     return false;
   }
 
-  /// sets the bound on the number of shells visited in one call of `remove_edge()`, or for one edge in
-  /// `remove_facet()`.
+  /// sets the bound on the number of shells visited in one call of `remove_edge()` or `remove_facet()`. Each edge of a
+  /// facet has a third of it.
   void set_max_number_of_shells(const std::size_t n) { m_max_number_of_shells = n; }
 
   /// returns the number of replaced covering meshes so far.
@@ -321,7 +322,8 @@ private:
   typedef Boundary_recovery_3::internal::Covering_mesh_search_3<Tr, Quality, Recursion_validity> Covering_mesh_search;
   static_assert(max_degree <= Covering_mesh_search::max_degree, "Shells of this degree cannot be searched.");
 
-  bool remove(const Vertex_handle a, const Vertex_handle b, const Vertex_handle p, const Cell_handle c, const int l_max)
+  bool remove(const Vertex_handle a, const Vertex_handle b, const Vertex_handle p, const Cell_handle c, const int l_max,
+              const std::size_t max_number_of_shells)
   {
     CGAL_precondition(m_tr.dimension() == 3);
     m_was_cut_off = false;
@@ -333,6 +335,7 @@ private:
       return false;
     m_total_number_of_shells += m_number_of_shells;
     m_number_of_shells = 0;
+    m_max_number_of_shells_of_edge = max_number_of_shells;
     const bool is_removed = remove(root, p, 0, l_max);
     m_root_cell = root.cell;
     return is_removed;
@@ -350,7 +353,7 @@ private:
       int f = Shell::none;
       if(p != Vertex_handle() && (f = shell.index(p)) == Shell::none)
         return true;
-      if(++m_number_of_shells > m_max_number_of_shells)
+      if(++m_number_of_shells > m_max_number_of_shells_of_edge)
       {
         m_was_cut_off = true;
         return false;
@@ -394,7 +397,7 @@ private:
         remove(link_edge, other, l + 1, l_max);
         if(m_number_of_transformations != before && degree(e) < shell.degree())
           return true;
-        if(m_number_of_shells > m_max_number_of_shells)
+        if(m_number_of_shells > m_max_number_of_shells_of_edge)
           return false;
       }
     return false;
@@ -507,6 +510,7 @@ private:
   boost::container::small_vector<Tetrahedron, 32> m_tetrahedra;
   Cell_handle m_root_cell;
   std::size_t m_max_number_of_shells = default_max_number_of_shells;
+  std::size_t m_max_number_of_shells_of_edge = 0;
   std::size_t m_number_of_shells = 0;
   std::size_t m_total_number_of_shells = 0; // in the removals before this one
   std::size_t m_number_of_transformations = 0;

@@ -411,14 +411,17 @@ private:
   void remove_facet(Transformation& transformation, const std::array<Vertex_handle, 3>& f)
   {
     m_root.clear();
-    transformation.set_max_number_of_shells(Transformation::default_max_number_of_shells);
     for(int l_max = 0; l_max < 3; ++l_max)
     {
       Cell_handle c;
       int i, j, k;
       if(! m_tr.is_facet(f[0], f[1], f[2], c, i, j, k))
         return;
+      const std::size_t bound = random_int(m_rng, 4) == 0 ? 6 : Transformation::default_max_number_of_shells;
+      transformation.set_max_number_of_shells(bound);
+      const std::size_t shells = transformation.number_of_shells();
       const bool is_removed = transformation.remove_facet(Facet(c, 6 - i - j - k), l_max);
+      assert(transformation.number_of_shells() - shells <= bound + 3); // the first one too many of each edge counts
       assert(is_removed == ! m_tr.is_facet(f[0], f[1], f[2], c, i, j, k));
       if(m_constraints.is_constrained(f[0], f[1], f[2]))
       {
