@@ -257,7 +257,7 @@ private:
     typedef BR::internal::Intersection_table_3<Tr, N> Table;
     problem.quality = Shell_problem::FEWEST_INTERSECTIONS;
     std::vector<std::array<Vertex_handle, N> > constraints;
-    for(int i = 3 + random_int(m_rng, 8); i > 0; --i)
+    for(int i = random_int(m_rng, 8) == 0 ? 40 : 3 + random_int(m_rng, 8); i > 0; --i)
     {
       constraints.push_back(random_simplex<N>());
       problem.lost.push_back(points_of(constraints.back()));

@@ -16,6 +16,7 @@
 #include <CGAL/Boundary_recovery_3/Shell_quality_3.h>
 #include <CGAL/Boundary_recovery_3/Shell_validity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
+#include <CGAL/Boundary_recovery_3/internal/geometry/sort_in_space.h>
 #include <CGAL/Boundary_recovery_3/internal/lost/Recover_constraint_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
@@ -41,7 +42,7 @@ namespace CGAL::Boundary_recovery_3::internal {
  * This is the hash table of [CZZ+17, Section 4.2.1], with one difference. There, entities that come up during a pass
  * are not counted before the next one. Here an entity is counted when it is first asked for, against the lost
  * constraints whose bounding boxes meet its own, and the count is remembered; it depends on the lost constraints only,
- * not on the mesh.
+ * not on the mesh. Constraints that are close to each other are in blocks with a box each.
  */
 template <typename Tr, std::size_t N>
 class Intersection_table_3
@@ -58,9 +59,18 @@ public:
     if(constraints == m_constraints)
       return;
     m_constraints = constraints;
+    m_sorted = constraints;
+    internal::sort_in_space(m_sorted, [this](const Constraint& c) { return this->center(c); }, [] { return true; });
     m_boxes.clear();
-    for(const Constraint& c : constraints)
-      m_boxes.push_back(box(c));
+    m_blocks.clear();
+    for(std::size_t i = 0; i < m_sorted.size(); ++i)
+    {
+      m_boxes.push_back(box(m_sorted[i]));
+      if(i % block_size == 0)
+        m_blocks.push_back(m_boxes.back());
+      else
+        m_blocks.back() += m_boxes.back();
+    }
     m_edges = Counts<2>();
     m_faces = Counts<3>();
   }
@@ -105,14 +115,22 @@ private:
     return b;
   }
 
+  std::array<double, 3> center(const Constraint& c) const
+  {
+    const Bbox_3 b = box(c);
+    return {{ (b.xmin() + b.xmax()) / 2, (b.ymin() + b.ymax()) / 2, (b.zmin() + b.zmax()) / 2 }};
+  }
+
   template <std::size_t M>
   int count(const std::array<Vertex_handle, M>& entity) const
   {
     const Bbox_3 b = box(entity);
     int n = 0;
-    for(std::size_t i = 0; i < m_constraints.size(); ++i)
-      if(do_overlap(b, m_boxes[i]) && crosses(m_constraints[i], entity))
-        ++n;
+    for(std::size_t k = 0; k < m_blocks.size(); ++k)
+      if(do_overlap(b, m_blocks[k]))
+        for(std::size_t i = k * block_size; i < (std::min)((k + 1) * block_size, m_sorted.size()); ++i)
+          if(do_overlap(b, m_boxes[i]) && crosses(m_sorted[i], entity))
+            ++n;
     return n;
   }
 
@@ -130,9 +148,12 @@ private:
 
   bool crosses(const Face&, const Face&) const { return false; }
 
+  static constexpr std::size_t block_size = 16;
+
   Vertex_predicates_3<Tr> m_predicates;
   std::vector<Constraint> m_constraints;
-  std::vector<Bbox_3> m_boxes;
+  std::vector<Constraint> m_sorted;      // the same, along a curve
+  std::vector<Bbox_3> m_boxes, m_blocks; // of these, and of so many of them each
   Counts<2> m_edges;
   Counts<3> m_faces;
 };
