@@ -223,7 +223,8 @@ void test_callings(Scene& scene, const int first)
   call("under BRC3 or BRC4", [&] { return recover.recover_with_fewest_crossings(BR::Phase::edge_recovery_brc3, 5); });
 }
 
-// One constraint after the other, by the reconnection of the cells that it crosses.
+// One constraint after the other, by the reconnection of the cells that it crosses. Where that fails, it fails again in
+// the same mesh, in the same cells.
 template <std::size_t N>
 void test_cavities(Scene& scene)
 {
@@ -234,8 +235,15 @@ void test_cavities(Scene& scene)
     const auto& c = scene.all<N>()[i];
     const bool was_lost = scene.is_lost(c);
     const std::size_t before = recover.number_of_replacements();
-    const bool is_recovered = recover(c);
+    std::vector<Vertex_handle> failed;
+    const bool is_recovered = recover(c, failed);
     assert(is_recovered == ! scene.is_lost(c));
+    if(! is_recovered)
+    {
+      const std::vector<Vertex_handle> vertices = failed;
+      assert(! recover(c, failed) && failed == vertices);
+      number_of["failures in cavities"] += ! failed.empty();
+    }
     assert(recover.number_of_replacements() == before + (was_lost && is_recovered ? 1 : 0));
     scene.check();
     number_of[counted<N>("in cavities")] += was_lost && is_recovered;
@@ -445,6 +453,8 @@ int main()
     }
   std::cout << number_of["exceptions"] << " exceptions" << std::endl;
   assert(number_of["exceptions"] > 0);
+  std::cout << number_of["failures in cavities"] << " failures in cavities" << std::endl;
+  assert(number_of["failures in cavities"] > 0);
   typedef BR::Phase Phase;
   for(const Phase phase : { Phase::plain_removal, Phase::edge_recovery_brc1, Phase::edge_recovery_brc3,
                             Phase::edge_reconnection, Phase::facet_recovery_brc2, Phase::facet_recovery_brc4,

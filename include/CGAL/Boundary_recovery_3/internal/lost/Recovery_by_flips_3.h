@@ -28,6 +28,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Boundary_recovery_3::internal {
@@ -50,6 +51,7 @@ public:
   typedef Small_polyhedron_reconnection_3<Tr>  Reconnection;
   typedef std::array<Vertex_handle, 2>         Vertex_pair;
   typedef std::array<Vertex_handle, 3>         Vertex_triple;
+  typedef std::vector<Vertex_handle>           Vertices;
 
   static constexpr int number_of_layers = 3;
 
@@ -59,8 +61,9 @@ public:
       m_cavity(tr, constraints)
   { }
 
-  // Returns whether uv is a mesh edge in the end.
-  bool operator()(const Vertex_pair& e)
+  // Returns whether uv is a mesh edge in the end. `failed` are the vertices of the cells that it crossed when that
+  // failed last: if these are the same, it fails again. What is tried now sets them.
+  bool operator()(const Vertex_pair& e, Vertices& failed)
   {
     typedef Segment_walk_3<Tr> Walk;
     const typename Walk::Outcome outcome = m_segment_walk(e[0], e[1]);
@@ -71,11 +74,11 @@ public:
       if(! (crossing.dimension == 1 ? add_shell(crossing.cell, crossing.vertices[0], crossing.vertices[1])
                                     : add_both_cells(crossing.cell, crossing.vertices)))
         return false;
-    return reconnect(std::vector<Vertex_pair>(1, e), std::vector<Vertex_triple>());
+    return reconnect(std::vector<Vertex_pair>(1, e), std::vector<Vertex_triple>(), failed);
   }
 
-  // Returns whether the facet, whose edges are mesh edges, is a mesh facet in the end.
-  bool operator()(const Vertex_triple& f)
+  // Returns whether the facet, whose edges are mesh edges, is a mesh facet in the end. `failed` as above.
+  bool operator()(const Vertex_triple& f, Vertices& failed)
   {
     typedef Facet_walk_3<Tr> Walk;
     int i, j;
@@ -89,7 +92,7 @@ public:
     for(const typename Walk::Crossing& crossing : m_facet_walk.crossings())
       if(! add_shell(crossing.cell, crossing.vertices[0], crossing.vertices[1]))
         return false;
-    return reconnect(std::vector<Vertex_pair>(), std::vector<Vertex_triple>(1, f));
+    return reconnect(std::vector<Vertex_pair>(), std::vector<Vertex_triple>(1, f), failed);
   }
 
   std::size_t number_of_replacements() const { return m_number_of_replacements; }
@@ -108,10 +111,11 @@ private:
     return m_cavity.add(c) && m_cavity.add(c->neighbor(internal::index_of_opposite_vertex(c, f)));
   }
 
-  bool reconnect(const std::vector<Vertex_pair>& edges, const std::vector<Vertex_triple>& facets)
+  bool reconnect(const std::vector<Vertex_pair>& edges, const std::vector<Vertex_triple>& facets, Vertices& failed)
   {
-    if(m_cavity.vertices().size() > max_number_of_vertices)
+    if(m_cavity.vertices().size() > max_number_of_vertices || m_cavity.vertices() == failed)
       return false;
+    failed = m_cavity.vertices();
     m_reconnection.forget();
     if(reconnect_cells(edges, facets))
       return true;
@@ -241,13 +245,13 @@ private:
   }
 
   // Small polyhedron reconnection around each of the lost constraints. One success may clear the way for another
-  // constraint, so passes are repeated while they help. What failed is not tried again in the same mesh.
+  // constraint, so passes are repeated while they help. What failed is not tried again where it crosses the same.
   template <typename Simplex>
   std::size_t reconnect(const Phase phase, std::vector<std::size_t>& lost, const std::vector<Simplex>& simplices)
   {
     Recover_in_cavity_3<Tr>
       recover(m_state.tr, m_state.predicates, m_state.constraints, m_state.context.visitor());
-    std::vector<std::size_t> hopeless_since(lost.size(), std::size_t(-1)); // numbers of replacements, or -1
+    std::vector<std::vector<Vertex_handle> > failed(lost.size()); // empty: not tried yet
     for(std::size_t before = 0; before != lost.size() && ! lost.empty(); )
     {
       before = lost.size();
@@ -255,10 +259,9 @@ private:
       for(std::size_t i = 0; i < before; ++i)
       {
         const std::size_t s = lost[i];
-        const bool is_hopeless = hopeless_since[i] == recover.number_of_replacements();
-        if(is_hopeless || ! m_state.context.go_further() || ! recover(simplices[s]))
+        if(! m_state.context.go_further() || ! recover(simplices[s], failed[i]))
         {
-          hopeless_since[kept] = recover.number_of_replacements();
+          std::swap(failed[kept], failed[i]);
           lost[kept++] = s;
         }
         m_state.context.visitor().on_progress(phase, i + 1, before);
