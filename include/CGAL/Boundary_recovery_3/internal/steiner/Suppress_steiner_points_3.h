@@ -418,7 +418,7 @@ private:
 
   // For the points that nothing else removes.
   static constexpr typename Growing_cavity::Bounds around_bounds = { 40, 100000, 400 };
-  static constexpr typename Growing_cavity::Bounds dead_ends_bounds = { 128, 100000, 400 };
+  static constexpr typename Growing_cavity::Bounds dead_ends_bounds = { 64, 100000, 400 };
 
   // Where one of hundreds of points after the other stays, as in Chazelle's polyhedra, the rest will.
   static constexpr std::size_t max_number_of_failures = 40;
