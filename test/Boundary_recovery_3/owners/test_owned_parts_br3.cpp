@@ -17,6 +17,7 @@
 #include <CGAL/Boundary_recovery_3/internal/quality/Improve_quality_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Measure_quality_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Mesh_visitor_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/for_each_task.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Random.h>
 #include <CGAL/mark_domain.h>
@@ -35,6 +36,7 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -137,8 +139,8 @@ private:
 // The mesh of a surface, in steps, with parts of a size for tests.
 struct Scene
 {
-  Scene()
-    : surface(3), recovery(CGAL::recover_boundary(tr, surface.points, surface.triangles))
+  explicit Scene(const int number_of_divisions = 3)
+    : surface(number_of_divisions), recovery(CGAL::recover_boundary(tr, surface.points, surface.triangles))
   {
     assert(recovery);
     assert(CGAL::mark_domain(tr, recovery.surface_facets()) == 2);
@@ -374,20 +376,41 @@ void test_limit()
   scene.check();
 }
 
+// For ThreadSanitizer: all the work on the meshes of three surfaces.
 void test_four_threads()
 {
-  Scene scene;
-  scene.set_threads(4);
-  assert(scene.fill(0.13) && scene.improve());
-  scene.check();
+  for(const int number_of_divisions : { 2, 3, 4 })
+  {
+    Scene scene(number_of_divisions);
+    scene.set_threads(4);
+    assert(scene.fill(0.13) && scene.improve());
+    scene.check();
+  }
 }
 
-int main(const int number_of_arguments, const char* const*)
+// What it has to notice: all tasks change the same number.
+void test_race()
+{
+  volatile long number = 0;
+  internal::with_threads(4, [&]
+  {
+    internal::for_each_task({ 1, 1, 1, 1 }, [&](std::size_t)
+    {
+      for(int i = 0; i < 1000000; ++i)
+        number = number + 1;
+    }, CGAL::Parallel_if_available_tag());
+  });
+}
+
+int main(const int number_of_arguments, const char* const* const arguments)
 {
 #ifdef CGAL_LINKED_WITH_TBB
   const tbb::global_control more_threads_than_cores(tbb::global_control::max_allowed_parallelism, 8);
 #endif
-  if(number_of_arguments > 1)
+  const std::string what = number_of_arguments > 1 ? arguments[1] : "";
+  if(what == "race")
+    return test_race(), 0;
+  if(what == "threads")
     return test_four_threads(), 0;
   test_division();
   test_border();

@@ -17,8 +17,10 @@
 #include <CGAL/tags.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
+#include <tbb/partitioner.h>
 #include <tbb/task_arena.h>
 #endif
 
@@ -50,12 +52,15 @@ inline void for_each_in_order(const std::vector<std::size_t>& order, const std::
   std::atomic<std::size_t> next, number_of_ends(0);
   next.store(0, std::memory_order_release);
   const std::size_t concurrency = static_cast<std::size_t>((std::max)(1, tbb::this_task_arena::max_concurrency()));
-  tbb::parallel_for(std::size_t(0), (std::min)(concurrency, order.size()), [&](std::size_t)
+  const auto do_tasks = [&]
   {
     for(std::size_t k = next++; k < order.size(); k = next++)
       work(order[k]);
     ++number_of_ends;
-  });
+  };
+  typedef tbb::blocked_range<std::size_t> Range;
+  tbb::parallel_for(Range(0, (std::min)(concurrency, order.size())), [&do_tasks](const Range&) { do_tasks(); },
+                    tbb::simple_partitioner());
   number_of_ends.load(std::memory_order_acquire);
 }
 
