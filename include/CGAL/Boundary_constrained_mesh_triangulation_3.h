@@ -21,6 +21,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 namespace CGAL {
 namespace Boundary_recovery_3 {
@@ -188,6 +189,15 @@ private:
   std::array<Surface_patch_index, 4> m_patches = {{ 0, 0, 0, 0 }};
 };
 
+namespace internal {
+
+// Several threads work on parts of such a triangulation by default. All that CGAL itself does with it is sequential.
+struct Parts_tag
+  : public Sequential_tag
+{ };
+
+} // namespace internal
+
 } // namespace Boundary_recovery_3
 
 /*!
@@ -196,8 +206,9 @@ private:
  * \brief provides the best triangulation type for `make_boundary_constrained_mesh_3()`.
  *
  * \tparam Kernel a model of `BoundaryRecoveryTraits_3`
- * \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` for the parallel insertion of points before the recovery,
- *         and for several threads after it, see `number_of_threads` of `make_boundary_constrained_mesh_3()`
+ * \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag` for as many threads as there are, unless the parameter
+ *         `number_of_threads` of `make_boundary_constrained_mesh_3()` tells another number. The containers of both
+ *         types are sequential ones, so the mesh does not depend on threads.
  */
 template <typename Kernel, typename ConcurrencyTag = Sequential_tag>
 struct Boundary_constrained_mesh_triangulation_3
@@ -205,10 +216,12 @@ struct Boundary_constrained_mesh_triangulation_3
 private:
   typedef Boundary_recovery_3::Boundary_constrained_mesh_vertex_base_3<Kernel> Vb;
   typedef Boundary_recovery_3::Boundary_constrained_mesh_cell_base_3<Kernel>   Cb;
+  typedef std::conditional_t<std::is_same<ConcurrencyTag, Parallel_tag>::value,
+                             Boundary_recovery_3::internal::Parts_tag, ConcurrencyTag> Tag;
 
 public:
   /// a Delaunay triangulation whose vertices and cells carry the indices of CGAL's mesh packages
-  typedef Delaunay_triangulation_3<Kernel, Triangulation_data_structure_3<Vb, Cb, ConcurrencyTag> > type;
+  typedef Delaunay_triangulation_3<Kernel, Triangulation_data_structure_3<Vb, Cb, Tag> > type;
 };
 
 } // namespace CGAL

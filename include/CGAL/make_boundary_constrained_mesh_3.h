@@ -251,8 +251,8 @@ make_mesh_of_surface(Tr& tr, const FaceListGraph& surface, const SizingField& si
  *                       but into sub-domains}
  *     \cgalParamExtra{Several threads call the size field and the quality. One thread at a time calls the visitor;
  *                     meanwhile, others change other cells.}
- *     \cgalParamExtra{In a triangulation with the tag `CGAL::Parallel_tag`, the order of cells depends on threads, and
- *                     so does the mesh.}
+ *     \cgalParamExtra{In a triangulation data structure of your own with the tag `CGAL::Parallel_tag`, the order of
+ *                     cells depends on threads, and so does the mesh.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_running_time}
  *     \cgalParamDescription{the time in seconds, for all steps together, after which the work stops soon, with a valid

@@ -11,6 +11,7 @@
 #include <CGAL/mark_domain.h>
 #include <CGAL/recover_boundary.h>
 #include <CGAL/remesh_holes.h>
+#include <CGAL/tags.h>
 
 #include <array>
 #include <cassert>
@@ -27,26 +28,8 @@ typedef std::vector<std::array<std::size_t, 3> >                      Triangles;
 
 namespace params = CGAL::parameters;
 
-// Of other vertices, so that all of it is compiled here.
-template <typename Gt, typename Vb>
-struct Other_vertex_base
-  : public CGAL::Boundary_recovery_3::Boundary_constrained_mesh_vertex_base_3<Gt, Vb>
-{
-  typedef CGAL::Boundary_recovery_3::Boundary_constrained_mesh_vertex_base_3<Gt, Vb> Base;
-
-  template <typename Tds>
-  struct Rebind_TDS
-  {
-    typedef Other_vertex_base<Gt, typename Vb::template Rebind_TDS<Tds>::Other> Other;
-  };
-
-  using Base::Base;
-};
-
-typedef CGAL::Triangulation_data_structure_3<
-  Other_vertex_base<K, CGAL::Triangulation_vertex_base_3<K> >,
-  CGAL::Boundary_recovery_3::Boundary_constrained_mesh_cell_base_3<K> >      Other_data_structure;
-typedef CGAL::Delaunay_triangulation_3<K, Other_data_structure>              Other_mesh;
+// Of another type, so that all of it is compiled here; its containers are the same.
+typedef CGAL::Boundary_constrained_mesh_triangulation_3<K, CGAL::Parallel_tag>::type Other_mesh;
 
 const std::vector<Point_3> points = {
   { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 } };

@@ -44,7 +44,7 @@ struct Concurrency
   }
 };
 
-// That of the named parameter `number_of_threads`. Triangulations with a concurrent container are divided by default.
+// That of the named parameter `number_of_threads`. Triangulations that are not sequential are divided by default.
 template <typename Tr, typename NamedParameters>
 Concurrency concurrency(const NamedParameters& np)
 {
@@ -55,7 +55,7 @@ Concurrency concurrency(const NamedParameters& np)
   Concurrency result;
   if constexpr(! is_default)
     result.number_of_threads = internal::parameter_or(np, internal::number_of_threads, std::size_t(0));
-  else if(std::is_same<typename Tr::Concurrency_tag, Parallel_tag>::value && Has_part<typename Tr::Vertex>::value)
+  else if(! std::is_same<typename Tr::Concurrency_tag, Sequential_tag>::value && Has_part<typename Tr::Vertex>::value)
     result.number_of_threads = 0;
   return result;
 }
