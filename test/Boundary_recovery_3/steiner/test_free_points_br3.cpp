@@ -451,7 +451,7 @@ void test_failed_removals()
 {
   std::mt19937 rng(1);
   std::vector<Point> points;
-  for(int i = 0; i < 60; ++i)
+  for(int i = 0; i < 30; ++i)
   {
     const int x = random_int(rng, 100003), y = random_int(rng, 100003);
     points.emplace_back(x, y, random_int(rng, 100003));
