@@ -741,7 +741,7 @@ int main()
   test_seams();
   test_seams_of_two_processes();
   test_regions<K>(.3, 6);
-  test_regions<Exact>(.8, 3);
+  test_regions<Exact>(1.2, 3);
   test_numbers();
   test_quality();
   test_small_sizes();
