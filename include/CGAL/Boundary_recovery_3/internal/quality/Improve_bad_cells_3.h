@@ -30,6 +30,7 @@
 #include <cstddef>
 #include <limits>
 #include <tuple>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Boundary_recovery_3::internal {
@@ -379,18 +380,13 @@ private:
   template <typename Function>
   void for_each_account(const Improve_bad_cells_3& other, const Function& f)
   {
-    std::apply([&](auto&... entry)
+    for_each_entry([&](auto& entry)
     {
-      std::apply([&](const auto&... other_entry)
-      {
-        const auto for_each_pair = [&f](auto& mine, const auto& others)
-        {
-          for(std::size_t i = 0; i < mine.size(); ++i)
-            f(mine[i], others[i]);
-        };
-        (for_each_pair(entry.accounts, other_entry.accounts), ...);
-      }, other.m_table.entries);
-    }, m_table.entries);
+      const auto& others = std::get<std::decay_t<decltype(entry)> >(other.m_table.entries).accounts;
+      for(std::size_t i = 0; i < others.size(); ++i)
+        f(entry.accounts[i], others[i]);
+      return false;
+    });
   }
 
   // As long as that pays.
