@@ -195,8 +195,8 @@ void test_numbers()
 void test_quality()
 {
   Scene<K> one(boxes()), many(boxes());
-  one.make(.15);
-  many.make(.15, parameters::number_of_subdomains(8));
+  one.make(.2);
+  many.make(.2, parameters::number_of_subdomains(4));
   const auto& expected = one.result.improvement.after;
   const auto& found = many.result.improvement.after;
   const auto share = [](const BR3::Mesh_quality_3& quality, const int i)
@@ -334,7 +334,7 @@ void test_stops()
     const Threads threads(1);
     Scene<K> scene(boxes());
     Stopping_visitor visitor(n);
-    scene.make(.4, parameters::number_of_subdomains(4), parameters::visitor(std::ref(visitor)));
+    scene.make(.5, parameters::number_of_subdomains(4), parameters::visitor(std::ref(visitor)));
     if(scene.result)
       break;
     assert(scene.result.status == BR3::Meshing_status::stopped);
@@ -347,12 +347,12 @@ void test_stops()
   assert(number_of_stops > 5);
   Scene<K> scene(boxes());
   Stopping_visitor visitor(0);
-  assert(scene.make(.4, parameters::number_of_subdomains(4), parameters::visitor(std::ref(visitor))));
+  assert(scene.make(.5, parameters::number_of_subdomains(4), parameters::visitor(std::ref(visitor))));
   Scene<K> full(boxes());
-  assert(full.make(.4, parameters::number_of_subdomains(4), parameters::maximum_number_of_vertices(100)).status
+  assert(full.make(.5, parameters::number_of_subdomains(4), parameters::maximum_number_of_vertices(100)).status
          == BR3::Meshing_status::too_large);
   Scene<K> wrong(boxes());
-  assert(wrong.make(.4, parameters::number_of_subdomains(4), parameters::min_dihedral_angle(80)).status
+  assert(wrong.make(.5, parameters::number_of_subdomains(4), parameters::min_dihedral_angle(80)).status
          == BR3::Meshing_status::invalid_input);
   wrong.check();
 }
@@ -740,7 +740,7 @@ int main()
   test_part_triangulation();
   test_seams();
   test_seams_of_two_processes();
-  test_regions<K>(.3, 6);
+  test_regions<K>(.4, 6);
   test_regions<Exact>(1.2, 3);
   test_numbers();
   test_quality();
