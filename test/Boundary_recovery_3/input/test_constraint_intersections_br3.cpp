@@ -315,7 +315,7 @@ void test_against_linear_program()
 template <typename K>
 void test_large_soup()
 {
-  const std::size_t n = 50;
+  const std::size_t n = 25;
   Soup soup;
   for(std::size_t i = 0; i <= n; ++i)
     for(std::size_t j = 0; j <= n; ++j)
@@ -330,7 +330,7 @@ void test_large_soup()
   expect("terrain", intersections<K>(soup), {});
 
   Strings expected;
-  for(std::size_t k = 0; k < 2 * n * n; k += 617)
+  for(std::size_t k = 0; k < 2 * n * n; k += 157)
   {
     const std::size_t i = k / (2 * n), j = k / 2 % n;
     const double offset = k % 2 == 0 ? 0.25 : 0.75;

@@ -161,7 +161,7 @@ void test_questions(const Surface& surface)
   std::size_t number_of_stops = 0;
   bool was_stopped_in_filling = false, was_stopped_in_improvement = false;
   // many questions come from the improvement
-  for(bool is_done = false; ! is_done; number_of_stops += was_stopped_in_improvement ? number_of_stops / 8 + 1 : 1)
+  for(bool is_done = false; ! is_done; number_of_stops += was_stopped_in_improvement ? number_of_stops / 4 + 1 : 1)
   {
     Triangulation tr;
     Visitor visitor;

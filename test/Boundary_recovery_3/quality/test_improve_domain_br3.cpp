@@ -402,7 +402,7 @@ void test_interruptions(const unsigned seed)
   }
   std::cout << number_of_questions << " questions, " << number_of_calls << " calls" << std::endl;
   assert(number_of_questions > 5 && number_of_calls > 20);
-  for(std::size_t k = 1; k <= number_of_questions; k += 1 + number_of_questions / 150)
+  for(std::size_t k = 1; k <= number_of_questions; k += 1 + number_of_questions / 60)
   {
     Improvement<K> t(seed, options_of(seed));
     t.judge.remember_all();

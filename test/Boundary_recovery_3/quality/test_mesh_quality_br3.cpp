@@ -930,7 +930,7 @@ void test_edge_of_many_cells(const bool is_turned)
 
 int main()
 {
-  test_random_meshes<K>(40);
+  test_random_meshes<K>(30);
 #ifndef BR3_TEST_EPICK_ONLY
   test_random_meshes<CGAL::Exact_predicates_exact_constructions_kernel>(6);
   test_edges_along_direction<CGAL::Exact_predicates_exact_constructions_kernel>();

@@ -630,9 +630,9 @@ int main()
 {
   typedef CGAL::Exact_predicates_inexact_constructions_kernel EPICK;
   typedef CGAL::Exact_predicates_exact_constructions_kernel   EPECK;
-  test_kernel<EPICK>(6, 1, 11);
+  test_kernel<EPICK>(3, 1, 11);
   test_kernel<EPECK>(1, 1, 12);
-  test_kernel<EPECK>(2, 3, 13); // coordinates that are not doubles
+  test_kernel<EPECK>(1, 3, 13); // coordinates that are not doubles
   test_default_bases<EPICK>();
   test_default_bases<EPECK>();
   test_dimension<EPICK>();
