@@ -698,7 +698,7 @@ void test_points_beside_planes_are_taken_back()
     assert(is_thrown && tr.number_of_vertices() == soup.points.size() && br3_test::is_valid_mesh(tr));
   }
   std::size_t stopped = 0;
-  for(std::size_t n = 1; n < 1000; n += 99)
+  for(std::size_t n = 1; n < 1000; n += 199)
   {
     Tr tr(soup.points.begin(), soup.points.end());
     Watching_visitor visitor(n);
