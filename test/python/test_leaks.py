@@ -8,6 +8,7 @@ import threading
 from common import MeshTest, box, br, main, np
 
 POINTS, TRIANGLES, _ = box(n=(8, 8, 8))
+FEW_POINTS, LARGE_TRIANGLES, _ = box(n=(2, 2, 2))
 PAGE = os.sysconf("SC_PAGE_SIZE")
 
 
@@ -39,8 +40,8 @@ def interrupt():
 
 def invalid():
     try:
-        br.tetrahedralize(np.concatenate([POINTS, POINTS + 0.3]),
-                          np.concatenate([TRIANGLES, TRIANGLES + len(POINTS)]))
+        br.tetrahedralize(np.concatenate([POINTS, FEW_POINTS + 0.3]),
+                          np.concatenate([TRIANGLES, LARGE_TRIANGLES + len(POINTS)]))
     except br.InvalidSurface:
         pass
 
