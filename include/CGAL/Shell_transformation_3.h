@@ -19,6 +19,7 @@
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Replace_cells.h>
 #include <CGAL/Boundary_recovery_3/internal/shell/Covering_mesh_search_3.h>
+#include <CGAL/Boundary_recovery_3/internal/shell/Failed_edge_removals_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 
 #include <CGAL/assertions.h>
@@ -31,6 +32,7 @@
 #include <cstddef>
 #include <optional>
 #include <ostream>
+#include <utility>
 
 namespace CGAL {
 
@@ -115,10 +117,10 @@ public:
 
 #ifndef DOXYGEN_RUNNING
   // As above, without a validity, for only removals that are given one, and with predicates that may know the exact
-  // positions of some vertices.
+  // positions of some vertices. Removals that failed at the same shell are not tried again, whatever was allowed then.
   Shell_transformation_3(Tr& tr, const Quality& quality, Visitor& visitor,
                          const Boundary_recovery_3::internal::Vertex_predicates_3<Tr>& predicates)
-    : m_tr(tr), m_predicates(predicates), m_quality(quality), m_visitor(&visitor)
+    : m_tr(tr), m_predicates(predicates), m_quality(quality), m_visitor(&visitor), m_failed_removals(std::in_place)
   { }
 #endif
 
@@ -143,7 +145,8 @@ public:
     if(m_tr.is_infinite(a) || m_tr.is_infinite(b))
       return UNCHANGED;
     m_validity_of_call = &validity();
-    const Supporting_edge root(a, b, e.first, nullptr, *m_validity_of_call);
+    const Supporting_edge root(a, b, e.first, nullptr);
+    root.is_constrained = m_validity_of_call->is_constrained(a, b);
     const Shell shell(m_tr, e.first, e.second, e.third);
     const int f = p == Vertex_handle() ? Shell::none : shell.index(p);
     return p != Vertex_handle() && f == Shell::none ? UNCHANGED : transform(shell, root, Ancestors(shell, nullptr), f);
@@ -237,9 +240,8 @@ private:
   // `cell` is one of the cells around the edge; it is kept up to date while cells are replaced.
   struct Supporting_edge
   {
-    Supporting_edge(const Vertex_handle a, const Vertex_handle b, const Cell_handle cell, const Supporting_edge* parent,
-                    const Validity& validity)
-      : a(a), b(b), cell(cell), parent(parent), is_constrained(validity.is_constrained(a, b))
+    Supporting_edge(const Vertex_handle a, const Vertex_handle b, const Cell_handle cell, const Supporting_edge* parent)
+      : a(a), b(b), cell(cell), parent(parent)
     { }
 
     bool is_edge_of(const Cell_handle c) const { return c->has_vertex(a) && c->has_vertex(b); }
@@ -247,7 +249,7 @@ private:
     const Vertex_handle a, b;
     mutable Cell_handle cell;
     const Supporting_edge* const parent;
-    const bool is_constrained; // if not, none of its faces is
+    mutable bool is_constrained = false; // once it is looked up; if not, none of its faces is
   };
 
   // Where edges of the way up to the root are edges of a shell further down.
@@ -330,8 +332,8 @@ private:
     m_root_cell = c;
     if(m_tr.is_infinite(a) || m_tr.is_infinite(b))
       return false;
-    const Supporting_edge root(a, b, c, nullptr, *m_validity_of_call);
-    if(p == Vertex_handle() && root.is_constrained)
+    const Supporting_edge root(a, b, c, nullptr);
+    if(p == Vertex_handle() && m_validity_of_call->is_constrained(a, b))
       return false;
     m_total_number_of_shells += m_number_of_shells;
     m_number_of_shells = 0;
@@ -342,16 +344,32 @@ private:
   }
 
   // recursiveST(e, f, l, l_max) of [CZZ+17, Alg. 1], where f is the face of e and p, or none if p is the default
-  // handle. Its tail recursion is a loop here; the depth of the other recursion is bounded by l_max.
+  // handle. What failed at the same shell before is not tried again.
   bool remove(const Supporting_edge& e, const Vertex_handle p, const int l, const int l_max)
   {
-    Shell shell;
+    Shell shell(m_tr, e.cell, e.cell->index(e.a), e.cell->index(e.b));
+    if(! m_failed_removals)
+      return remove(shell, e, p, l, l_max);
+    const auto removal = m_failed_removals->removal(shell, p);
+    const bool was_cut_off = std::exchange(m_was_cut_off, false);
+    const bool is_known = m_failed_removals->contains(removal, l_max - l, m_was_cut_off);
+    const bool is_removed = ! is_known && remove(shell, e, p, l, l_max);
+    if(! is_known && ! is_removed && m_number_of_shells <= m_max_number_of_shells_of_edge)
+      m_failed_removals->insert(removal, l_max - l, m_was_cut_off);
+    m_was_cut_off |= was_cut_off;
+    return is_removed;
+  }
+
+  // Its tail recursion is a loop here; the depth of the other recursion is bounded by l_max. The shell is that of e,
+  // which is changed.
+  bool remove(Shell& shell, const Supporting_edge& e, const Vertex_handle p, const int l, const int l_max)
+  {
+    e.is_constrained = m_validity_of_call->is_constrained(e.a, e.b);
     Ancestors ancestors;
     while(true)
     {
-      shell.assign(m_tr, e.cell, e.cell->index(e.a), e.cell->index(e.b));
-      int f = Shell::none;
-      if(p != Vertex_handle() && (f = shell.index(p)) == Shell::none)
+      const int f = p == Vertex_handle() ? Shell::none : shell.index(p);
+      if(p != Vertex_handle() && f == Shell::none)
         return true;
       if(++m_number_of_shells > m_max_number_of_shells_of_edge)
       {
@@ -371,6 +389,7 @@ private:
       }
       if(! reduce_by_link_edges(shell, e, ancestors, l, l_max))
         return false;
+      shell.assign(m_tr, e.cell, e.cell->index(e.a), e.cell->index(e.b));
     }
   }
 
@@ -392,7 +411,7 @@ private:
         }
         const Vertex_handle apex = at_a ? shell.a() : shell.b();
         const Vertex_handle other = at_a ? shell.b() : shell.a();
-        const Supporting_edge link_edge(apex, shell.vertex(i), shell.cell(i), &e, *m_validity_of_call);
+        const Supporting_edge link_edge(apex, shell.vertex(i), shell.cell(i), &e);
         const std::size_t before = m_number_of_transformations;
         remove(link_edge, other, l + 1, l_max);
         if(m_number_of_transformations != before && degree(e) < shell.degree())
@@ -503,6 +522,7 @@ private:
   // what the constructor without a visitor points to; other visitors need not be default constructible
   Default_meshing_visitor_3 m_no_visitor;
   Visitor* m_visitor;
+  std::optional<Boundary_recovery_3::internal::Failed_edge_removals_3<Tr> > m_failed_removals; // none: all are tried
   Recursion_validity m_search_validity = { nullptr, nullptr };
   Covering_mesh_search m_search{ m_predicates, m_quality, m_search_validity };
   Replace_cells m_replacement;

@@ -170,27 +170,30 @@ private:
   // --- apexes -------------------------------------------------------------------------------------------------------
 
   // Beside edges that cross much, where there are none as yet. Those that cross most come first: they are in the
-  // middle.
+  // middle. On each side no more are tried than would be worth it if all edges came back, for each may take a search of
+  // the whole plane.
   void insert_apexes(const Edges& edges)
   {
-    for(auto it = edges.rbegin(); it != edges.rend() && it->first > min_number_of_crossings; ++it)
+    std::size_t number_left = 2 * (edges.size() / min_number_of_edges);
+    for(auto it = edges.rbegin(); it != edges.rend() && it->first > min_number_of_crossings && number_left > 0; ++it)
       for(const Orientation side : { POSITIVE, NEGATIVE })
       {
         const std::vector<Crossing> crossed = crossed_edges(it->second);
         if(! m_mesh.context.go_further())
           return;
-        if(crossed.empty())
+        if(crossed.empty() || number_left == 0)
           break;
-        insert_apex(it->second, crossed[crossed.size() / 2], side);
+        if(try_apex(it->second, crossed[crossed.size() / 2], side))
+          --number_left;
       }
   }
 
-  // On one side of the plane of a lost edge and a mesh edge that it crosses.
-  void insert_apex(const std::size_t e, const Crossing& crossed, const Orientation side)
+  // On one side of the plane of a lost edge and a mesh edge that it crosses. Returns false if no place is left there.
+  bool try_apex(const std::size_t e, const Crossing& crossed, const Orientation side)
   {
     const Cell_handle seed = cell_beside(m_mesh.constraints.edges()[e][0], crossed, side);
     if(seed == Cell_handle())
-      return;
+      return false;
     const Vertex_handle apex = m_mesh.editor.create_vertex(center(seed));
     Cavity cavity(m_mesh.tr, m_mesh.constraints);
     cavity.add(seed);
@@ -203,6 +206,7 @@ private:
     }
     else
       m_mesh.editor.delete_vertex(apex);
+    return true;
   }
 
   // A finite cell at a mesh edge, on that side of the plane through it and u, with a facet in the plane if there is
