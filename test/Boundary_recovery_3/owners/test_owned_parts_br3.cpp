@@ -12,6 +12,7 @@
 #include <CGAL/Boundary_recovery_3/internal/filling/Fill_parts_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/vertex_owners.h>
 #include <CGAL/Boundary_recovery_3/internal/owners/Concurrency.h>
+#include <CGAL/Boundary_recovery_3/internal/owners/Divide_space_3.h>
 #include <CGAL/Boundary_recovery_3/internal/owners/Owned_parts_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Improve_parts_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Improve_quality_3.h>
@@ -219,13 +220,30 @@ struct Scene
   int i = 0, j = 0;
 };
 
-// All parts have about the same work; the first and the last one have it together in some rounds.
+// The part that a point is in at last, cut after cut.
+internal::Part_number part_by_cuts(const internal::Divide_space_3& divide, const internal::Coordinates_3& p)
+{
+  internal::Part_number part = 1;
+  for(int depth = 0; depth < divide.depth(); ++depth)
+  {
+    const internal::Divide_space_3::Cut* const cut = divide.cut_of(part, depth);
+    if(cut != nullptr && ! cut->is_before(p))
+      part = cut->second_half;
+  }
+  assert(divide.cut_of(part, divide.depth()) == nullptr);
+  return part;
+}
+
+// All parts have about the same work; the first and the last one have it together in some rounds. Many points are in
+// the same plane, as in symmetric surfaces.
 void test_division()
 {
   CGAL::Random random(0);
   std::vector<internal::Coordinates_3> points(4000);
   for(internal::Coordinates_3& p : points)
     p = {{ random.get_double(-1, 1), random.get_double(-1, 1), random.get_double(-1, 1) }};
+  for(std::size_t k = 0; k < 20; ++k)
+    points[k][0] = 0;
   const auto work = [](const internal::Coordinates_3& p) { return p[0] < 0 ? 3. : 1.; };
   for(int round = 0; round < 4; ++round)
   {
@@ -240,6 +258,7 @@ void test_division()
     for(const internal::Coordinates_3& p : points)
     {
       work_of_parts.at(divide.part_of(p)) += work(p);
+      assert(part_by_cuts(divide, p) == divide.part_of(p));
       sum += work(p);
     }
     assert(work_of_parts[0] == 0);
@@ -299,7 +318,7 @@ void test_threads()
     scene.set_threads(number_of_threads);
     const auto filling = scene.fill();
     assert(filling);
-    assert(scene.concurrency.number_of_parts(filling.forecast_of_cells / 5, std::size_t(-1)) > 2);
+    assert(scene.concurrency.number_of_parts(filling.forecast_of_cells / 2.5, std::size_t(-1)) > 2);
     assert(scene.tr.number_of_vertices() == scene.surface.points.size() + filling.number_of_field_points);
     scene.check();
     const auto improvement = scene.improve();

@@ -208,7 +208,7 @@ private:
   // See "Tuning constants" in the manual.
   static constexpr double cells_per_forecast_cell = 1.32;
   static constexpr double cells_per_wall = 1.2;
-  static constexpr double cells_per_cell_of_part = 5; // of other parts: where a mesh is coarse, borders are broad
+  static constexpr double cells_per_cell_of_part = 2.5; // of other parts: each border has to be filled first
   static constexpr double cells_per_inner_vertex = 6.6;
   static constexpr double cells_per_surface_vertex = 2;
   static constexpr std::size_t least_number_of_questions = 2000;

@@ -108,19 +108,22 @@ public:
   }
 
   // Looks at these cells, and at those that come.
-  void fill(const std::vector<Cell_handle>& cells)
-  {
-    for(std::size_t k = 0; k < cells.size() && can_go_on(); ++k)
-      if(is_there(cells[k]))
-      {
-        look_at(cells[k]);
-        look_around_new_vertices();
-      }
-  }
+  void fill(const std::vector<Cell_handle>& cells) { look_at_all(cells, [this](const Cell_handle c) { look_at(c); }); }
 
-  // Looks at these cells, but not at those that come, until there are so many points. Returns the cells that have to be
-  // looked at later.
-  std::vector<Cell_handle> sweep(const std::vector<Cell_handle>& cells, const std::size_t number_of_points);
+  // The same only where a cell is concerned. Returns the other cells, which have to be looked at later.
+  template <typename Concerns>
+  std::vector<Cell_handle> fill(const std::vector<Cell_handle>& cells, const Concerns& concerns)
+  {
+    std::vector<Cell_handle> others;
+    look_at_all(cells, [&](const Cell_handle c)
+    {
+      if(concerns(c))
+        look_at(c);
+      else
+        others.push_back(c);
+    });
+    return others;
+  }
 
   // The cells of a part whose points would have changed something beyond its border.
   const std::vector<Cell_handle>& cells_put_off() const { return m_cells_put_off; }
@@ -175,8 +178,20 @@ private:
   static constexpr int max_number_of_steps = 100;
   static constexpr std::size_t number_of_reports = 200;
 
+  template <typename Look_at>
+  void look_at_all(const std::vector<Cell_handle>& cells, const Look_at& look_at)
+  {
+    for(std::size_t k = 0; k < cells.size() && can_go_on(); ++k)
+      if(is_there(cells[k]))
+      {
+        look_at(cells[k]);
+        look_around_new_vertices(look_at);
+      }
+  }
+
   // The last one first: what is near was touched a moment ago, and is in the cache.
-  void look_around_new_vertices()
+  template <typename Look_at>
+  void look_around_new_vertices(const Look_at& look_at)
   {
     while(! m_pending.empty() && can_go_on())
     {
@@ -461,24 +476,6 @@ Encroached_walls_3 Fill_domain_3<Tr>::large_walls(const std::vector<Cell_handle>
   return Encroached_walls_3(walls);
 }
 
-template <typename Tr>
-std::vector<typename Tr::Cell_handle>
-Fill_domain_3<Tr>::sweep(const std::vector<Cell_handle>& cells, const std::size_t number_of_points)
-{
-  std::size_t k = 0;
-  for(; k < cells.size() && m_vertices.size() < number_of_points && can_go_on(); ++k)
-    if(is_there(cells[k]))
-      look_at(cells[k]);
-  std::vector<Cell_handle> left(cells.begin() + k, cells.end());
-  while(! m_pending.empty())
-  {
-    settle_last();
-    std::copy_if(m_star.begin(), m_star.end(), std::back_inserter(left),
-                 [this](const Cell_handle c) { return this->is_there(c); });
-  }
-  return left;
-}
-
 // What comes by the removal of an edge is looked at in the next round, and so are new cells without a point.
 template <typename Tr>
 void Fill_domain_3<Tr>::shorten_long_edges()
@@ -492,7 +489,7 @@ void Fill_domain_3<Tr>::shorten_long_edges()
       if(is_there(cells[k]))
       {
         shorten_long_edge(cells[k]);
-        look_around_new_vertices();
+        look_around_new_vertices([this](const Cell_handle c) { look_at(c); });
       }
   }
 }

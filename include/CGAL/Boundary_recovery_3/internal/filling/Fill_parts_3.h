@@ -16,28 +16,30 @@
 #include <CGAL/Boundary_recovery_3/internal/filling/Encroached_walls_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Fill_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/vertex_owners.h>
+#include <CGAL/Boundary_recovery_3/internal/owners/Divide_space_3.h>
 #include <CGAL/Boundary_recovery_3/internal/owners/Owned_parts_3.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/Cell_shape_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/sizing/Region_sizes_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
-#include <CGAL/Boundary_recovery_3/internal/util/for_each_task.h>
 
-#include <CGAL/Unique_hash_map.h>
-
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <deque>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Boundary_recovery_3::internal {
 
 /*
- * Fills parts of a domain at the same time, in rounds, each with other borders. A point that would change something
- * beyond the border of a part is put off to the next round; what is left after the last one is done by one thread.
- *
- * The cells of a domain without points inside reach from one side of it to the other, and are inner to no part. So one
- * thread begins, with few points all over the domain.
+ * Fills parts of a domain at the same time. Borders are filled first: the domain is cut into halves, these into
+ * quarters, and so on, and before each cut, the cells that it will go through are made as small as all cells are to be.
+ * Thus borders hardly ever hinder the points of the parts. Points that would change something beyond a border are put
+ * off to another round with other borders; what is left is done by one thread.
  */
 template <typename Tr>
 class Fill_parts_3
@@ -52,130 +54,190 @@ public:
 
   // `fill` is that for the domain as a whole.
   Fill_parts_3(Tr& tr, Domain& domain, Sizes& sizes, Recovery_context<Tr>& context, Fill_domain& fill)
-    : m_tr(tr), m_domain(domain), m_sizes(sizes), m_context(context), m_visitor(context.visitor()), m_fill(fill)
+    : m_tr(tr), m_domain(domain), m_sizes(sizes), m_rounds(tr, context, least_share), m_fill(fill)
   { }
 
   // Fills the domain, which has these cells, see `Fill_domain_3`.
   void operator()(const Cells& cells, const std::size_t number_of_parts, const std::size_t expected_number)
   {
     const Encroached_walls_3 walls = m_fill.large_walls(cells);
+    m_walls = &walls;
+    m_expected_number = expected_number;
     m_fill.begin(walls, m_tr.number_of_vertices(), no_limit, expected_number);
-    Cells waiting = spread(cells);
-    const std::size_t first_number = expected_number / points_per_first_point;
-    while(! waiting.empty() && m_fill.vertices().size() < first_number && m_fill.can_go_on())
-      waiting = m_fill.sweep(waiting, first_number);
-    for(int round = 0; round < max_number_of_rounds && pays(waiting.size()); ++round)
-      fill_parts(number_of_parts, round, expected_number, walls, waiting);
-    m_fill.fill(waiting);
+    fill_from_borders(cells, number_of_parts);
+    for(int round = 1; round < max_number_of_rounds && m_rounds.pays(m_put_off.size()) && m_fill.can_go_on(); ++round)
+      fill_rest(number_of_parts, round);
+    m_fill.fill(m_put_off);
     m_fill.shorten_long_edges();
   }
 
 private:
-  typedef Owned_parts_3<Tr> Parts;
+  typedef Owned_parts_3<Tr>            Parts;
+  typedef Rounds_of_parts_3<Tr>        Rounds;
+  typedef std::array<Coordinates_3, 4> Corners;
 
   static constexpr std::size_t no_limit = (std::numeric_limits<std::size_t>::max)(); // of the number of vertices
 
   // See "Tuning constants" in the manual.
-  static constexpr std::size_t points_per_first_point = 30;
   static constexpr int max_number_of_rounds = 4;
   static constexpr double least_share = 0.15;  // of cells that wait in the number of vertices
   static constexpr double likely_growth = 0.2; // of sizes
-  static constexpr std::size_t stride = 64;    // from one first cell to the next one
+  static constexpr std::size_t pieces_per_part = 500; // of which each is added to the work as a whole
+  static constexpr double points_per_piece = 0.1; // at least
 
   // The work on one part, by a thread.
   struct Task
   {
-    Task(typename Parts::Part& part, const Sizes& whole, Mesh_visitor_3<Tr>& visitor, const double seconds_left)
-      : context(visitor), sizes(whole, Part_of_sizes()), fill(part.triangulation(), part.domain(), sizes, context)
-    {
-      context.set_maximum_running_time(seconds_left);
-    }
+    Task(typename Parts::Part& part, const Sizes& whole, Rounds& rounds)
+      : context(rounds), sizes(whole, Part_of_sizes()), fill(part.triangulation(), part.domain(), sizes, context)
+    { }
 
-    Recovery_context<Tr> context;
+    typename Rounds::Task_context context;
     Sizes sizes;
     Fill_domain fill;
   };
 
-  // Cells that are beside each other are near each other, too. So that the first ones are all over the domain, most of
-  // them are left out several times.
-  static Cells spread(const Cells& cells)
+  // The tasks of a depth get the cells of their parts, and leave those of the halves.
+  void fill_from_borders(const Cells& all_cells, const std::size_t number_of_parts)
   {
-    Cells result;
-    result.reserve(cells.size());
-    for(std::size_t first = 0; first < stride; ++first)
-      for(std::size_t k = first; k < cells.size(); k += stride)
-        result.push_back(cells[k]);
-    return result;
+    const Divide_space_3 divide = divided_space(all_cells, number_of_parts);
+    std::vector<Cells> cells(divide.number_of_parts());
+    cells.front() = all_cells;
+    for(int depth = 0; depth < divide.depth() && m_fill.can_go_on(); ++depth)
+    {
+      Parts parts(m_tr, m_domain, divide, depth);
+      std::vector<Cells> cells_of_halves(cells.size());
+      work_on(parts, cells, [&](Task& task, const std::size_t k)
+      {
+        const Divide_space_3::Cut* const cut = divide.cut_of(static_cast<Part_number>(k + 1), depth);
+        if(cut == nullptr)
+          return cells_of_halves[k].swap(cells[k]);
+        const Cells left = task.fill.fill(cells[k], [cut](const Cell_handle c) { return is_cut(*cut, c); });
+        for(const Cell_handle c : left)
+          if(task.fill.is_there(c) && parts[k].domain().contains(c) && ! is_cut(*cut, c))
+            cells_of_halves[is_before(*cut, c, 0) ? k : cut->second_half - std::size_t(1)].push_back(c);
+      });
+      cells.swap(cells_of_halves);
+    }
+    if(! m_fill.can_go_on())
+      return;
+    Parts parts(m_tr, m_domain, divide, divide.depth());
+    work_on(parts, cells, [&](Task& task, const std::size_t k) { task.fill.fill(cells[k]); });
   }
 
-  // Where little is left, one thread does it sooner than the mesh is divided.
-  bool pays(const std::size_t number_of_cells)
+  // What was put off, in parts with other borders.
+  void fill_rest(const std::size_t number_of_parts, const int round)
   {
-    return double(number_of_cells) > least_share * double(m_tr.number_of_vertices()) && m_fill.can_go_on();
-  }
-
-  // Looks at cells that wait; afterwards, those wait that have to be looked at in the next round.
-  void fill_parts(const std::size_t number_of_parts, const int round, const std::size_t expected_number,
-                  const Encroached_walls_3& walls, Cells& waiting)
-  {
-    const Unique_hash_map<Vertex_handle, double> work = round == 0 ? work_at_vertices(waiting)
-                                                                   : Unique_hash_map<Vertex_handle, double>(1);
-    Parts parts(m_tr, m_domain, number_of_parts, round, [&](const Vertex_handle v) { return work[v]; });
-    parts.mark_border(m_domain);
+    Parts parts(m_tr, m_domain, number_of_parts, round, [](Vertex_handle) { return 1.; });
     std::vector<Cells> cells(parts.size() + 1);
-    for(const Cell_handle c : waiting)
+    for(const Cell_handle c : m_put_off)
       if(m_fill.is_there(c) && m_domain.contains(c))
         cells[parts.part_of(c)].push_back(c);
-    waiting = std::move(cells.back());
+    m_put_off = std::move(cells.back());
     cells.pop_back();
+    work_on(parts, cells, [&](Task& task, const std::size_t k) { task.fill.fill(cells[k]); });
+  }
+
+  // `work(task, k)` is done for each part, which has these cells.
+  template <typename Work>
+  void work_on(Parts& parts, const std::vector<Cells>& cells, const Work& work)
+  {
+    parts.mark_border(m_domain);
+    const std::size_t number_of_empty_parts = std::size_t(std::count(cells.begin(), cells.end(), Cells()));
+    const std::size_t number_of_vertices = m_tr.number_of_vertices() / (1 + parts.size() - number_of_empty_parts);
     std::vector<std::size_t> amounts;
     std::deque<Task> tasks;
     for(std::size_t k = 0; k < parts.size(); ++k)
     {
-      tasks.emplace_back(parts[k], m_sizes, m_visitor, m_context.seconds_left());
-      tasks.back().fill.begin(walls, m_tr.number_of_vertices() / parts.size(), no_limit, 0);
+      tasks.emplace_back(parts[k], m_sizes, m_rounds);
+      tasks.back().fill.begin(*m_walls, number_of_vertices, no_limit, 0);
       amounts.push_back(cells[k].size());
     }
-    m_visitor.begin(Phase::field_point_insertion, m_fill.vertices().size(), expected_number);
-    internal::for_each_task(amounts, [&](const std::size_t k)
+    m_rounds.visitor().begin(Phase::field_point_insertion, m_fill.vertices().size(), m_expected_number);
+    m_rounds(amounts, [&](const std::size_t k)
     {
-      tasks[k].fill.fill(cells[k]);
-      m_visitor.end_task(tasks[k].fill.vertices().size());
-    }, Concurrency_tag_of<Tr>());
-    if(m_visitor.is_stopped())
-      m_context.stop();
+      work(tasks[k], k);
+      m_rounds.visitor().end_task(tasks[k].fill.vertices().size());
+    });
     for(const Task& task : tasks)
     {
       m_fill.take_over(task.fill);
       m_sizes.take_over(task.sizes);
-      const Cells& put_off = task.fill.cells_put_off();
-      waiting.insert(waiting.end(), put_off.begin(), put_off.end());
+      m_put_off.insert(m_put_off.end(), task.fill.cells_put_off().begin(), task.fill.cells_put_off().end());
     }
   }
 
-  // At each vertex, about how many points the cells that wait there are going to have. That is for the first round:
-  // later on, borders would be where most of the work is.
-  Unique_hash_map<Vertex_handle, double> work_at_vertices(const Cells& waiting) const
+  static bool is_before(const Divide_space_3::Cut& cut, const Cell_handle c, const int i)
   {
-    Unique_hash_map<Vertex_handle, double> work(0); // for looking up only
-    for(const Cell_handle c : waiting)
-      if(m_fill.is_there(c) && m_domain.contains(c))
+    return cut.is_before(internal::coordinates_of(c->vertex(i)->point()));
+  }
+
+  static bool is_cut(const Divide_space_3::Cut& cut, const Cell_handle c)
+  {
+    const bool is_first_before = is_before(cut, c, 0);
+    return is_before(cut, c, 1) != is_first_before || is_before(cut, c, 2) != is_first_before
+        || is_before(cut, c, 3) != is_first_before;
+  }
+
+  // The work is about the number of points. Large cells have it everywhere inside, so they are cut into pieces; of
+  // several small ones, one stands for all.
+  Divide_space_3 divided_space(const Cells& cells, const std::size_t number_of_parts)
+  {
+    double volume = 0;
+    for(const Cell_handle c : cells)
+      volume += std::abs(internal::volume_times_6(internal::corners(c)));
+    const std::size_t number_of_pieces = number_of_parts * pieces_per_part;
+    Divide_space_3 divide(number_of_parts, 0);
+    double work = 0;
+    std::size_t number_of_small_cells = 0;
+    for(const Cell_handle c : cells)
+    {
+      const Corners corners = internal::corners(c);
+      const double volume_of_cell = std::abs(internal::volume_times_6(corners));
+      if(volume_of_cell > volume / double(number_of_pieces))
+        add_pieces(c, corners, volume_of_cell, volume / double(number_of_pieces), divide);
+      else
       {
-        const auto corners = internal::corners(c);
-        const double size = m_sizes.likely_size_at_centroid(c, corners, likely_growth);
-        const double number = 1 + std::abs(internal::volume_times_6(corners)) / (size * size * size);
-        for(int i = 0; i < 4; ++i)
-          work[c->vertex(i)] += number;
+        work += number_of_points(volume_of_cell, m_sizes.likely_size_at_centroid(c, corners, likely_growth));
+        if(++number_of_small_cells % (1 + cells.size() / number_of_pieces) == 0)
+          divide.add(internal::centroid(corners), std::exchange(work, 0));
       }
-    return work;
+    }
+    divide();
+    return divide;
+  }
+
+  // Of a cell, or a part of one.
+  void add_pieces(const Cell_handle c, const Corners& corners, const double volume, const double largest_volume,
+                  Divide_space_3& divide)
+  {
+    if(volume <= largest_volume)
+    {
+      const Coordinates_3 center = internal::centroid(corners);
+      return divide.add(center, number_of_points(volume, m_sizes(center, c).possible));
+    }
+    const Tetrahedron_edge_3 edge = internal::longest_edge(corners);
+    for(const int end : { edge.i, edge.j })
+    {
+      Corners half = corners;
+      half[end] = internal::midpoint(corners[edge.i], corners[edge.j]);
+      add_pieces(c, half, volume / 2, largest_volume, divide);
+    }
+  }
+
+  static double number_of_points(const double volume, const double size)
+  {
+    return size > 0 ? volume / (size * size * size) + points_per_piece : 0;
   }
 
   Tr& m_tr;
   Domain& m_domain;
   Sizes& m_sizes;
-  Recovery_context<Tr>& m_context;
-  Part_visitor_3<Tr> m_visitor;
+  Rounds m_rounds;
   Fill_domain& m_fill;
+  const Encroached_walls_3* m_walls = nullptr;
+  std::size_t m_expected_number = 0;
+  Cells m_put_off; // that have to be looked at in another round
 };
 
 } // namespace CGAL::Boundary_recovery_3::internal

@@ -14,169 +14,18 @@
 
 #include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/vertex_owners.h>
-#include <CGAL/Boundary_recovery_3/internal/shape/Unit_frame_3.h>
+#include <CGAL/Boundary_recovery_3/internal/owners/Divide_space_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/distances_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 #include <CGAL/Boundary_recovery_3/internal/util/for_each_task.h>
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <deque>
-#include <limits>
+#include <functional>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Boundary_recovery_3::internal {
-
-/*
- * Divides space into parts of equal work by *recursive coordinate bisection*: the box of the work is cut across its
- * longest side, so that both halves have the work of their parts, and so on. Parts are compact, and have few vertices
- * on their borders.
- *
- * Each round of work has axes of its own, so that its borders are elsewhere: they meet those of another round only
- * where two planes meet. In a long body, all axes put the vertices into the same order; so the borders of each round
- * are also shifted by a part of the work of a part.
- */
-class Divide_space_3
-{
-public:
-  // Into parts with the work of one of `number` equal ones. If a round is shifted, there is one more: the first and the
-  // last one share the work of one of these.
-  Divide_space_3(const std::size_t number, const int round)
-    : m_number(number), m_axes(axes_of_round(round)), m_shift(shift_of_round(round)), m_cuts(number_of_parts())
-  { }
-
-  std::size_t number_of_parts() const { return m_shift > 0 ? m_number + 1 : m_number; }
-
-  // There is that much to do around a point.
-  void add(const Coordinates_3& p, const double work) { m_items.push_back(Item{ place(p), work, m_items.size() }); }
-
-  // To be called when all work was added.
-  void operator()() { divide(m_items.begin(), m_items.end(), 0, number_of_parts()); }
-
-  // The part, from 1 on, that a point is in.
-  Part_number part_of(const Coordinates_3& p) const
-  {
-    const Coordinates_3 q = place(p);
-    std::size_t first = 0, last = number_of_parts();
-    while(last - first > 1)
-    {
-      const std::size_t half = (first + last) / 2;
-      (q[m_cuts[half].axis] < m_cuts[half].place ? last : first) = half;
-    }
-    return static_cast<Part_number>(last);
-  }
-
-private:
-  struct Item
-  {
-    Coordinates_3 place;
-    double work;
-    std::size_t number; // so that the order of equal places is known
-  };
-
-  // Between the parts before and from a position on.
-  struct Cut
-  {
-    std::size_t axis = 0;
-    double      place = 0;
-  };
-
-  typedef std::vector<Item>::iterator  Iterator;
-  typedef std::array<Coordinates_3, 3> Axes;
-
-  Coordinates_3 place(const Coordinates_3& p) const
-  {
-    return {{ dot_product(m_axes[0], p), dot_product(m_axes[1], p), dot_product(m_axes[2], p) }};
-  }
-
-  static double shift_of_round(const int round)
-  {
-    static constexpr std::array<double, 4> shifts = {{ 0, 0.5, 0.25, 0.75 }};
-    return shifts[static_cast<std::size_t>(round) % shifts.size()];
-  }
-
-  // Orthogonal, and all of the same length; those of the later ones are turned, each in another way.
-  static Axes axes_of_round(const int round)
-  {
-    static const Axes axes[] = {
-      {{ {{ 3, 0, 0 }}, {{ 0, 3, 0 }}, {{ 0, 0, 3 }} }},
-      {{ {{ 1, 2, 2 }}, {{ 2, 1, -2 }}, {{ 2, -2, 1 }} }},
-      {{ {{ -1, 2, 2 }}, {{ 2, -1, 2 }}, {{ 2, 2, -1 }} }},
-      {{ {{ 1, -2, 2 }}, {{ -2, 1, 2 }}, {{ 2, 2, 1 }} }}
-    };
-    return axes[round % 4];
-  }
-
-  // Of the positions of the parts, the last one is the one behind them.
-  void divide(const Iterator begin, const Iterator end, const std::size_t first_part, const std::size_t last_part)
-  {
-    if(last_part - first_part == 1)
-      return;
-    const std::size_t half = (first_part + last_part) / 2;
-    const std::size_t axis = longest_side(begin, end);
-    const Iterator middle = split(begin, end, axis, (work_before(half) - work_before(first_part)) /
-                                                    (work_before(last_part) - work_before(first_part)));
-    m_cuts[half] = { axis, middle == end ? std::numeric_limits<double>::infinity() : middle->place[axis] };
-    divide(begin, middle, first_part, half);
-    divide(middle, end, half, last_part);
-  }
-
-  // The work of all parts before this position, in the work of an ordinary one.
-  double work_before(const std::size_t part) const
-  {
-    return (std::min)((std::max)(double(part) - m_shift, 0.), double(m_number));
-  }
-
-  // Returns where the second half begins, if the first one is to have that share of the work. Each step sorts half of
-  // the items that the last one did, so all of them take linear time.
-  static Iterator split(const Iterator begin, const Iterator end, const std::size_t axis, const double share)
-  {
-    const double target = share * work(begin, end);
-    Iterator first = begin, last = end;
-    double before = 0;
-    while(last - first > 1)
-    {
-      const Iterator middle = first + (last - first) / 2;
-      std::nth_element(first, middle, last, [axis](const Item& x, const Item& y)
-      {
-        return x.place[axis] < y.place[axis] || (x.place[axis] == y.place[axis] && x.number < y.number);
-      });
-      const double up_to_middle = before + work(first, middle);
-      if(up_to_middle < target)
-      {
-        before = up_to_middle;
-        first = middle;
-      }
-      else
-        last = middle;
-    }
-    return last;
-  }
-
-  static double work(const Iterator begin, const Iterator end)
-  {
-    double sum = 0;
-    for(Iterator item = begin; item != end; ++item)
-      sum += item->work;
-    return sum;
-  }
-
-  static std::size_t longest_side(const Iterator begin, const Iterator end)
-  {
-    Axis_box_3 box;
-    for(Iterator item = begin; item != end; ++item)
-      box.add(item->place);
-    const Coordinates_3 sides = difference(box.upper, box.lower);
-    return static_cast<std::size_t>(std::max_element(sides.begin(), sides.end()) - sides.begin());
-  }
-
-  const std::size_t m_number;
-  const Axes m_axes;
-  const double m_shift;
-  std::vector<Item> m_items;
-  std::vector<Cut> m_cuts;
-};
 
 /*
  * What one thread at a time works on: the inner cells of a part of a mesh, see `vertex_owners.h`, as a domain of its
@@ -249,8 +98,21 @@ public:
     const Divide_space_3 divide = divided_space(number, round, work);
     for(const Vertex_handle v : tr.finite_vertex_handles())
       v->set_part(divide.part_of(internal::coordinates_of(v->point())));
-    for(std::size_t k = 0; k < divide.number_of_parts(); ++k)
-      m_parts.emplace_back(tr, domain, static_cast<Part_number>(k + 1));
+    create_parts(divide.number_of_parts(), domain);
+  }
+
+  // The parts at a depth of a tree of cuts: each vertex is in one of the halves of the part that has it by now.
+  Owned_parts_3(Tr& tr, const Domain& domain, const Divide_space_3& divide, const int depth)
+    : m_tr(tr)
+  {
+    for(const Vertex_handle v : tr.finite_vertex_handles())
+    {
+      const Part_number part = depth == 0 ? Part_number(1) : internal::owner(v);
+      const Divide_space_3::Cut* const cut = depth == 0 ? nullptr : divide.cut_of(part, depth - 1);
+      const bool is_in_first = cut == nullptr || cut->is_before(internal::coordinates_of(v->point()));
+      v->set_part(is_in_first ? part : cut->second_half);
+    }
+    create_parts(divide.number_of_parts(), domain);
   }
 
   Owned_parts_3(const Owned_parts_3&) = delete;
@@ -277,14 +139,20 @@ public:
   // Finds the vertices on the border, before the work begins.
   void mark_border(const Domain& domain)
   {
-    for(const Cell_handle c : m_tr.finite_cell_handles())
-      if(domain.contains(c) && part_of(c) == size())
+    for(const Cell_handle c : m_tr.all_cell_handles())
+      if(part_of(c) == size() && domain.contains(c))
         for(int i = 0; i < 4; ++i)
           internal::put_on_border(c->vertex(i));
   }
 
 private:
   static constexpr std::size_t vertices_per_part = 2000; // that the work of others is added to
+
+  void create_parts(const std::size_t number, const Domain& domain)
+  {
+    for(std::size_t k = 0; k < number; ++k)
+      m_parts.emplace_back(m_tr, domain, static_cast<Part_number>(k + 1));
+  }
 
   // Vertices that follow one another are mostly near each other: of several, one stands for all.
   template <typename Work>
@@ -306,6 +174,52 @@ private:
 
   Tr& m_tr;
   std::deque<Part> m_parts;
+};
+
+/*
+ * The rounds of work on the parts of a mesh, whatever the work is.
+ */
+template <typename Tr>
+class Rounds_of_parts_3
+{
+public:
+  // The context of a task, which stops when that of the whole work does.
+  struct Task_context
+    : public Recovery_context<Tr>
+  {
+    explicit Task_context(Rounds_of_parts_3& rounds)
+      : Recovery_context<Tr>(rounds.m_visitor)
+    {
+      this->set_maximum_running_time(rounds.m_context.seconds_left());
+    }
+  };
+
+  // A round pays for that many items, as a share of the number of vertices. Where fewer are left, one thread does it
+  // sooner than the mesh is divided.
+  Rounds_of_parts_3(const Tr& tr, Recovery_context<Tr>& context, const double least_share)
+    : m_tr(tr), m_context(context), m_visitor(context.visitor()), m_least_share(least_share)
+  { }
+
+  Part_visitor_3<Tr>& visitor() { return m_visitor; }
+
+  bool pays(const std::size_t number_of_items)
+  {
+    return double(number_of_items) > m_least_share * double(m_tr.number_of_vertices()) && m_context.go_further();
+  }
+
+  // Does `work(k)` for all tasks, at the same time.
+  void operator()(const std::vector<std::size_t>& amounts, const std::function<void(std::size_t)>& work)
+  {
+    internal::for_each_task(amounts, work, Concurrency_tag_of<Tr>());
+    if(m_visitor.is_stopped())
+      m_context.stop();
+  }
+
+private:
+  const Tr& m_tr;
+  Recovery_context<Tr>& m_context;
+  Part_visitor_3<Tr> m_visitor;
+  const double m_least_share;
 };
 
 } // namespace CGAL::Boundary_recovery_3::internal

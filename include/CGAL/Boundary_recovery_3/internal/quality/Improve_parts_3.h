@@ -20,7 +20,6 @@
 #include <CGAL/Boundary_recovery_3/internal/quality/Improve_bad_cells_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Move_vertex_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
-#include <CGAL/Boundary_recovery_3/internal/util/for_each_task.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -60,7 +59,7 @@ public:
   // What is improved is that of `improve`.
   Improve_parts_3(Improve_bad_cells& improve, const Quality& quality, Recovery_context<Tr>& context,
                   const std::size_t number_of_parts)
-    : m_improve(improve), m_quality(quality), m_context(context), m_visitor(context.visitor()),
+    : m_improve(improve), m_quality(quality), m_rounds(improve.mesh().triangulation(), context, least_share),
       m_number_of_parts(number_of_parts)
   { }
 
@@ -70,7 +69,7 @@ public:
     m_improve.set_visits_only_changed(true);
     std::vector<Bad_cell> cells = bad_cells().take();
     std::size_t number_of_waiting_cells = cells.size();
-    for(int round = 0; round < max_number_of_rounds && pays(number_of_waiting_cells); ++round)
+    for(int round = 0; round < max_number_of_rounds && m_rounds.pays(number_of_waiting_cells); ++round)
     {
       cells = improve_parts(round, cells, number_of_waiting_cells);
       number_of_waiting_cells = std::size_t(std::count_if(cells.begin(), cells.end(), is_waiting));
@@ -83,14 +82,15 @@ public:
   // Vertices, as `Center_vertex_3` does. Returns those that are left.
   std::vector<Vertex_handle> center(std::vector<Vertex_handle> vertices)
   {
-    for(int round = 0; round < max_number_of_rounds && pays(vertices.size()); ++round)
+    for(int round = 0; round < max_number_of_rounds && m_rounds.pays(vertices.size()); ++round)
       vertices = center_in_parts(round, vertices);
     m_improve.progress().end_parts_of_centering();
     return vertices;
   }
 
 private:
-  typedef Owned_parts_3<Tr> Parts;
+  typedef Owned_parts_3<Tr>     Parts;
+  typedef Rounds_of_parts_3<Tr> Rounds;
 
   // See "Tuning constants" in the manual.
   static constexpr int max_number_of_rounds = 4;
@@ -99,15 +99,13 @@ private:
   // The work on one part, by a thread.
   struct Task
   {
-    Task(typename Parts::Part& part, const Mesh& whole, const Quality& quality, Mesh_visitor_3<Tr>& visitor,
-         const double seconds_left)
-      : context(visitor), improve(part.triangulation(), part.domain(), quality, context)
+    Task(typename Parts::Part& part, const Mesh& whole, const Quality& quality, Rounds& rounds)
+      : context(rounds), improve(part.triangulation(), part.domain(), quality, context)
     {
-      context.set_maximum_running_time(seconds_left);
       improve.mesh().begin_part(whole);
     }
 
-    Recovery_context<Tr> context;
+    typename Rounds::Task_context context;
     Improve_bad_cells improve;
   };
 
@@ -119,13 +117,6 @@ private:
                  [](Vertex_handle) { return 1.; });
   }
 
-  // Where little is left, one thread does it sooner than the mesh is divided.
-  bool pays(const std::size_t number_of_items)
-  {
-    return number_of_items > least_share * m_improve.mesh().triangulation().number_of_vertices()
-        && m_context.go_further();
-  }
-
   // `work(task, k)` is done for each part; the numbers tell how much that is. `tell(part)` tells which part of it is
   // done.
   template <typename Work, typename Tell>
@@ -135,19 +126,17 @@ private:
     const std::size_t all = std::accumulate(amounts.begin(), amounts.end(), std::size_t(1));
     std::size_t done = 0;
     for(std::size_t k = 0; k < parts.size(); ++k)
-      tasks.emplace_back(parts[k], m_improve.mesh(), m_quality, m_visitor, m_context.seconds_left());
-    internal::for_each_task(amounts, [&](const std::size_t k)
+      tasks.emplace_back(parts[k], m_improve.mesh(), m_quality, m_rounds);
+    m_rounds(amounts, [&](const std::size_t k)
     {
       work(tasks[k], k);
-      m_visitor.do_alone([&]
+      m_rounds.visitor().do_alone([&]
       {
         done += amounts[k];
         tell(double(done) / double(all));
         m_improve.tell_progress();
       });
-    }, Concurrency_tag_of<Tr>());
-    if(m_visitor.is_stopped())
-      m_context.stop();
+    });
     for(Task& task : tasks)
     {
       internal::add_counts(m_improve.counts(), task.improve.counts());
@@ -235,8 +224,7 @@ private:
 
   Improve_bad_cells& m_improve;
   const Quality& m_quality;
-  Recovery_context<Tr>& m_context;
-  Part_visitor_3<Tr> m_visitor;
+  Rounds m_rounds;
   const std::size_t m_number_of_parts;
 };
 
