@@ -28,7 +28,8 @@ namespace CGAL::Boundary_recovery_3::internal {
  * away, or something else is allowed.
  *
  * Of an edge, the last failure is known. The shell is told by a digest of the vertices of its skirt polygon, so it does
- * not matter who changes the mesh in between.
+ * not matter who changes the mesh in between. It has 64 bits: that two polygons of an edge have the same one does not
+ * happen, and would leave out one removal.
  */
 template <typename Tr>
 class Failed_edge_removals_3
@@ -77,12 +78,12 @@ private:
   {
     std::uint64_t skirt_polygon = 0;
     Vertex_handle vertex_of_face;
-    int number_of_levels = 0;
-    bool was_cut_off = false;
+    int number_of_levels = -1; // any number may help: none is known yet
+    bool was_cut_off = true;
   };
 
   Simplex_index_3<Vertex_handle, 2> m_edges;
-  std::vector<Failure> m_failures; // by number of edge; the digest is 0 if there is none
+  std::vector<Failure> m_failures; // by number of edge
 };
 
 } // namespace CGAL::Boundary_recovery_3::internal
