@@ -24,8 +24,8 @@ namespace CGAL::Boundary_recovery_3::internal {
 /*
  * The removals by recursive shell transformations that failed. Lost constraints beside each other, and the branches of
  * one recursion, ask for the same removals again: half of all the shells would be visited in removals that failed at
- * the same shell before, and hardly one in a thousand of these would succeed then, where something changed farther
- * away, or something else is allowed.
+ * the same shell before, and one in two hundred of these would succeed then, where something changed farther away, or
+ * something else is allowed.
  *
  * Of an edge, the last failure is known. The shell is told by a digest of the vertices of its skirt polygon, so it does
  * not matter who changes the mesh in between. It has 64 bits: that two polygons of an edge have the same one does not
