@@ -145,8 +145,7 @@ public:
     if(m_tr.is_infinite(a) || m_tr.is_infinite(b))
       return UNCHANGED;
     m_validity_of_call = &validity();
-    const Supporting_edge root(a, b, e.first, nullptr);
-    root.is_constrained = m_validity_of_call->is_constrained(a, b);
+    const Supporting_edge root(a, b, e.first, nullptr, *m_validity_of_call);
     const Shell shell(m_tr, e.first, e.second, e.third);
     const int f = p == Vertex_handle() ? Shell::none : shell.index(p);
     return p != Vertex_handle() && f == Shell::none ? UNCHANGED : transform(shell, root, Ancestors(shell, nullptr), f);
@@ -240,8 +239,9 @@ private:
   // `cell` is one of the cells around the edge; it is kept up to date while cells are replaced.
   struct Supporting_edge
   {
-    Supporting_edge(const Vertex_handle a, const Vertex_handle b, const Cell_handle cell, const Supporting_edge* parent)
-      : a(a), b(b), cell(cell), parent(parent)
+    Supporting_edge(const Vertex_handle a, const Vertex_handle b, const Cell_handle cell, const Supporting_edge* parent,
+                    const Validity& validity)
+      : a(a), b(b), cell(cell), parent(parent), is_constrained(validity.is_constrained(a, b))
     { }
 
     bool is_edge_of(const Cell_handle c) const { return c->has_vertex(a) && c->has_vertex(b); }
@@ -249,7 +249,7 @@ private:
     const Vertex_handle a, b;
     mutable Cell_handle cell;
     const Supporting_edge* const parent;
-    mutable bool is_constrained = false; // once it is looked up; if not, none of its faces is
+    const bool is_constrained; // if not, none of its faces is
   };
 
   // Where edges of the way up to the root are edges of a shell further down.
@@ -332,8 +332,8 @@ private:
     m_root_cell = c;
     if(m_tr.is_infinite(a) || m_tr.is_infinite(b))
       return false;
-    const Supporting_edge root(a, b, c, nullptr);
-    if(p == Vertex_handle() && m_validity_of_call->is_constrained(a, b))
+    const Supporting_edge root(a, b, c, nullptr, *m_validity_of_call);
+    if(p == Vertex_handle() && root.is_constrained)
       return false;
     m_total_number_of_shells += m_number_of_shells;
     m_number_of_shells = 0;
@@ -364,7 +364,6 @@ private:
   // which is changed.
   bool remove(Shell& shell, const Supporting_edge& e, const Vertex_handle p, const int l, const int l_max)
   {
-    e.is_constrained = m_validity_of_call->is_constrained(e.a, e.b);
     Ancestors ancestors;
     while(true)
     {
@@ -411,7 +410,7 @@ private:
         }
         const Vertex_handle apex = at_a ? shell.a() : shell.b();
         const Vertex_handle other = at_a ? shell.b() : shell.a();
-        const Supporting_edge link_edge(apex, shell.vertex(i), shell.cell(i), &e);
+        const Supporting_edge link_edge(apex, shell.vertex(i), shell.cell(i), &e, *m_validity_of_call);
         const std::size_t before = m_number_of_transformations;
         remove(link_edge, other, l + 1, l_max);
         if(m_number_of_transformations != before && degree(e) < shell.degree())
