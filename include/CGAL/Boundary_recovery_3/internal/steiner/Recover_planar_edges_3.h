@@ -170,18 +170,20 @@ private:
   // --- apexes -------------------------------------------------------------------------------------------------------
 
   // Beside edges that cross much, where there are none as yet. Those that cross most come first: they are in the
-  // middle. On each side no more are tried than would be worth it if all edges came back, for each may take a search of
-  // the whole plane.
+  // middle. No more are tried than would be worth it if all edges came back, on both sides, for each may take a search
+  // of the whole plane.
   void insert_apexes(const Edges& edges)
   {
     std::size_t number_left = 2 * (edges.size() / min_number_of_edges);
-    for(auto it = edges.rbegin(); it != edges.rend() && it->first > min_number_of_crossings && number_left > 0; ++it)
+    for(auto it = edges.rbegin(); it != edges.rend() && it->first > min_number_of_crossings; ++it)
       for(const Orientation side : { POSITIVE, NEGATIVE })
       {
+        if(number_left == 0)
+          return;
         const std::vector<Crossing> crossed = crossed_edges(it->second);
         if(! m_mesh.context.go_further())
           return;
-        if(crossed.empty() || number_left == 0)
+        if(crossed.empty())
           break;
         if(try_apex(it->second, crossed[crossed.size() / 2], side))
           --number_left;
