@@ -60,12 +60,11 @@ public:
   // Fills the domain, which has these cells, see `Fill_domain_3`.
   void operator()(const Cells& cells, const std::size_t number_of_parts, const std::size_t expected_number)
   {
-    const Encroached_walls_3 walls = m_fill.large_walls(cells);
-    m_walls = &walls;
+    m_walls = m_fill.large_walls(cells);
     m_expected_number = expected_number;
-    m_fill.begin(walls, m_tr.number_of_vertices(), no_limit, expected_number);
+    m_fill.begin(m_walls, m_tr.number_of_vertices(), no_limit, expected_number);
     fill_from_borders(cells, number_of_parts);
-    for(int round = 1; round < max_number_of_rounds && m_rounds.pays(m_put_off.size()) && m_fill.can_go_on(); ++round)
+    for(int round = 1; m_rounds.pays(round, m_put_off.size()) && m_fill.can_go_on(); ++round)
       fill_rest(number_of_parts, round);
     m_fill.fill(m_put_off);
     m_fill.shorten_long_edges();
@@ -79,7 +78,6 @@ private:
   static constexpr std::size_t no_limit = (std::numeric_limits<std::size_t>::max)(); // of the number of vertices
 
   // See "Tuning constants" in the manual.
-  static constexpr int max_number_of_rounds = 4;
   static constexpr double least_share = 0.15;  // of cells that wait in the number of vertices
   static constexpr double likely_growth = 0.2; // of sizes
   static constexpr std::size_t pieces_per_part = 500; // of which each is added to the work as a whole
@@ -150,7 +148,7 @@ private:
     for(std::size_t k = 0; k < parts.size(); ++k)
     {
       tasks.emplace_back(parts[k], m_sizes, m_rounds);
-      tasks.back().fill.begin(*m_walls, number_of_vertices, no_limit, 0);
+      tasks.back().fill.begin(m_walls, number_of_vertices, no_limit, 0);
       amounts.push_back(cells[k].size());
     }
     m_rounds.visitor().begin(Phase::field_point_insertion, m_fill.vertices().size(), m_expected_number);
@@ -235,7 +233,7 @@ private:
   Sizes& m_sizes;
   Rounds m_rounds;
   Fill_domain& m_fill;
-  const Encroached_walls_3* m_walls = nullptr;
+  Encroached_walls_3 m_walls; // the large ones
   std::size_t m_expected_number = 0;
   Cells m_put_off; // that have to be looked at in another round
 };

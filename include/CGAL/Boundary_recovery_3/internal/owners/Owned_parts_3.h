@@ -202,9 +202,10 @@ public:
 
   Part_visitor_3<Tr>& visitor() { return m_visitor; }
 
-  bool pays(const std::size_t number_of_items)
+  bool pays(const int round, const std::size_t number_of_items)
   {
-    return double(number_of_items) > m_least_share * double(m_tr.number_of_vertices()) && m_context.go_further();
+    return round < max_number_of_rounds
+        && double(number_of_items) > m_least_share * double(m_tr.number_of_vertices()) && m_context.go_further();
   }
 
   // Does `work(k)` for all tasks, at the same time.
@@ -216,6 +217,8 @@ public:
   }
 
 private:
+  static constexpr int max_number_of_rounds = 4; // see "Tuning constants" in the manual
+
   const Tr& m_tr;
   Recovery_context<Tr>& m_context;
   Part_visitor_3<Tr> m_visitor;

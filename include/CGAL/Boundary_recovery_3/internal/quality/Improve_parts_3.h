@@ -69,7 +69,7 @@ public:
     m_improve.set_visits_only_changed(true);
     std::vector<Bad_cell> cells = bad_cells().take();
     std::size_t number_of_waiting_cells = cells.size();
-    for(int round = 0; round < max_number_of_rounds && m_rounds.pays(number_of_waiting_cells); ++round)
+    for(int round = 0; m_rounds.pays(round, number_of_waiting_cells); ++round)
     {
       cells = improve_parts(round, cells, number_of_waiting_cells);
       number_of_waiting_cells = std::size_t(std::count_if(cells.begin(), cells.end(), is_waiting));
@@ -82,7 +82,7 @@ public:
   // Vertices, as `Center_vertex_3` does. Returns those that are left.
   std::vector<Vertex_handle> center(std::vector<Vertex_handle> vertices)
   {
-    for(int round = 0; round < max_number_of_rounds && m_rounds.pays(vertices.size()); ++round)
+    for(int round = 0; m_rounds.pays(round, vertices.size()); ++round)
       vertices = center_in_parts(round, vertices);
     m_improve.progress().end_parts_of_centering();
     return vertices;
@@ -93,7 +93,6 @@ private:
   typedef Rounds_of_parts_3<Tr> Rounds;
 
   // See "Tuning constants" in the manual.
-  static constexpr int max_number_of_rounds = 4;
   static constexpr double least_share = 0.02; // of the vertices
 
   // The work on one part, by a thread.
