@@ -242,7 +242,8 @@ private:
     for(std::size_t f = 0; f < m_interiors.size(); ++f)
       if(internal::contains(m_constraints.edges_of_facet(f), e))
         facets.push_back(f);
-    assert(m_ledger.facets_at_edge(e) == facets);
+    const auto& found = m_constraints.facets_at_edge(e);
+    assert(Indices(found.begin(), found.end()) == facets);
   }
 
   // All edges and triangles between the vertices, but for triangles with three vertices on one edge.

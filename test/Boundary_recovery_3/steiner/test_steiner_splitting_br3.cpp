@@ -171,7 +171,7 @@ private:
     m_fans.clear(m_scene.ledger.neighbors_on_edge(m_s));
     assert(is_zero(normal(m_fans.ends()[0], m_fans.ends()[1])));
     std::vector<Exact_vector> half_planes;
-    for(const std::size_t f : m_scene.ledger.facets_at_edge(e))
+    for(const std::size_t f : m_scene.constraints.facets_at_edge(e))
     {
       const auto& facet = m_scene.constraints.facets()[f];
       assert(m_fans.add_planar_fan(m_star, m_scene.ledger.vertices_on_facet(f), facet, false));

@@ -17,6 +17,8 @@
 
 #include <CGAL/assertions.h>
 
+#include <boost/container/small_vector.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -41,6 +43,8 @@ public:
   typedef typename Tr::Vertex_handle    Vertex_handle;
   typedef std::array<Vertex_handle, 2>  Vertex_pair;
   typedef std::array<Vertex_handle, 3>  Vertex_triple;
+
+  typedef boost::container::small_vector<std::size_t, 2> Facets_at_edge;
 
   static constexpr std::size_t none = std::size_t(-1);
 
@@ -81,7 +85,7 @@ public:
     m_given_edges.erase(e);
     if(facets_at_edge(e).empty())
       m_edges.erase({{ u, v }});
-    for(const std::size_t f : std::vector<std::size_t>(facets_at_edge(e)))
+    for(const std::size_t f : Facets_at_edge(facets_at_edge(e)))
       erase_facet(f); // with the last one, the edge goes
   }
 
@@ -98,7 +102,7 @@ public:
   {
     const std::size_t e = index(u, v);
     CGAL_precondition(e != none);
-    const std::vector<std::size_t> facets = facets_at_edge(e);
+    const Facets_at_edge facets = facets_at_edge(e);
     const bool is_given = m_given_edges.count(e) != 0;
     for(const std::size_t f : facets)
     {
@@ -145,6 +149,14 @@ public:
     return m_facets[{{ u, v, w }}];
   }
 
+  // The indices of the facets at an edge, in increasing order. They are looked for once for all edges: only where
+  // something is erased or split, or points are put on constraints, has it to be known. By one thread.
+  const Facets_at_edge& facets_at_edge(const std::size_t e) const
+  {
+    find_facets_at_edges();
+    return m_facets_at_edges[e];
+  }
+
   // For each of the facets its index, or none.
   void look_up(const std::vector<Vertex_triple>& facets, std::vector<std::size_t>& indices) const
   {
@@ -174,9 +186,10 @@ private:
 
   void erase_facet(const std::size_t f)
   {
+    find_facets_at_edges();
     for(const std::size_t e : m_edges_of_facets[f])
     {
-      std::vector<std::size_t>& facets = facets_at_edge(e);
+      Facets_at_edge& facets = m_facets_at_edges[e];
       facets.erase(std::find(facets.begin(), facets.end(), f));
       if(facets.empty() && m_given_edges.count(e) == 0)
         m_edges.erase(m_edges.keys()[e]);
@@ -184,20 +197,17 @@ private:
     m_facets.erase(m_facets.keys()[f]);
   }
 
-  // Only where something is erased or split has it to be known which facets are at an edge.
-  std::vector<std::size_t>& facets_at_edge(const std::size_t e)
+  void find_facets_at_edges() const
   {
-    if(! m_is_adjacency_known)
-    {
-      m_is_adjacency_known = true;
-      for(std::size_t f = 0; f < m_edges_of_facets.size(); ++f)
-        add_to_edges(f);
-    }
     m_facets_at_edges.resize(m_edges.size());
-    return m_facets_at_edges[e];
+    if(m_is_adjacency_known)
+      return;
+    m_is_adjacency_known = true;
+    for(std::size_t f = 0; f < m_edges_of_facets.size(); ++f)
+      add_to_edges(f);
   }
 
-  void add_to_edges(const std::size_t f)
+  void add_to_edges(const std::size_t f) const
   {
     m_facets_at_edges.resize(m_edges.size());
     for(const std::size_t e : m_edges_of_facets[f])
@@ -208,8 +218,8 @@ private:
   Simplex_index_3<Vertex_handle, 3> m_facets;
   std::vector<std::array<std::size_t, 3> > m_edges_of_facets;
   std::unordered_set<std::size_t> m_given_edges; // those that were given by themselves; look-up only
-  bool m_is_adjacency_known = false;
-  std::vector<std::vector<std::size_t> > m_facets_at_edges; // by edge, if it is known
+  mutable bool m_is_adjacency_known = false;
+  mutable std::vector<Facets_at_edge> m_facets_at_edges; // by edge, if it is known
 };
 
 // The constraints that are not in the mesh, by their indices in increasing order.

@@ -338,7 +338,7 @@ private:
       return add_fan_of_constraint(carrier.index, true);
     }
     m_fans.clear(m_mesh.ledger.neighbors_on_edge(s));
-    for(const std::size_t f : m_mesh.ledger.facets_at_edge(carrier.index))
+    for(const std::size_t f : m_mesh.constraints.facets_at_edge(carrier.index))
       if(! add_fan_of_constraint(f, false))
         return false;
     if(! m_fans.add_hull_fans(m_star))

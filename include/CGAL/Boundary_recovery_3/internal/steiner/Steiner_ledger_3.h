@@ -62,10 +62,7 @@ public:
   {
     Vertices& chain = m_chains[e];
     if(chain.empty())
-    {
       chain.assign(m_constraints.edges()[e].begin(), m_constraints.edges()[e].end());
-      find_facets_at_edge(e);
-    }
     const auto it = std::find(chain.begin(), chain.end(), previous);
     CGAL_assertion(it != chain.end());
     chain.insert(it + 1, v);
@@ -100,10 +97,7 @@ public:
     const Carrier c = carrier(v);
     erase_from(c.dimension == 1 ? m_chains[c.index] : m_interiors[c.index], v);
     if(c.dimension == 1 && m_chains[c.index].size() == 2)
-    {
       m_chains.erase(c.index);
-      m_facets_at_edge.erase(c.index);
-    }
     erase_from(m_points_on_constraints, v);
     m_carriers.erase(&*v);
   }
@@ -207,7 +201,7 @@ public:
         const Carrier c = carrier(x);
         if(c.dimension == 2)
           return is_on_facet(u, c.index) && is_on_facet(v, c.index) && is_on_facet(w, c.index);
-        for(const std::size_t f : facets_at_edge(c.index))
+        for(const std::size_t f : m_constraints.facets_at_edge(c.index))
           if(is_on_facet(u, f) && is_on_facet(v, f) && is_on_facet(w, f))
             return true;
         return false;
@@ -229,9 +223,6 @@ public:
                                      : internal::contains(edges, it->second.index);
   }
 
-  // The constrained facets that have the edge e, on which there are Steiner points.
-  const std::vector<std::size_t>& facets_at_edge(const std::size_t e) const { return m_facets_at_edge.find(e)->second; }
-
   // The edges with Steiner points on them, in increasing order.
   std::vector<std::size_t> split_edges() const
   {
@@ -250,7 +241,8 @@ public:
       if(carrier(v).dimension == 2)
         result.push_back(carrier(v).index);
       else
-        result.insert(result.end(), facets_at_edge(carrier(v).index).begin(), facets_at_edge(carrier(v).index).end());
+        for(const std::size_t f : m_constraints.facets_at_edge(carrier(v).index))
+          result.push_back(f);
     return sorted(result);
   }
 
@@ -308,18 +300,6 @@ private:
     return it != m_carriers.end() && it->second.dimension == 1;
   }
 
-  void find_facets_at_edge(const std::size_t e)
-  {
-    std::vector<std::size_t>& facets = m_facets_at_edge[e];
-    facets.clear();
-    for(std::size_t f = 0; f < m_constraints.facets().size(); ++f)
-    {
-      const auto& edges = m_constraints.edges_of_facet(f);
-      if(internal::contains(edges, e))
-        facets.push_back(f);
-    }
-  }
-
   static std::vector<std::size_t> sorted(std::vector<std::size_t> indices)
   {
     std::sort(indices.begin(), indices.end());
@@ -353,7 +333,6 @@ private:
   Carriers m_carriers;
   Vertices_of_constraint m_chains;    // of edges, ends included
   Vertices_of_constraint m_interiors; // of facets
-  std::unordered_map<std::size_t, std::vector<std::size_t> > m_facets_at_edge; // look-up only
 };
 
 } // namespace CGAL::Boundary_recovery_3::internal
