@@ -167,8 +167,8 @@ public:
   bool remove_edge(const Edge& e, const int l_max, const Validity& validity)
   {
     m_validity_of_call = &validity;
-    return remove(e.first->vertex(e.second), e.first->vertex(e.third), Vertex_handle(), e.first, l_max,
-                  m_max_number_of_shells);
+    return remove_root(e.first->vertex(e.second), e.first->vertex(e.third), Vertex_handle(), e.first, l_max,
+                       m_max_number_of_shells);
   }
 
   /*!
@@ -198,7 +198,7 @@ public:
     Cell_handle c = f.first;
     for(int i = 0; i < 3; ++i)
     {
-      if(remove(v[i], v[(i + 1) % 3], v[(i + 2) % 3], c, l_max, (m_max_number_of_shells + 2) / 3))
+      if(remove_root(v[i], v[(i + 1) % 3], v[(i + 2) % 3], c, l_max, (m_max_number_of_shells + 2) / 3))
         return true;
       was_cut_off |= m_was_cut_off;
       // The facet is still there, but its cells may have been replaced.
@@ -324,8 +324,9 @@ private:
   typedef Boundary_recovery_3::internal::Covering_mesh_search_3<Tr, Quality, Recursion_validity> Covering_mesh_search;
   static_assert(max_degree <= Covering_mesh_search::max_degree, "Shells of this degree cannot be searched.");
 
-  bool remove(const Vertex_handle a, const Vertex_handle b, const Vertex_handle p, const Cell_handle c, const int l_max,
-              const std::size_t max_number_of_shells)
+  // The edge ab, which the cell c has, or its face with p, with so many shells.
+  bool remove_root(const Vertex_handle a, const Vertex_handle b, const Vertex_handle p, const Cell_handle c,
+                   const int l_max, const std::size_t max_number_of_shells)
   {
     CGAL_precondition(m_tr.dimension() == 3);
     m_was_cut_off = false;
@@ -349,11 +350,11 @@ private:
   {
     Shell shell(m_tr, e.cell, e.cell->index(e.a), e.cell->index(e.b));
     if(! m_failed_removals)
-      return remove(shell, e, p, l, l_max);
+      return transform_repeatedly(shell, e, p, l, l_max);
     const auto removal = m_failed_removals->removal(shell, p);
     const bool was_cut_off = std::exchange(m_was_cut_off, false);
     const bool is_known = m_failed_removals->contains(removal, l_max - l, m_was_cut_off);
-    const bool is_removed = ! is_known && remove(shell, e, p, l, l_max);
+    const bool is_removed = ! is_known && transform_repeatedly(shell, e, p, l, l_max);
     if(! is_known && ! is_removed && m_number_of_shells <= m_max_number_of_shells_of_edge)
       m_failed_removals->insert(removal, l_max - l, m_was_cut_off);
     m_was_cut_off |= was_cut_off;
@@ -362,7 +363,7 @@ private:
 
   // Its tail recursion is a loop here; the depth of the other recursion is bounded by l_max. The shell is that of e,
   // which is changed.
-  bool remove(Shell& shell, const Supporting_edge& e, const Vertex_handle p, const int l, const int l_max)
+  bool transform_repeatedly(Shell& shell, const Supporting_edge& e, const Vertex_handle p, const int l, const int l_max)
   {
     Ancestors ancestors;
     while(true)
