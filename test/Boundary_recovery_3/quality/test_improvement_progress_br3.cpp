@@ -36,9 +36,14 @@ double share_after_first_round(const std::size_t number_of_failures, const Impro
   progress.begin(10000, number_of_bad_cells, 2000, effort);
   progress.begin_round(1, number_of_bad_cells, 10000);
   double last = 0;
-  for(std::size_t i = 100; i <= number_of_bad_cells; i += 100)
+  for(std::size_t i = 1; i <= number_of_bad_cells; ++i)
   {
-    progress.visit(i, i * number_of_failures / number_of_bad_cells, 10000 + evaluations_of_visit * i);
+    progress.visit();
+    if(i * number_of_failures / number_of_bad_cells > (i - 1) * number_of_failures / number_of_bad_cells)
+      progress.fail();
+    if(i % 100 != 0)
+      continue;
+    progress.work(10000 + evaluations_of_visit * i);
     assert(progress.share() >= last && progress.share() < 1);
     last = progress.share();
   }
@@ -64,7 +69,7 @@ void test_worst_cells()
   double last = progress.share();
   for(std::size_t spent = 1000; spent < 1000000; spent *= 2)
   {
-    progress.work_on_worst_cells(20000 + spent);
+    progress.work(20000 + spent);
     assert(progress.share() >= last && progress.share() < 1);
     last = progress.share();
   }
@@ -78,7 +83,7 @@ void test_nothing()
   assert(progress.share() == 0);
   progress.begin(0, 0, 0, Improvement_effort::normal);
   progress.begin_round(1, 0, 0);
-  progress.visit(0, 0, 0);
+  progress.work(0);
   progress.begin_worst_cells(0, 0, 0);
   progress.center(0, 0, 0);
   assert(std::isfinite(progress.share()) && progress.share() < 1);

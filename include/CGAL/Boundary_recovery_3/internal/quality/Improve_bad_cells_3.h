@@ -229,7 +229,6 @@ public:
   // From now on, rounds are those of the work on the worst cells.
   void begin_worst_cells(const std::size_t number_of_worst_cells)
   {
-    m_is_first_pass = false;
     m_progress.begin_worst_cells(number_of_worst_cells, m_bad_cells.size(), m_mesh.quality().number());
   }
 
@@ -308,8 +307,6 @@ private:
       }
       last_badness = m_bad_cells.badness();
       ++m_counts.number_of_rounds;
-      m_visits_before = m_number_of_visits;
-      m_number_of_failures = 0;
       m_progress.begin_round(m_round, cells.size(), m_mesh.quality().number());
       visit(cells, last_visit);
     }
@@ -331,6 +328,7 @@ private:
   // round. If there are none, or if only changed cells are to be visited, the cell goes back to the list.
   void visit(const Bad_cell& c)
   {
+    m_progress.visit();
     if(++m_number_of_visits % visits_per_report == 0)
       report();
     const bool is_as_before = c.time > 0 && (m_round > 1 || m_visits_only_changed)
@@ -343,7 +341,7 @@ private:
     else if(! improve_unless_at_border(c.cell, is_as_before ? m_round : 1))
     {
       m_bad_cells.push(c.cell, m_mesh.time());
-      ++m_number_of_failures;
+      m_progress.fail();
     }
   }
 
@@ -428,10 +426,7 @@ private:
 
   void report()
   {
-    if(m_is_first_pass)
-      m_progress.visit(m_number_of_visits - m_visits_before, m_number_of_failures, m_mesh.quality().number());
-    else
-      m_progress.work_on_worst_cells(m_mesh.quality().number());
+    m_progress.work(m_mesh.quality().number());
     tell_progress();
   }
 
@@ -449,9 +444,6 @@ private:
   bool m_visits_only_changed = false;
   bool m_works_on_nearly_flat_cells = false;
   std::size_t m_number_of_visits = 0;
-  std::size_t m_visits_before = 0; // this round
-  std::size_t m_number_of_failures = 0; // of this round
-  bool m_is_first_pass = true;
   Improvement_progress m_progress;
 };
 

@@ -48,6 +48,8 @@ public:
   // The rounds that visit all bad cells: this is the round with that number, from 1 on.
   void begin_round(const int round, const std::size_t number_of_cells, const std::size_t evaluations)
   {
+    m_number_of_visits = 0;
+    m_number_of_failures = 0;
     m_evaluations = double(evaluations);
     m_number_of_cells = double(number_of_cells);
     m_round = (std::min)(static_cast<std::size_t>(round), prices.size()) - 1;
@@ -55,19 +57,17 @@ public:
       m_stubborn_share = 1;
   }
 
-  // So many cells of that round were visited, and nothing helped so many of them.
-  void visit(const std::size_t number_of_visits, const std::size_t number_of_failures, const std::size_t evaluations)
+  // A cell of a round is visited; nothing helped it.
+  void visit() { ++m_number_of_visits; }
+  void fail() { ++m_number_of_failures; }
+
+  // To be called from time to time in the rounds, and in the work on the worst cells.
+  void work(const std::size_t evaluations)
   {
-    const double first = least_sample * m_number_of_cells; // that count as expected
-    const double visited = double(number_of_visits), left = (std::max)(0., m_number_of_cells - visited);
-    const double price = price_in_round(m_round);
-    const double spent = double(evaluations) - m_evaluations;
-    const double stubborn = double(number_of_failures);
-    double price_later = price_of_stubborn_cell;
-    for(std::size_t r = m_round + 1; r < prices.size(); ++r)
-      price_later += price_in_round(r);
-    const double all_stubborn = stubborn + left * (stubborn + first * m_stubborn_share) / (visited + first);
-    m_to_come = left * (spent + first * price) / (visited + first) + all_stubborn * price_later + m_centering;
+    if(m_works_on_worst_cells)
+      work_on_worst_cells(evaluations);
+    else
+      work_on_round(evaluations);
     m_share = (std::max)(m_share, share(double(evaluations)));
   }
 
@@ -83,18 +83,11 @@ public:
   void begin_worst_cells(const std::size_t number_of_worst_cells, const std::size_t number_of_bad_cells,
                          const std::size_t evaluations)
   {
+    m_works_on_worst_cells = true;
     m_evaluations = double(evaluations);
     m_worst = m_factor * price_of_worst_cell * double(number_of_worst_cells) +
               price_of_second_turn * double(number_of_bad_cells);
-    work_on_worst_cells(evaluations);
-  }
-
-  // They may take more than was expected: then, less and less is told.
-  void work_on_worst_cells(const std::size_t evaluations)
-  {
-    const double spent = double(evaluations) - m_evaluations;
-    m_to_come = m_worst * std::exp(-2 * spent / (m_worst + 1)) + m_centering;
-    m_share = (std::max)(m_share, share(double(evaluations)));
+    work(evaluations);
   }
 
   void center(const std::size_t number_of_vertices, const std::size_t total, const std::size_t evaluations)
@@ -120,6 +113,27 @@ private:
   static constexpr double least_sample = 0.1;        // of the cells of a round
   static constexpr double low_factor = 0.4;
   static constexpr double high_factor = 10;
+
+  void work_on_round(const std::size_t evaluations)
+  {
+    const double first = least_sample * m_number_of_cells; // that count as expected
+    const double visited = double(m_number_of_visits), left = (std::max)(0., m_number_of_cells - visited);
+    const double price = price_in_round(m_round);
+    const double spent = double(evaluations) - m_evaluations;
+    const double stubborn = double(m_number_of_failures);
+    double price_later = price_of_stubborn_cell;
+    for(std::size_t r = m_round + 1; r < prices.size(); ++r)
+      price_later += price_in_round(r);
+    const double all_stubborn = stubborn + left * (stubborn + first * m_stubborn_share) / (visited + first);
+    m_to_come = left * (spent + first * price) / (visited + first) + all_stubborn * price_later + m_centering;
+  }
+
+  // It may take more than was expected: then, less and less is told.
+  void work_on_worst_cells(const std::size_t evaluations)
+  {
+    const double spent = double(evaluations) - m_evaluations;
+    m_to_come = m_worst * std::exp(-2 * spent / (m_worst + 1)) + m_centering;
+  }
 
   double price_of_rounds() const
   {
@@ -151,6 +165,9 @@ private:
   double m_stubborn_share = 0;
   double m_evaluations = 0; // before this round
   double m_number_of_cells = 0;
+  std::size_t m_number_of_visits = 0;   // of this round
+  std::size_t m_number_of_failures = 0; // of them, those that nothing helped
+  bool m_works_on_worst_cells = false;
   std::size_t m_round = 0;
   double m_worst = 0;
   double m_to_come = 0;
