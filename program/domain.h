@@ -1,7 +1,7 @@
 #ifndef BOUNDARY_RECOVERY_3_PROGRAM_DOMAIN_H
 #define BOUNDARY_RECOVERY_3_PROGRAM_DOMAIN_H
 
-#include <CGAL/Boundary_recovery_3/internal/mesh/Domain_soup_3.h>
+#include <CGAL/Boundary_recovery_3/write_domain_MEDIT.h>
 
 #include <array>
 #include <cstddef>

@@ -10,8 +10,12 @@
 // The recovery in Delaunay triangulations.
 
 #include <CGAL/Boundary_recovery_3/internal/input/Recover_indexed_boundary.h>
+#include <CGAL/Boundary_recovery_3/internal/steiner/Recover_by_points_3.h>
 
 namespace CGAL::Boundary_recovery_3::internal {
+
+template bool
+Recover_by_points_3<Standard_delaunay>::operator()(Recovery_mode, int, std::size_t, Recovery_effort);
 
 template Boundary_recovery_result_3<Standard_delaunay>
 Recover_indexed_boundary<Standard_delaunay, Standard_kernel>::operator()(

@@ -9,7 +9,6 @@
 
 #include <CGAL/Boundary_recovery_3/Hole_remeshing_result_3.h>
 #include <CGAL/Boundary_recovery_3/Meshing_visitor_3.h>
-#include <CGAL/Boundary_recovery_3/internal/holes/Remesh_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/remesh_cells.h>
 

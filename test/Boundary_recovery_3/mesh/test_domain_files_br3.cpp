@@ -6,7 +6,6 @@
 #include "grid_scene_br3.h"
 
 #include <CGAL/Boundary_constrained_mesh_triangulation_3.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/Domain_soup_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Medit_writer.h>
 #include <CGAL/Boundary_recovery_3/number_edge_nodes.h>
 #include <CGAL/Boundary_recovery_3/write_domain_MEDIT.h>

@@ -63,6 +63,12 @@ Soup<K> read(const std::string& name)
   return soup;
 }
 
+// Not Delaunay by type, and its vertices have data of the caller.
+template <typename K>
+using Plain_triangulation = CGAL::Triangulation_3<
+  K, CGAL::Triangulation_data_structure_3<CGAL::Triangulation_vertex_base_with_info_3<int, K>,
+                                          CGAL::Delaunay_triangulation_cell_base_3<K> > >;
+
 typedef std::set<std::vector<std::size_t> > Cells;
 
 // The finite cells by the input indices of their vertices.
@@ -286,7 +292,7 @@ void test_overloads()
   assert(again.vertices == expected.vertices && cells_by_index(tr, again.vertices) == cells);
 
   // Vertex handles, also in a triangulation that is not Delaunay by type.
-  CGAL::Triangulation_3<K> plain(soup.points.begin(), soup.points.end());
+  Plain_triangulation<K> plain(soup.points.begin(), soup.points.end());
   const auto of_plain = CGAL::recover_boundary(plain, soup.points, soup.triangles,
                                                params::recovery_mode(Recovery_mode::flips_only));
   assert(of_plain.status == Recovery_status::recovered || of_plain.status == Recovery_status::incomplete);
@@ -339,7 +345,7 @@ std::vector<std::size_t> unknown_vertices(const Result& result)
 template <typename K>
 void test_unknown_vertices()
 {
-  typedef CGAL::Triangulation_3<K> Plain;
+  typedef Plain_triangulation<K>   Plain;
   typedef typename K::Point_3      Point_3;
   typedef std::vector<std::size_t> Indices;
   std::vector<Point_3> points = { Point_3(0, 0, 0), Point_3(4, 0, 0), Point_3(0, 4, 0), Point_3(0, 0, 4) };
@@ -440,9 +446,7 @@ void test_number_of_crossed_entities()
 void test_custom_base()
 {
   typedef CGAL::Exact_predicates_inexact_constructions_kernel K;
-  typedef CGAL::Triangulation_vertex_base_with_info_3<int, K> Vb;
-  typedef CGAL::Triangulation_data_structure_3<Vb, CGAL::Delaunay_triangulation_cell_base_3<K> > Tds;
-  CGAL::Delaunay_triangulation_3<K, Tds> tr;
+  Plain_triangulation<K> tr;
   const Soup<K> soup = read<K>("gear_br3.off");
   int n = 0;
   for(const auto& p : soup.points)

@@ -6,6 +6,7 @@
 #include "recover_and_judge_br3.h"
 #include "steiner_inputs_br3.h"
 
+#include <CGAL/Boundary_constrained_mesh_triangulation_3.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -36,17 +37,15 @@ struct Counting_visitor : CGAL::Default_meshing_visitor_3
   long* counter;
 };
 
-template <typename K>
+template <typename Triangulation>
 struct Outcome
 {
-  typedef CGAL::Delaunay_triangulation_3<K> Triangulation;
-
   Outcome(const br3_test::Plc& plc, const Mode mode, long* const counter)
     : portrait(recover(plc, mode, counter)) { }
 
   br3_test::Portrait<Triangulation> recover(const br3_test::Plc& plc, const Mode mode, long* const counter)
   {
-    std::vector<typename K::Point_3> points;
+    std::vector<typename Triangulation::Point> points;
     for(const auto& c : plc.points)
       points.emplace_back(c[0], c[1], c[2]);
     Triangulation tr;
@@ -64,11 +63,11 @@ struct Outcome
 // Both begin at once, before anything that is made at its first use was made: first the threads, then one by one. Each
 // thread recovers all, several times and in another order, so that both run the same code while the other does: what
 // ThreadSanitizer remembers of a thread does not reach far back.
-template <typename K>
+template <typename Triangulation>
 void test_two_threads(const br3_test::Plc (&plcs)[2], const Mode (&modes)[2], long* const counter)
 {
   const int number_of_rounds = 4;
-  std::vector<Outcome<K> > of_thread[2];
+  std::vector<Outcome<Triangulation> > of_thread[2];
   std::atomic<int> number_of_ready(0);
   const auto run = [&](const int k)
   {
@@ -83,7 +82,7 @@ void test_two_threads(const br3_test::Plc (&plcs)[2], const Mode (&modes)[2], lo
   t1.join();
   for(int k = 0; k < 2; ++k)
   {
-    const Outcome<K> expected(plcs[k], modes[k], nullptr);
+    const Outcome<Triangulation> expected(plcs[k], modes[k], nullptr);
     assert(expected.number_of_steiner_points > 0);
     for(int thread = 0; thread < 2; ++thread)
       for(std::size_t i = (k + thread) % 2; i < of_thread[thread].size(); i += 2)
@@ -100,9 +99,12 @@ int main(int argc, char**)
   long* const shared = argc > 1 ? &counter : nullptr;
   const br3_test::Plc plcs[2] = { br3_test::twisted_prism(3, .3, 1000, 1000), br3_test::Notched_box(1, 1).plc() };
   const Mode modes[2] = { Mode::constrained, Mode::conforming };
-  test_two_threads<CGAL::Exact_predicates_inexact_constructions_kernel>(plcs, modes, shared);
-#ifndef BR3_TEST_EPICK_ONLY
-  test_two_threads<CGAL::Exact_predicates_exact_constructions_kernel>(plcs, modes, shared);
+  typedef CGAL::Exact_predicates_inexact_constructions_kernel Inexact_kernel;
+  test_two_threads<CGAL::Boundary_constrained_mesh_triangulation_3<Inexact_kernel>::type>(plcs, modes, shared);
+#ifndef BR3_TEST_ONE_TRIANGULATION
+  typedef CGAL::Exact_predicates_exact_constructions_kernel Exact_kernel;
+  test_two_threads<CGAL::Delaunay_triangulation_3<Inexact_kernel> >(plcs, modes, shared);
+  test_two_threads<CGAL::Delaunay_triangulation_3<Exact_kernel> >(plcs, modes, shared);
 #endif
   std::cout << "done" << std::endl;
   return EXIT_SUCCESS;

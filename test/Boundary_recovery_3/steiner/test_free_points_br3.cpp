@@ -14,6 +14,7 @@
 #undef NDEBUG
 
 #include "cell_mirror_br3.h"
+#include "recovery_of_oracles_br3.h"
 #include "stopping_visitor_br3.h"
 #include "tetrahedralizations_br3.h"
 

@@ -15,6 +15,7 @@
 #include <CGAL/Boundary_recovery_3/internal/numbers/binary_scale.h>
 #include <CGAL/Boundary_recovery_3/internal/numbers/exact_numbers.h>
 
+#include <CGAL/Fraction_traits.h>
 #include <CGAL/Kernel/global_functions_3.h>
 #include <CGAL/Origin.h>
 #include <CGAL/Simple_cartesian.h>
@@ -53,10 +54,11 @@ public:
   typedef std::array<double, 3>                Coordinates;
 
   // The polyhedron is the intersection of the open negative sides of the planes, and is bounded.
-  std::optional<Coordinates> operator()(const std::vector<Plane_3>& planes)
+  std::optional<Coordinates> operator()(std::vector<Plane_3> planes)
   {
     if(planes.size() > max_number_of_planes)
       return std::nullopt;
+    make_integral(planes);
     collect_vertices(planes);
     find_spacings();
     if(! find_shape())
@@ -67,10 +69,11 @@ public:
   }
 
   // The mean of the vertices of that polyhedron, which is inside; none if it has no volume.
-  std::optional<Point_3> center(const std::vector<Plane_3>& planes)
+  std::optional<Point_3> center(std::vector<Plane_3> planes)
   {
     if(planes.size() > max_number_of_planes)
       return std::nullopt;
+    make_integral(planes);
     collect_vertices(planes);
     if(m_vertices.empty())
       return std::nullopt;
@@ -105,6 +108,43 @@ private:
     return Vector_3(dot(m[0], v), dot(m[1], v), dot(m[2], v));
   }
 
+  // The least positive integer that makes integers of all these numbers. Where only ratios matter, integers take a
+  // fraction of the time: other numbers are reduced to lowest terms at every step.
+  template <typename Numbers>
+  static Rational common_denominator(const Numbers& numbers)
+  {
+    typedef Fraction_traits<Rational> Fractions;
+    Rational result(1);
+    for(const Rational& x : numbers)
+    {
+      typename Fractions::Numerator_type numerator;
+      typename Fractions::Denominator_type denominator;
+      typename Fractions::Decompose()(Rational(x * result), numerator, denominator);
+      result *= Rational(denominator);
+    }
+    return result;
+  }
+
+  static void make_integral(std::vector<Plane_3>& planes)
+  {
+    for(Plane_3& h : planes)
+    {
+      const std::array<Rational, 4> numbers = {{ h.a(), h.b(), h.c(), h.d() }};
+      const Rational w = common_denominator(numbers);
+      h = Plane_3(w * h.a(), w * h.b(), w * h.c(), w * h.d());
+    }
+  }
+
+  static void make_integral(Matrix& m)
+  {
+    std::vector<Rational> numbers;
+    for(const Vector_3& column : m)
+      numbers.insert(numbers.end(), { column.x(), column.y(), column.z() });
+    const Rational w = common_denominator(numbers);
+    for(Vector_3& column : m)
+      column = w * column;
+  }
+
   // The ends of the edges. (To compile `CGAL::halfspace_intersection_3()` takes as long as half of this package.)
   void collect_vertices(const std::vector<Plane_3>& planes)
   {
@@ -127,22 +167,22 @@ private:
     if(direction == CGAL::NULL_VECTOR)
       return;
     const Vector_3 weighted = p.d() * cross(direction, v) + q.d() * cross(u, direction);
-    const Vector_3 from_origin = weighted / dot(direction, direction);
-    if(const std::optional<Range> range = part_of_line(planes, from_origin, direction))
+    const Rational weight = dot(direction, direction);
+    if(const std::optional<Range> range = part_of_line(planes, weighted, direction, weight))
       for(const Rational& t : { range->first, range->second })
-        points.push_back(CGAL::ORIGIN + (from_origin + t * direction));
+        points.push_back(CGAL::ORIGIN + (weighted + t * direction) / weight);
   }
 
-  // Those multiples of the direction that lead from `start` to points on no positive side of a plane, of which some
-  // bound it on both sides; none if there are no such points.
+  // Those multiples of the direction that lead from `start`, both divided by `weight`, to points on no positive side of
+  // a plane, of which some bound it on both sides; none if there are no such points.
   static std::optional<Range> part_of_line(const std::vector<Plane_3>& planes, const Vector_3& start,
-                                           const Vector_3& direction)
+                                           const Vector_3& direction, const Rational& weight)
   {
     std::optional<Rational> first, last;
     for(const Plane_3& h : planes)
     {
       const Rational slope = dot(h.orthogonal_vector(), direction);
-      const Rational height = dot(h.orthogonal_vector(), start) + h.d();
+      const Rational height = dot(h.orthogonal_vector(), start) + weight * h.d();
       if(slope == 0 && height > 0)
         return std::nullopt;
       if(slope == 0)
@@ -215,40 +255,43 @@ private:
     Matrix images;
     for(int i = 0; i < 3; ++i)
       images[i] = products(forms, m_basis[i]);
+    make_integral(images);
+    Rational g[3][3]; // the scalar products of the images; the images themselves are not needed any more
+    for(int i = 0; i < 3; ++i)
+      for(int j = 0; j < 3; ++j)
+        g[i][j] = dot(images[i], images[j]);
     for(bool is_changed = true; is_changed; )
     {
       is_changed = false;
       const auto subtract = [&](const int i, const Rational& q, const int j, const Rational& r, const int k)
       {
-        const Vector_3 shorter = images[i] - q * images[j] - r * images[k];
-        if(! (dot(shorter, shorter) < dot(images[i], images[i])))
+        const Rational off_j = q * g[j][j] + r * g[j][k], off_k = q * g[j][k] + r * g[k][k];
+        const Rational change = q * (off_j - 2 * g[i][j]) + r * (off_k - 2 * g[i][k]); // of the squared length
+        if(! (change < 0))
           return;
-        images[i] = shorter;
+        g[i][i] += change;
+        g[i][j] = g[j][i] = g[i][j] - off_j;
+        g[i][k] = g[k][i] = g[i][k] - off_k;
         m_basis[i] = m_basis[i] - q * m_basis[j] - r * m_basis[k];
         is_changed = true;
       };
       for(int i = 0; i < 3; ++i)
       {
         const int j = (i + 1) % 3, k = (i + 2) % 3;
-        subtract(i, quotient(images[i], images[j]), j, Rational(0), k);
-        subtract(i, quotient(images[i], images[k]), k, Rational(0), j);
+        subtract(i, nearest_integer(Rational(g[i][j] / g[j][j])), j, Rational(0), k);
+        subtract(i, nearest_integer(Rational(g[i][k] / g[k][k])), k, Rational(0), j);
         for(const int q : { -1, 1 })
           for(const int r : { -1, 1 })
             subtract(i, Rational(q), j, Rational(r), k);
       }
     }
+    Rational longest = g[0][0];
     for(int i = 1; i < 3; ++i)
-      if(dot(images[i], images[i]) > dot(images[0], images[0]))
+      if(g[i][i] > longest)
       {
-        std::swap(images[0], images[i]);
+        longest = g[i][i];
         std::swap(m_basis[0], m_basis[i]);
       }
-  }
-
-  // How many times w is best taken off v.
-  static Rational quotient(const Vector_3& v, const Vector_3& w)
-  {
-    return nearest_integer(Rational(dot(v, w) / dot(w, w)));
   }
 
   // The vertices and planes in coordinates with respect to the reduced basis.
@@ -296,7 +339,7 @@ private:
       return visit_integers(range_of_lines(x), [&](const Rational& y)
       {
         // the third coordinates where the first are x and y: the line meets the open polyhedron
-        const Range range = *part_of_line(m_planes, Vector_3(x, y, 0), Vector_3(0, 0, 1));
+        const Range range = *part_of_line(m_planes, Vector_3(x, y, 0), Vector_3(0, 0, 1), Rational(1));
         const Rational z = nearest_integer(Rational((range.first + range.second) / Rational(2)));
         found = x * m_basis[0] + y * m_basis[1] + z * m_basis[2];
         return range.first < z && z < range.second;
@@ -343,7 +386,7 @@ private:
   }
 
   static constexpr int max_number_of_visits = 200;
-  static constexpr std::size_t max_number_of_planes = 64; // they take about 0.3 s
+  static constexpr std::size_t max_number_of_planes = 64; // they take about 0.2 s
 
   std::vector<Vector_3> m_vertices;
   Coordinates m_spacings;

@@ -26,6 +26,7 @@
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_ledger_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Steiner_mesh_3.h>
 #include <CGAL/Boundary_recovery_3/internal/steiner/Suppress_steiner_points_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/standard_types.h>
 
 #include <CGAL/assertions.h>
 
@@ -84,24 +85,7 @@ public:
   // `max_number_at_once` edges of no facet are lost, these are recovered one by one.
   bool operator()(const Mode mode, const int max_recursion_level,
                   const std::size_t max_number_at_once = max_number_of_edges_at_once,
-                  const Recovery_effort effort = Recovery_effort::more_time)
-  {
-    CGAL_precondition(m_ledger.points_on_constraints().empty());
-    if(m_state.is_nothing_lost())
-      return true;
-    if((mode == Mode::flips_only && m_state.lost.edges.size() > max_number_of_edges_for_temporary_points)
-       || ! m_state.context.go_further())
-      return false;
-    try {
-      try_points(mode, max_recursion_level, effort, max_number_at_once);
-    } catch(...) {
-      look_up();
-      throw;
-    }
-    if(mode == Mode::flips_only || m_state.context.is_stopped())
-      m_unrepresentable = Lost_constraints(); // points are not wanted, or the last attempt was not finished
-    return m_state.is_nothing_lost();
-  }
+                  const Recovery_effort effort = Recovery_effort::more_time);
 
   // Recovers edges that are tangled in planes. Where too few of them come back for the points that are left beside
   // them, or in the mode `flips_only` a point is left, what was done there is taken back.
@@ -402,6 +386,34 @@ private:
   Steiner_mesh_3<Tr> m_mesh;
   Lost_constraints m_unrepresentable;
 };
+
+template <typename Tr>
+bool Recover_by_points_3<Tr>::operator()(const Mode mode, const int max_recursion_level,
+                                         const std::size_t max_number_at_once, const Recovery_effort effort)
+{
+  CGAL_precondition(m_ledger.points_on_constraints().empty());
+  if(m_state.is_nothing_lost())
+    return true;
+  if((mode == Mode::flips_only && m_state.lost.edges.size() > max_number_of_edges_for_temporary_points)
+     || ! m_state.context.go_further())
+    return false;
+  try {
+    try_points(mode, max_recursion_level, effort, max_number_at_once);
+  } catch(...) {
+    look_up();
+    throw;
+  }
+  if(mode == Mode::flips_only || m_state.context.is_stopped())
+    m_unrepresentable = Lost_constraints(); // points are not wanted, or the last attempt was not finished
+  return m_state.is_nothing_lost();
+}
+
+#ifdef CGAL_BOUNDARY_RECOVERY_3_COMPILED
+
+extern template bool
+Recover_by_points_3<Standard_delaunay>::operator()(Recovery_mode, int, std::size_t, Recovery_effort);
+
+#endif // CGAL_BOUNDARY_RECOVERY_3_COMPILED
 
 } // namespace CGAL::Boundary_recovery_3::internal
 
