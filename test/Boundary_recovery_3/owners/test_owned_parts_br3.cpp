@@ -277,7 +277,7 @@ void test_border()
   const auto before = scene.portrait();
   {
     const internal::Selected_domain_3<Tr> domain(scene.tr);
-    internal::Owned_parts_3<Tr> parts(scene.tr, domain, 9, 2, [](Vertex_handle) { return 1.; });
+    internal::Owned_parts_3<Tr> parts(scene.tr, domain, 9, 2);
     parts.mark_border(domain);
     std::vector<std::size_t> numbers(parts.size() + 1, 0);
     for(const Cell_handle c : scene.tr.finite_cell_handles())

@@ -22,7 +22,6 @@
 #include <cstddef>
 #include <deque>
 #include <functional>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Boundary_recovery_3::internal {
@@ -89,13 +88,11 @@ public:
   typedef Selected_domain_3<Tr>      Domain;
   typedef Owned_part_3<Tr>           Part;
 
-  // Of a domain with all its cells selected: so many parts of equal work, or one more. `work(v)` is what has to be done
-  // at a finite vertex.
-  template <typename Work>
-  Owned_parts_3(Tr& tr, const Domain& domain, const std::size_t number, const int round, const Work& work)
+  // Of a domain with all its cells selected: so many parts with as many vertices each, or one more.
+  Owned_parts_3(Tr& tr, const Domain& domain, const std::size_t number, const int round)
     : m_tr(tr)
   {
-    const Divide_space_3 divide = divided_space(number, round, work);
+    const Divide_space_3 divide = divided_space(number, round);
     for(const Vertex_handle v : tr.finite_vertex_handles())
       v->set_part(divide.part_of(internal::coordinates_of(v->point())));
     create_parts(divide.number_of_parts(), domain);
@@ -154,20 +151,12 @@ private:
       m_parts.emplace_back(m_tr, domain, static_cast<Part_number>(k + 1));
   }
 
-  // Vertices that follow one another are mostly near each other: of several, one stands for all.
-  template <typename Work>
-  Divide_space_3 divided_space(const std::size_t number, const int round, const Work& work) const
+  Divide_space_3 divided_space(const std::size_t number, const int round) const
   {
     Divide_space_3 divide(number, round);
-    const std::size_t step = 1 + m_tr.number_of_vertices() / (number * vertices_per_part);
-    double sum = 0;
-    std::size_t k = 0;
+    const std::size_t several = 1 + m_tr.number_of_vertices() / (number * vertices_per_part);
     for(const Vertex_handle v : m_tr.finite_vertex_handles())
-    {
-      sum += work(v);
-      if(++k % step == 0)
-        divide.add(internal::coordinates_of(v->point()), std::exchange(sum, 0));
-    }
+      divide.add_one_of(several, 1, [v] { return internal::coordinates_of(v->point()); });
     divide();
     return divide;
   }

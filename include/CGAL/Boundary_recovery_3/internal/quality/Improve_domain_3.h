@@ -22,6 +22,7 @@
 #include <CGAL/Boundary_recovery_3/internal/quality/Improve_bad_cells_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Improve_parts_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Insert_vertex_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Measure_quality_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Move_vertex_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
@@ -33,6 +34,7 @@
 #include <atomic>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace CGAL::Boundary_recovery_3::internal {
@@ -196,6 +198,7 @@ public:
   typedef typename Tr::Vertex_handle Vertex_handle;
   typedef typename Tr::Cell_handle   Cell_handle;
   typedef Selected_domain_3<Tr>      Domain;
+  typedef typename Improve_bad_cells_3<Tr, Quality>::Bad_cell Bad_cell;
 
   Improve_domain_3(Tr& tr, Domain& domain, const Quality& quality, Recovery_context<Tr>& context)
     : m_quality(quality), m_context(context), m_improve(tr, domain, quality, context), m_mesh(m_improve.mesh()),
@@ -220,14 +223,21 @@ public:
     note_quality(m_bad_cells.push(c));
   }
 
-  // Instead: the number of cells, and only those have to be added that this is true for. It is asked about all cells,
-  // maybe by several threads.
+  // Instead: the number of cells, and only what this returns has to be added. It is called for all cells, maybe by
+  // several threads.
   void set_number_of_cells(const std::size_t number) { m_number_of_cells = number; }
-  bool concerns(const Cell_handle c)
+  std::optional<Bad_cell> concerns(const Cell_handle c)
   {
     const double quality = m_quality(internal::corners(c));
     note_quality(quality);
-    return quality < m_mesh.enough() || m_mesh.allowed_lengths().may_have_wall(m_mesh.domain(), c);
+    const bool is_added = quality < m_mesh.enough() || m_mesh.allowed_lengths().may_have_wall(m_mesh.domain(), c);
+    return is_added ? std::make_optional(Bad_cell{ quality, c, 0 }) : std::nullopt;
+  }
+  void add(const Bad_cell& c)
+  {
+    m_mesh.add_lengths(c.cell);
+    if(c.quality < m_mesh.enough())
+      m_bad_cells.put_back(c);
   }
 
   // Nothing is tolerated. For a mesh that is improved several times: that would add up.
@@ -258,7 +268,6 @@ public:
 private:
   typedef Improve_bad_cells_3<Tr, Quality> Improve_bad_cells;
   typedef typename Improve_bad_cells::Mesh                  Mesh;
-  typedef typename Improve_bad_cells::Bad_cell              Bad_cell;
 
   // See "Tuning constants" in the manual.
   static constexpr double really_bad_angle = 12;
@@ -333,7 +342,29 @@ private:
     m_search_locally(angle, account);
     set_enough(m_target);
     m_bad_cells.take(); // they were visited with another measure
-    for_each_cell([&](const Cell_handle c) { m_bad_cells.push(c, time); });
+    if(m_number_of_parts > 1)
+      find_bad_cells(time);
+    else
+      for_each_cell([&](const Cell_handle c) { m_bad_cells.push(c, time); });
+  }
+
+  // The same by several threads, so that nobody counts how many qualities are computed.
+  void find_bad_cells(const std::size_t time)
+  {
+    Blocks_of_cells_3<Tr> blocks(m_mesh.triangulation(), m_mesh.domain());
+    blocks([&](const std::vector<Cell_handle>& cells)
+    {
+      std::vector<Bad_cell> bad;
+      for(const Cell_handle c : cells)
+        if(const double quality = m_quality(internal::corners(c)); quality < m_mesh.enough())
+          bad.push_back(Bad_cell{ quality, c, time });
+      return bad;
+    },
+    [&](const std::vector<Bad_cell>& bad)
+    {
+      m_bad_cells.put_back(bad);
+      return m_context.go_further();
+    });
   }
 
   bool is_any_below(const double angle) { return number_of_bad_cells_below(angle) > 0; }
