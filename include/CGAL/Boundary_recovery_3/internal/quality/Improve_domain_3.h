@@ -16,6 +16,7 @@
 #include <CGAL/Boundary_recovery_3/internal/geometry/sort_in_space.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/vertex_owners.h>
+#include <CGAL/Boundary_recovery_3/internal/owners/Owned_parts_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Bad_cells_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Badness_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Cell_angles_3.h>
@@ -230,11 +231,14 @@ public:
   {
     const double quality = m_quality(internal::corners(c));
     note_quality(quality);
-    const bool is_added = quality < m_mesh.enough() || m_mesh.allowed_lengths().may_have_wall(m_mesh.domain(), c);
+    const bool is_added = quality < m_mesh.enough() || is_on_border(c)
+                       || m_mesh.allowed_lengths().may_have_wall(m_mesh.domain(), c);
     return is_added ? std::make_optional(Bad_cell{ quality, c, 0 }) : std::nullopt;
   }
   void add(const Bad_cell& c)
   {
+    if(is_on_border(c.cell))
+      internal::put_cell_on_border(*c.cell);
     m_mesh.add_lengths(c.cell);
     if(c.quality < m_mesh.enough())
       m_bad_cells.put_back(c);
@@ -246,8 +250,15 @@ public:
   // No vertices are inserted beyond that number.
   void set_max_number_of_vertices(const std::size_t number) { m_mesh.set_max_number_of_vertices(number); }
 
-  // So many parts of the mesh are improved at the same time. The domain has no selection.
-  void set_number_of_parts(const std::size_t number) { m_number_of_parts = number; }
+  // So many parts of the mesh are improved at the same time. The domain has no selection. To be called before cells are
+  // added, among which the border of the first round is found.
+  void set_number_of_parts(const std::size_t number)
+  {
+    m_number_of_parts = number;
+    if constexpr(Has_part<typename Tr::Vertex>::value)
+      if(number > 1)
+        m_number_of_owners = Owned_parts_3<Tr>::divide(m_mesh.triangulation(), number, 0);
+  }
 
   // Whether one was not inserted for that.
   bool was_full() const { return m_mesh.was_full(); }
@@ -287,6 +298,14 @@ private:
     }
   }
 
+  // Whether a cell is inner to no part of the first round.
+  bool is_on_border([[maybe_unused]] const Cell_handle c) const
+  {
+    if constexpr(Has_part<typename Tr::Vertex>::value)
+      return m_number_of_owners > 0 && internal::owner_of_cell(*c) == 0;
+    return false;
+  }
+
   void note_quality(const double quality)
   {
     double worst = m_worst;
@@ -310,7 +329,10 @@ private:
   {
     if constexpr(Has_part<typename Tr::Vertex>::value)
       if(m_number_of_parts > 1)
-        return Improve_parts_3<Tr, Quality>(m_improve, m_quality, m_context, m_number_of_parts).improve();
+      {
+        Improve_parts_3<Tr, Quality> improve_parts(m_improve, m_quality, m_context, m_number_of_parts);
+        return improve_parts.improve(m_number_of_owners);
+      }
     m_improve();
   }
 
@@ -421,6 +443,7 @@ private:
   Improvement_effort m_effort = Improvement_effort::normal;
   std::size_t m_number_of_cells = 0;
   std::size_t m_number_of_parts = 1;
+  std::size_t m_number_of_owners = 0; // of vertices, in the first round; 0: none
   std::atomic<double> m_worst{ std::numeric_limits<double>::infinity() }; // of the qualities of all cells at first
 };
 

@@ -63,9 +63,11 @@ public:
       m_number_of_parts(number_of_parts)
   { }
 
-  // The bad cells; those that stay bad are in the list again. The accounts are those of `improve`.
-  void improve()
+  // The bad cells; those that stay bad are in the list again. The accounts are those of `improve`. For the first round,
+  // the vertices have so many owners already, and are marked where they are on the border.
+  void improve(const std::size_t number_of_owners)
   {
+    m_number_of_owners = number_of_owners;
     m_improve.set_visits_only_changed(true);
     std::vector<Bad_cell> cells = bad_cells().take();
     std::size_t number_of_waiting_cells = cells.size();
@@ -149,8 +151,10 @@ private:
   std::vector<Bad_cell> improve_parts(const int round, const std::vector<Bad_cell>& bad,
                                       const std::size_t number_of_waiting_cells)
   {
-    Parts parts = divide(round);
-    parts.mark_border(m_improve.mesh().domain());
+    Parts parts = round == 0 ? Parts(m_improve.mesh().triangulation(), m_improve.mesh().domain(), m_number_of_owners)
+                             : divide(round);
+    if(round > 0)
+      parts.mark_border(m_improve.mesh().domain());
     std::vector<std::vector<Bad_cell> > cells(parts.size() + 1); // the last ones are inner to none
     std::vector<std::size_t> amounts(parts.size() + 1, 0);
     for(const Bad_cell& c : bad)
@@ -236,6 +240,7 @@ private:
   const Quality& m_quality;
   Rounds m_rounds;
   const std::size_t m_number_of_parts;
+  std::size_t m_number_of_owners = 0; // in the first round
 };
 
 } // namespace CGAL::Boundary_recovery_3::internal

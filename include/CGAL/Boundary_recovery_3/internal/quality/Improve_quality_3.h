@@ -128,15 +128,15 @@ private:
     improve_domain.set_target(min_dihedral_angle);
     improve_domain.set_effort(effort);
     improve_domain.set_max_number_of_vertices(m_max_number_of_vertices);
+    if(! m_domain.has_selection())
+      improve_domain.set_number_of_parts(m_concurrency.number_of_parts(double(m_tr.number_of_finite_cells()),
+                                                                       m_max_number_of_vertices));
     typedef typename Improve_domain_3<Tr, Quality>::Bad_cell Bad_cell;
     const auto concerns = [&](const Cell_handle c, const Cell_angles_3&) { return improve_domain.concerns(c); };
     const Figures before = measure(concerns, [&](const Bad_cell& c) { improve_domain.add(c); },
                                    [&](const Cell_handle c, const Cell_angles_3&) { improve_domain.add(c); });
     if(before)
       improve_domain.set_number_of_cells(before->number_of_cells);
-    if(! m_domain.has_selection())
-      improve_domain.set_number_of_parts(m_concurrency.number_of_parts(double(m_tr.number_of_finite_cells()),
-                                                                      m_max_number_of_vertices));
     is_begun = m_context.go_further();
     if(is_begun)
       improve_domain();
