@@ -10,6 +10,7 @@
 #include <CGAL/Boundary_recovery_3/internal/parallel/Mesh_part_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Seams_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Work_on_part_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/for_each_task.h>
 #include <CGAL/Real_timer.h>
 
 #include <boost/mpi/communicator.hpp>
@@ -94,7 +95,8 @@ struct Round_report
 
 // Fills and improves a mesh that is divided into parts, in rounds. The parts are files that all ranks see. In each
 // round, rank 0 hands out the tasks; what comes of them are files, too. Then each rank looks for the next seams in its
-// share of the parts. So no rank has more than a task, or a part, and the bare tetrahedra of its share.
+// share of the parts. So no thread has more than a task, or a part, and no rank more than the bare tetrahedra of its
+// share.
 //
 // `Work` makes of a part what it is to become.
 template <typename Tr, typename Work>
@@ -116,6 +118,7 @@ private:
   const Work& m_work;
   const std::vector<Round> m_rounds;
   const std::size_t m_max_number_of_vertices;
+  const std::size_t m_number_of_threads; // of this rank
   std::size_t m_round = 0; // that is to be done, or was done last
   Round_plan m_plan;
   std::vector<std::vector<std::size_t> > m_tasks_of_part; // those that have cells of it
@@ -124,9 +127,10 @@ private:
 
 public:
   Distributed_meshing(const boost::mpi::communicator& world, const Part_store& store, const Work& work,
-                      const std::vector<Round>& rounds, const std::size_t max_number_of_vertices)
+                      const std::vector<Round>& rounds, const std::size_t max_number_of_vertices,
+                      const std::size_t number_of_threads)
     : m_world(world), m_exchange(world), m_store(store), m_work(work), m_rounds(rounds),
-      m_max_number_of_vertices(max_number_of_vertices)
+      m_max_number_of_vertices(max_number_of_vertices), m_number_of_threads(number_of_threads)
   { }
 
   // whether an earlier run came to one of the rounds; then it is continued
@@ -172,7 +176,7 @@ public:
       do_tasks();
       if(m_round + 1 == m_rounds.size())
         return;
-      plan_next();
+      CGAL::Boundary_recovery_3::internal::with_threads(m_number_of_threads, [this] { plan_next(); });
     }
   }
 
@@ -277,7 +281,7 @@ private:
     const auto shares = CGAL::Boundary_recovery_3::internal::shares_of_vertices(number_left({ }), numbers_of_cells);
     CGAL::Real_timer timer;
     timer.start();
-    report.tasks = Task_farm(m_world, [this](const std::size_t k) { return name_of(k); },
+    report.tasks = Task_farm(m_world, m_number_of_threads, [this](const std::size_t k) { return name_of(k); },
                              [this] { m_store.remove_temporary_folder(); })
       (report.weights, [&](const std::size_t k) { return do_task(k, shares[k], false); });
     work_with_what_is_left(report);
@@ -293,7 +297,7 @@ private:
   {
     for(std::size_t k = 0; k < report.tasks.size(); ++k)
       if(report.tasks[k].was_full)
-        report.tasks[k] = Task_farm(m_world, [&](const std::size_t) { return name_of(k); },
+        report.tasks[k] = Task_farm(m_world, 1, [&](const std::size_t) { return name_of(k); },
                                     [this] { m_store.remove_temporary_folder(); })
           ({ report.weights[k] },
            [&](const std::size_t) { return do_task(k, number_left(report.tasks), true); }).front();
@@ -367,6 +371,7 @@ private:
       throw std::runtime_error("the mesh needs more than " + std::to_string(m_max_number_of_vertices) + " vertices");
   }
 
+  // What MPI is called for is done by the thread that called this.
   void plan_next()
   {
     CGAL::Real_timer timer;
@@ -393,14 +398,14 @@ private:
 
   void plan_parts(Round_plan& plan) const
   {
-    std::vector<std::array<std::uint64_t, 2> > numbers_of_cells;
-    for(std::uint32_t p = 0; p < number_of_parts(); ++p)
-      if(is_own(p))
-      {
-        const Part part = this->part(p);
-        save(p, m_round + 1, Part(), { part });
-        numbers_of_cells.push_back({{ p, part.number_of_cells() }});
-      }
+    const std::vector<std::uint32_t> own = own_parts();
+    std::vector<std::array<std::uint64_t, 2> > numbers_of_cells(own.size());
+    for_each(own, [&](const std::size_t k)
+    {
+      const Part part = this->part(own[k]);
+      save(own[k], m_round + 1, Part(), { part });
+      numbers_of_cells[k] = {{ own[k], part.number_of_cells() }};
+    });
     m_exchange.gather(numbers_of_cells);
     std::sort(numbers_of_cells.begin(), numbers_of_cells.end());
     for(const auto& [p, number] : numbers_of_cells)
@@ -411,21 +416,38 @@ private:
   // Each part is loaded twice, so that it need not be kept.
   void plan_zones(const Round& round, Round_plan& plan) const
   {
-    std::vector<Seam_part> seam_parts;
-    for(std::uint32_t p = 0; p < number_of_parts(); ++p)
-      if(is_own(p))
-        seam_parts.push_back(m_work.seam_part(p, part(p), round));
+    const std::vector<std::uint32_t> own = own_parts();
+    std::vector<Seam_part> seam_parts(own.size(), Seam_part(0, Part()));
+    for_each(own, [&](const std::size_t k) { seam_parts[k] = m_work.seam_part(own[k], part(own[k]), round); });
     Seams seams(seam_parts, round.number_of_layers, m_exchange);
     for(const auto& zone : seams.find_zones(round.number_of_parts, round.max_number_of_connected_vertices()))
       plan.tasks.push_back({ zone.parts, zone.number_of_cells, zone.owner });
-    for(const Seam_part& seam_part : seam_parts)
+    for_each(own, [&](const std::size_t k)
     {
-      Part left = part(seam_part.index);
+      Part left = part(own[k]);
       std::vector<Part> pieces;
-      for(auto& group : Split_part()(left, seam_part.zone_of_cell))
+      for(auto& group : Split_part()(left, seam_parts[k].zone_of_cell))
         pieces.push_back(std::move(group.second));
-      save(seam_part.index, m_round + 1, left, pieces);
-    }
+      save(own[k], m_round + 1, left, pieces);
+    });
+  }
+
+  std::vector<std::uint32_t> own_parts() const
+  {
+    std::vector<std::uint32_t> parts;
+    for(std::uint32_t p = 0; p < number_of_parts(); ++p)
+      if(is_own(p))
+        parts.push_back(p);
+    return parts;
+  }
+
+  // Does `work(k)` for each part of a list. How large parts are, only their files know.
+  template <typename Do>
+  static void for_each(const std::vector<std::uint32_t>& parts, const Do& work)
+  {
+    typedef CGAL::Boundary_recovery_3::internal::Concurrency_tag_of<Tr> Concurrency_tag;
+    CGAL::Boundary_recovery_3::internal::for_each_task(std::vector<std::size_t>(parts.size(), 1), work,
+                                                       Concurrency_tag());
   }
 
   void remove_files_of_round() const

@@ -2,7 +2,8 @@
 // `mesh_surface_mpi --help` tells the options.
 //
 // Rank 0 recovers the boundary, fills the domain coarsely, and divides it into parts. What is done with the parts, and
-// with the seams between them, is handed out to all the ranks. The parts are files that all of them see.
+// with the seams between them, is handed out to all the ranks. The parts are files that all of them see. With several
+// threads, a rank works on several parts at once.
 
 #include <CGAL/make_boundary_constrained_mesh_3.h>
 
@@ -110,7 +111,8 @@ public:
       return tell(message);
     const Any_size size = this->size();
     const Work work(size, Quality(), m_options.min_angle, m_options.effort);
-    Meshing meshing(m_world, m_store, work, rounds(), m_options.maximum_number_of_vertices);
+    Meshing meshing(m_world, m_store, work, rounds(), m_options.maximum_number_of_vertices,
+                    m_options.number_of_threads);
     m_division_timer.start();
     const int status = meshing.resume() ? int(success) : divide(meshing);
     m_division_timer.stop();
@@ -520,6 +522,8 @@ int main(int argc, char* argv[])
   if(! is_to_run)
     return success;
   options.quiet = options.quiet || world.rank() != 0;
+  if(boost::mpi::environment::thread_level() < boost::mpi::threading::funneled)
+    return world.rank() == 0 ? program.fail("MPI allows for no threads but its own") : int(usage_or_file_error);
   Interruption::prepare();
   try
   {

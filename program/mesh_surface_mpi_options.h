@@ -17,7 +17,11 @@
 struct Mpi_options
   : public Meshing_options
 {
-  Mpi_options() { number_of_subdomains = 16; }
+  Mpi_options()
+  {
+    number_of_subdomains = 16;
+    number_of_threads = 1; // of each rank
+  }
 
   std::string work; // empty: nothing is kept
   bool pieces = false;
@@ -30,15 +34,19 @@ public:
   explicit Mpi_command_line(Mpi_options& options)
     : Meshing_command_line("mesh_surface_mpi",
         "Meshes what a triangulated surface bounds in sub-domains, with several processes on one or more machines.\n"
-        "The mesh depends on the number of sub-domains, which is 16 by default, but not on that of the ranks, bit for\n"
-        "bit; it is that of mesh_surface with as many sub-domains. All ranks read INPUT, and all the files that\n"
-        "options name.\n"
+        "The mesh depends on the number of sub-domains, which is 16 by default, but not on those of ranks and\n"
+        "threads, bit for bit; it is that of mesh_surface with as many sub-domains. All ranks read INPUT, and all the\n"
+        "files that options name.\n"
         + std::string(input_text), options, "mpirun -n RANKS "),
       m_options(options)
   {
     for(const char* option : { "--time-limit", "--threads" }) // the mesh may not depend on the speed of ranks
       remove_option(option);
     begin_group("ranks");
+    add_number("--threads", "T", options.number_of_threads, Number_kind::positive,
+               "work on T sub-domains at once in each rank, which takes the memory for as many; default: 1,\n"
+               "for one rank on each core. mpirun may have to be told that a rank has T cores: Open MPI is\n"
+               "by --map-by slot:PE=T", largest_number_of_threads);
     add_option("--work", "FOLDER", options.work,
                "keep what is finished in that folder, which all ranks see: after a run that failed, the\n"
                "next one with the same input and options does only what is missing. By default, it is a\n"

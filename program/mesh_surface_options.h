@@ -51,6 +51,8 @@ public:
   { }
 
 protected:
+  static constexpr double largest_number_of_threads = 100000;
+
   Meshing_command_line(const std::string& name, const std::string& description, Meshing_options& options,
                        const std::string& before_name = "")
     : Command_line(name, description, options, before_name), m_options(options)
@@ -190,7 +192,6 @@ private:
   static constexpr double largest_angle = 70.53; // no tetrahedron has only larger ones
 
   static constexpr double largest_number_of_subdomains = 1000000;
-  static constexpr double largest_number_of_threads = 100000;
 
   static constexpr double largest_integer = 9007199254740992; // 2^53: all integers up to here are numbers
 };

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <condition_variable>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -19,9 +20,11 @@
 #include <functional>
 #include <future>
 #include <iostream>
+#include <map>
+#include <mutex>
 #include <numeric>
 #include <string>
-#include <thread>
+#include <utility>
 #include <vector>
 
 // what a rank tells of a task that it did; it is sent as it is
@@ -55,9 +58,65 @@ extern "C" inline void note_termination(int) { is_terminated() = 1; }
 
 } // namespace task_farm_internal
 
-// Rank 0 hands out tasks, the heaviest ones first, and works as well: its tasks run in a thread beside the one that
-// talks to the others. Which rank does a task, and when, depends on how fast they are; results must not depend on that.
-// It is only MPI's calls of one thread that are needed.
+// The tasks that are under way on a rank, each in a thread beside the one that talks to other ranks.
+class Task_crew
+{
+  const std::size_t m_size; // tasks at the same time
+  std::mutex m_mutex;
+  std::condition_variable m_condition;
+  std::vector<Task_report> m_finished; // with room for all, as no memory may be there when they end
+  std::map<std::uint64_t, std::future<void> > m_under_way; // by task
+
+public:
+  explicit Task_crew(const std::size_t size) : m_size(size) { m_finished.reserve(size); }
+
+  std::size_t size() const { return m_size; }
+  std::size_t number_under_way() const { return m_under_way.size(); }
+  bool is_busy() const { return m_under_way.size() == m_size; }
+
+  // `work(task)` returns a report with the task, and never throws.
+  template <typename Work>
+  void begin(const std::uint64_t task, const Work& work)
+  {
+    m_under_way[task] = std::async(std::launch::async, [this, task, work]
+    {
+      const Task_report report = work(task);
+      const std::lock_guard<std::mutex> lock(m_mutex);
+      m_finished.push_back(report);
+      m_condition.notify_one();
+    });
+  }
+
+  // what was finished since the last call
+  std::vector<Task_report> finished()
+  {
+    std::unique_lock<std::mutex> lock(m_mutex);
+    return taken(lock);
+  }
+
+  // The same; waits until there is something.
+  std::vector<Task_report> wait_for_finished()
+  {
+    std::unique_lock<std::mutex> lock(m_mutex);
+    m_condition.wait(lock, [this] { return ! m_finished.empty(); });
+    return taken(lock);
+  }
+
+private:
+  std::vector<Task_report> taken(std::unique_lock<std::mutex>& lock)
+  {
+    const std::vector<Task_report> reports = m_finished;
+    m_finished.clear();
+    lock.unlock(); // which the threads that are waited for may need
+    for(const Task_report& report : reports)
+      m_under_way.erase(report.task);
+    return reports;
+  }
+};
+
+// Rank 0 hands out tasks, the heaviest ones first, and works as well. A rank may work on several tasks at once, in
+// threads beside the one that talks to other ranks. Which rank does a task, and when, depends on how fast they are;
+// results must not depend on that. It is only MPI's calls of one thread that are needed.
 class Task_farm
 {
   typedef boost::mpi::communicator Communicator;
@@ -66,20 +125,22 @@ class Task_farm
   static constexpr int tag_of_reports = 1, tag_of_tasks = 2;
 
   const Communicator& m_world;
+  const std::size_t m_tasks_at_once;    // of this rank: so many workers, each of which does one at a time
   std::function<std::string(std::size_t)> m_name; // of a task, in messages
   std::function<void()> m_clean_up;     // before rank 0 ends all ranks
   std::vector<Task> m_order;            // the heaviest first
   std::size_t m_next = 0;
-  std::vector<Task> m_under_way;        // of each rank
+  std::map<Task, int> m_under_way;      // and the rank of each
   std::vector<long> m_processes;        // of each rank on this machine; 0 on others
   std::vector<Task_report> m_reports;
-  std::size_t m_number_of_waiting = 0;  // ranks that were told that there is nothing more to do
+  std::size_t m_number_of_waiting = 0;  // workers of other ranks that were told that there is nothing more to do
 
 public:
-  // `name(task)` is what a task is called in messages; `clean_up()` is called by rank 0 before all ranks end at once.
+  // This rank works on so many tasks at once; other ranks may have other numbers. `name(task)` is what a task is called
+  // in messages; `clean_up()` is called by rank 0 before all ranks end at once.
   template <typename Name, typename Clean_up>
-  Task_farm(const Communicator& world, const Name& name, const Clean_up& clean_up)
-    : m_world(world), m_name(name), m_clean_up(clean_up)
+  Task_farm(const Communicator& world, const std::size_t tasks_at_once, const Name& name, const Clean_up& clean_up)
+    : m_world(world), m_tasks_at_once(tasks_at_once), m_name(name), m_clean_up(clean_up)
   { }
 
   // does the tasks, and returns what is told of each of them, on all ranks. `work(task)` returns a report. If it
@@ -89,10 +150,13 @@ public:
   {
     m_reports.assign(weights.size(), Task_report());
     exchange_processes();
+    Task_crew crew((std::min)(m_tasks_at_once, weights.size()));
+    const auto crews = Mpi_exchange(m_world).gathered(crew.size());
+    const auto begin_task = [&](const Task task) { crew.begin(task, [&](const Task t) { return do_task(work, t); }); };
     if(m_world.rank() == 0)
-      lead(weights, work);
+      lead(weights, crew, std::accumulate(crews.begin() + 1, crews.end(), std::size_t(0)), begin_task);
     else
-      follow(work);
+      follow(crew, begin_task);
     wait_for_all(m_world);
     const int n = static_cast<int>(m_reports.size() * sizeof(Task_report));
     MPI_Bcast(m_reports.data(), n, MPI_BYTE, 0, m_world);
@@ -135,26 +199,24 @@ private:
     return report;
   }
 
-  template <typename Work>
-  void lead(const std::vector<double>& weights, const Work& work)
+  void lead(const std::vector<double>& weights, Task_crew& crew, const std::size_t number_of_other_workers,
+            const std::function<void(Task)>& begin_task)
   {
     m_order.resize(weights.size());
     std::iota(m_order.begin(), m_order.end(), Task(0));
     std::stable_sort(m_order.begin(), m_order.end(), [&](const Task a, const Task b)
                      { return weights[a] > weights[b]; });
-    m_under_way.assign(m_processes.size(), Task_report::no_task);
     struct sigaction action = {}, previous = {};
     action.sa_handler = task_farm_internal::note_termination;
     sigaction(SIGTERM, &action, &previous);
-    std::future<Task_report> own;
-    while(own.valid() || m_next < m_order.size() || m_number_of_waiting + 1 < m_processes.size())
+    while(crew.number_under_way() > 0 || m_next < m_order.size() || m_number_of_waiting < number_of_other_workers)
     {
-      if(! own.valid() && m_next < m_order.size())
-        own = std::async(std::launch::async, [this, &work, task = next_task(0)] { return do_task(work, task); });
+      while(! crew.is_busy() && m_next < m_order.size())
+        begin_task(next_task(0));
       bool is_idle = ! receive_report();
-      if(own.valid() && own.wait_for(std::chrono::seconds(0)) == std::future_status::ready)
+      for(const Task_report& report : crew.finished())
       {
-        take(own.get());
+        take(report);
         is_idle = false;
       }
       if(task_farm_internal::is_terminated())
@@ -167,9 +229,12 @@ private:
 
   std::string name(const Task task) const { return m_name(static_cast<std::size_t>(task)); }
 
-  Task next_task(const std::size_t rank)
+  Task next_task(const int rank)
   {
-    return m_under_way[rank] = (m_next < m_order.size()) ? m_order[m_next++] : Task_report::no_task;
+    if(m_next == m_order.size())
+      return Task_report::no_task;
+    m_under_way[m_order[m_next]] = rank;
+    return m_order[m_next++];
   }
 
   bool receive_report()
@@ -181,7 +246,7 @@ private:
     MPI_Recv(&report, sizeof(report), MPI_BYTE, message->source(), tag_of_reports, m_world, MPI_STATUS_IGNORE);
     if(report.task != Task_report::no_task) // else it only asks for the first task
       take(report);
-    const Task task = next_task(static_cast<std::size_t>(message->source()));
+    const Task task = next_task(message->source());
     m_number_of_waiting += task == Task_report::no_task;
     MPI_Send(&task, 1, MPI_UINT64_T, message->source(), tag_of_tasks, m_world);
     return true;
@@ -196,7 +261,7 @@ private:
       m_clean_up();
       boost::mpi::environment::abort(3); // the others may work for long
     }
-    m_under_way[static_cast<std::size_t>(report.rank)] = Task_report::no_task;
+    m_under_way.erase(report.task);
     m_reports[report.task] = report;
   }
 
@@ -209,16 +274,17 @@ private:
       {
         is_any_gone = true;
         std::cerr << "mesh_surface_mpi: rank " << r << " was ended from outside";
-        if(m_under_way[r] != Task_report::no_task)
-          std::cerr << " while it meshed " << name(m_under_way[r]);
+        const char* before_name = " while it meshed ";
+        for(const auto& [task, rank] : m_under_way)
+          if(static_cast<std::size_t>(rank) == r)
+            std::cerr << std::exchange(before_name, " and ") << name(task);
         std::cerr << std::endl;
       }
     if(! is_any_gone)
     {
       std::cerr << "mesh_surface_mpi: ended from outside; under way:";
-      for(std::size_t r = 0; r < m_under_way.size(); ++r)
-        if(m_under_way[r] != Task_report::no_task)
-          std::cerr << ' ' << name(m_under_way[r]) << " on rank " << r << ';';
+      for(const auto& [task, rank] : m_under_way)
+        std::cerr << ' ' << name(task) << " on rank " << rank << ';';
       std::cerr << std::endl;
     }
     std::cerr << "mesh_surface_mpi: with --work, what is finished is not meshed again" << std::endl;
@@ -226,21 +292,36 @@ private:
     ::_exit(3); // a thread works still
   }
 
-  template <typename Work>
-  void follow(const Work& work)
+  // Each worker asks for its first task; then each report asks for the next one. While all of them work, nothing is to
+  // be heard of rank 0.
+  void follow(Task_crew& crew, const std::function<void(Task)>& begin_task) const
   {
-    Task_report report;
-    while(true)
+    for(std::size_t k = 0; k < crew.size(); ++k)
+      send(Task_report());
+    std::size_t number_of_waiting = 0; // workers that have nothing more to do
+    while(number_of_waiting < crew.size())
     {
-      MPI_Send(&report, sizeof(report), MPI_BYTE, 0, tag_of_reports, m_world);
-      while(! m_world.iprobe(0, tag_of_tasks))
+      const bool is_answer_due = crew.number_under_way() + number_of_waiting < crew.size();
+      const auto finished = is_answer_due ? crew.finished() : crew.wait_for_finished();
+      for(const Task_report& report : finished)
+        send(report);
+      if(m_world.iprobe(0, tag_of_tasks))
+      {
+        Task task = Task_report::no_task;
+        MPI_Recv(&task, 1, MPI_UINT64_T, 0, tag_of_tasks, m_world, MPI_STATUS_IGNORE);
+        if(task == Task_report::no_task)
+          ++number_of_waiting;
+        else
+          begin_task(task);
+      }
+      else if(finished.empty())
         pause_briefly();
-      Task task = Task_report::no_task;
-      MPI_Recv(&task, 1, MPI_UINT64_T, 0, tag_of_tasks, m_world, MPI_STATUS_IGNORE);
-      if(task == Task_report::no_task)
-        return;
-      report = do_task(work, task);
     }
+  }
+
+  void send(const Task_report& report) const
+  {
+    MPI_Send(&report, sizeof(report), MPI_BYTE, 0, tag_of_reports, m_world);
   }
 };
 

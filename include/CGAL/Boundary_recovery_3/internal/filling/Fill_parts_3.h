@@ -126,7 +126,7 @@ private:
   // What was put off, in parts with other borders.
   void fill_rest(const std::size_t number_of_parts, const int round)
   {
-    Parts parts(m_tr, m_domain, number_of_parts, round, [](Vertex_handle) { return 1.; });
+    Parts parts(m_tr, m_domain, number_of_parts, round);
     std::vector<Cells> cells(parts.size() + 1);
     for(const Cell_handle c : m_put_off)
       if(m_fill.is_there(c) && m_domain.contains(c))
@@ -186,8 +186,7 @@ private:
       volume += std::abs(internal::volume_times_6(internal::corners(c)));
     const std::size_t number_of_pieces = number_of_parts * pieces_per_part;
     Divide_space_3 divide(number_of_parts, 0);
-    double work = 0;
-    std::size_t number_of_small_cells = 0;
+    const std::size_t several = 1 + cells.size() / number_of_pieces;
     for(const Cell_handle c : cells)
     {
       const Corners corners = internal::corners(c);
@@ -195,11 +194,9 @@ private:
       if(volume_of_cell > volume / double(number_of_pieces))
         add_pieces(c, corners, volume_of_cell, volume / double(number_of_pieces), divide);
       else
-      {
-        work += number_of_points(volume_of_cell, m_sizes.likely_size_at_centroid(c, corners, likely_growth));
-        if(++number_of_small_cells % (1 + cells.size() / number_of_pieces) == 0)
-          divide.add(internal::centroid(corners), std::exchange(work, 0));
-      }
+        divide.add_one_of(several, number_of_points(volume_of_cell,
+                                                    m_sizes.likely_size_at_centroid(c, corners, likely_growth)),
+                          [&] { return internal::centroid(corners); });
     }
     divide();
     return divide;

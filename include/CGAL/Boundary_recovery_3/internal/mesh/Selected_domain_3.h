@@ -115,6 +115,15 @@ public:
     return false;
   }
 
+  // Whether a cell is no inner cell of the part, whatever is known of the border.
+  bool is_beyond_border([[maybe_unused]] const Cell_handle c) const
+  {
+    if constexpr(Has_part<typename Tr::Vertex>::value)
+      if(m_part != 0 && internal::owner_of_cell(*c) != m_part)
+        return m_is_border_met = true;
+    return false;
+  }
+
   // Whether a cell of a part has a vertex on the border.
   bool is_at_border([[maybe_unused]] const Cell_handle c) const
   {

@@ -62,6 +62,14 @@ Part_number owner_of_cell(const Cell& c)
       && internal::owner(c.vertex(3)) == part ? part : Part_number(0);
 }
 
+// All vertices of a cell that is inner to no part.
+template <typename Cell>
+void put_cell_on_border(const Cell& c)
+{
+  for(int i = 0; i < 4; ++i)
+    internal::put_on_border(c.vertex(i));
+}
+
 // Whether the vertices of a facet of a cell are on the border. If not, the cell behind it is inner to the same part.
 template <typename Cell>
 bool is_facet_on_border(const Cell& c, const int i)

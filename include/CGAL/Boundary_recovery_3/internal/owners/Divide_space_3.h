@@ -20,6 +20,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Boundary_recovery_3::internal {
@@ -68,6 +69,16 @@ public:
 
   // There is that much to do around a point.
   void add(const Coordinates_3& p, const double work) { m_items.push_back(Item{ place(p), work }); }
+
+  // The same for each of many places, which follow one another and are mostly near each other: of `number` of them,
+  // `place()` of the last one stands for all.
+  template <typename Place>
+  void add_one_of(const std::size_t number, const double work, const Place& place)
+  {
+    m_work_of_several += work;
+    if(++m_number_of_several % number == 0)
+      add(place(), std::exchange(m_work_of_several, 0));
+  }
 
   // To be called when all work was added.
   void operator()() { divide(m_items.begin(), m_items.end(), Range{ 0, number_of_parts() }); }
@@ -203,6 +214,8 @@ private:
   const Axes m_axes;
   const double m_shift;
   std::vector<Item> m_items;
+  double m_work_of_several = 0; // that were not added yet
+  std::size_t m_number_of_several = 0;
   std::vector<Cut> m_cuts; // between the parts before and from a position on
 };
 

@@ -22,7 +22,6 @@
 #include <cstddef>
 #include <deque>
 #include <functional>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Boundary_recovery_3::internal {
@@ -89,17 +88,17 @@ public:
   typedef Selected_domain_3<Tr>      Domain;
   typedef Owned_part_3<Tr>           Part;
 
-  // Of a domain with all its cells selected: so many parts of equal work, or one more. `work(v)` is what has to be done
-  // at a finite vertex.
-  template <typename Work>
-  Owned_parts_3(Tr& tr, const Domain& domain, const std::size_t number, const int round, const Work& work)
+  // Of a domain with all its cells selected, whose vertices have owners: so many parts.
+  Owned_parts_3(Tr& tr, const Domain& domain, const std::size_t number)
     : m_tr(tr)
   {
-    const Divide_space_3 divide = divided_space(number, round, work);
-    for(const Vertex_handle v : tr.finite_vertex_handles())
-      v->set_part(divide.part_of(internal::coordinates_of(v->point())));
-    create_parts(divide.number_of_parts(), domain);
+    create_parts(number, domain);
   }
+
+  // The vertices get owners anew: so many parts with as many vertices each, or one more.
+  Owned_parts_3(Tr& tr, const Domain& domain, const std::size_t number, const int round)
+    : Owned_parts_3(tr, domain, divide(tr, number, round))
+  { }
 
   // The parts at a depth of a tree of cuts: each vertex is in one of the halves of the part that has it by now.
   Owned_parts_3(Tr& tr, const Domain& domain, const Divide_space_3& divide, const int depth)
@@ -113,6 +112,15 @@ public:
       v->set_part(is_in_first ? part : cut->second_half);
     }
     create_parts(divide.number_of_parts(), domain);
+  }
+
+  // Gives the vertices such owners, and returns how many parts there are.
+  static std::size_t divide(Tr& tr, const std::size_t number, const int round)
+  {
+    const Divide_space_3 divide = divided_space(tr, number, round);
+    for(const Vertex_handle v : tr.finite_vertex_handles())
+      v->set_part(divide.part_of(internal::coordinates_of(v->point())));
+    return divide.number_of_parts();
   }
 
   Owned_parts_3(const Owned_parts_3&) = delete;
@@ -140,9 +148,8 @@ public:
   void mark_border(const Domain& domain)
   {
     for(const Cell_handle c : m_tr.all_cell_handles())
-      if(part_of(c) == size() && domain.contains(c))
-        for(int i = 0; i < 4; ++i)
-          internal::put_on_border(c->vertex(i));
+      if(internal::owner_of_cell(*c) == 0 && domain.contains(c))
+        internal::put_cell_on_border(*c);
   }
 
 private:
@@ -154,20 +161,12 @@ private:
       m_parts.emplace_back(m_tr, domain, static_cast<Part_number>(k + 1));
   }
 
-  // Vertices that follow one another are mostly near each other: of several, one stands for all.
-  template <typename Work>
-  Divide_space_3 divided_space(const std::size_t number, const int round, const Work& work) const
+  static Divide_space_3 divided_space(const Tr& tr, const std::size_t number, const int round)
   {
     Divide_space_3 divide(number, round);
-    const std::size_t step = 1 + m_tr.number_of_vertices() / (number * vertices_per_part);
-    double sum = 0;
-    std::size_t k = 0;
-    for(const Vertex_handle v : m_tr.finite_vertex_handles())
-    {
-      sum += work(v);
-      if(++k % step == 0)
-        divide.add(internal::coordinates_of(v->point()), std::exchange(sum, 0));
-    }
+    const std::size_t several = 1 + tr.number_of_vertices() / (number * vertices_per_part);
+    for(const Vertex_handle v : tr.finite_vertex_handles())
+      divide.add_one_of(several, 1, [v] { return internal::coordinates_of(v->point()); });
     divide();
     return divide;
   }

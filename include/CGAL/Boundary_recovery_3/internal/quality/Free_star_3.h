@@ -50,7 +50,8 @@ public:
   // Returns false if the vertex is not free, or has too many cells.
   bool collect(const Vertex_handle v)
   {
-    if(Mesh::is_on_constraint_by_dimension(v) || ! m_mesh.domain().contains(v->cell()))
+    if(Mesh::is_on_constraint_by_dimension(v) || m_mesh.domain().is_beyond_border(v->cell())
+       || ! m_mesh.domain().contains(v->cell()))
       return false;
     m_cells.clear();
     m_faces.clear();
@@ -85,7 +86,8 @@ private:
     }
   };
 
-  // Adds the face of a cell and its neighbors at the vertex. Returns false if something is constrained there.
+  // Adds the face of a cell and its neighbors at the vertex. Returns false if something is constrained there, or beyond
+  // the border of a part.
   bool go_on_from(const Cell_handle c, const Vertex_handle v)
   {
     const int i = c->index(v);
@@ -94,20 +96,23 @@ private:
       {
         if(m_mesh.domain().is_wall(c, k) || m_mesh.domain().is_constrained_edge(v, c->vertex(k)))
           return false;
-        if(c->neighbor(k)->tds_data().is_clear())
-          enter(c->neighbor(k), c);
+        if(c->neighbor(k)->tds_data().is_clear() && ! enter(c->neighbor(k), c))
+          return false;
       }
     m_faces.push_back(internal::facet_vertices(c, i));
     return true;
   }
 
   // Only the vertex opposite to where the cell is entered may be new.
-  void enter(const Cell_handle c, const Cell_handle from)
+  bool enter(const Cell_handle c, const Cell_handle from)
   {
+    if(m_mesh.domain().is_beyond_border(c))
+      return false;
     push(c);
     const Vertex_handle apex = c->vertex(c->index(from));
     if(! internal::contains(m_neighbors, apex))
       m_neighbors.push_back(apex);
+    return true;
   }
 
   void push(const Cell_handle c)

@@ -16,12 +16,14 @@
 #include <CGAL/Boundary_recovery_3/internal/geometry/sort_in_space.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/vertex_owners.h>
+#include <CGAL/Boundary_recovery_3/internal/owners/Owned_parts_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Bad_cells_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Badness_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Cell_angles_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Improve_bad_cells_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Improve_parts_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Insert_vertex_3.h>
+#include <CGAL/Boundary_recovery_3/internal/quality/Measure_quality_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Move_vertex_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
@@ -33,6 +35,7 @@
 #include <atomic>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace CGAL::Boundary_recovery_3::internal {
@@ -196,6 +199,7 @@ public:
   typedef typename Tr::Vertex_handle Vertex_handle;
   typedef typename Tr::Cell_handle   Cell_handle;
   typedef Selected_domain_3<Tr>      Domain;
+  typedef typename Improve_bad_cells_3<Tr, Quality>::Bad_cell Bad_cell;
 
   Improve_domain_3(Tr& tr, Domain& domain, const Quality& quality, Recovery_context<Tr>& context)
     : m_quality(quality), m_context(context), m_improve(tr, domain, quality, context), m_mesh(m_improve.mesh()),
@@ -220,14 +224,24 @@ public:
     note_quality(m_bad_cells.push(c));
   }
 
-  // Instead: the number of cells, and only those have to be added that this is true for. It is asked about all cells,
-  // maybe by several threads.
+  // Instead: the number of cells, and only what this returns has to be added. It is called for all cells, maybe by
+  // several threads.
   void set_number_of_cells(const std::size_t number) { m_number_of_cells = number; }
-  bool concerns(const Cell_handle c)
+  std::optional<Bad_cell> concerns(const Cell_handle c)
   {
     const double quality = m_quality(internal::corners(c));
     note_quality(quality);
-    return quality < m_mesh.enough() || m_mesh.allowed_lengths().may_have_wall(m_mesh.domain(), c);
+    const bool is_added = quality < m_mesh.enough() || is_on_border(c)
+                       || m_mesh.allowed_lengths().may_have_wall(m_mesh.domain(), c);
+    return is_added ? std::make_optional(Bad_cell{ quality, c, 0 }) : std::nullopt;
+  }
+  void add(const Bad_cell& c)
+  {
+    if(is_on_border(c.cell))
+      internal::put_cell_on_border(*c.cell);
+    m_mesh.add_lengths(c.cell);
+    if(c.quality < m_mesh.enough())
+      m_bad_cells.put_back(c);
   }
 
   // Nothing is tolerated. For a mesh that is improved several times: that would add up.
@@ -236,8 +250,15 @@ public:
   // No vertices are inserted beyond that number.
   void set_max_number_of_vertices(const std::size_t number) { m_mesh.set_max_number_of_vertices(number); }
 
-  // So many parts of the mesh are improved at the same time. The domain has no selection.
-  void set_number_of_parts(const std::size_t number) { m_number_of_parts = number; }
+  // So many parts of the mesh are improved at the same time. The domain has no selection. To be called before cells are
+  // added, among which the border of the first round is found.
+  void set_number_of_parts(const std::size_t number)
+  {
+    m_number_of_parts = number;
+    if constexpr(Has_part<typename Tr::Vertex>::value)
+      if(number > 1)
+        m_number_of_owners = Owned_parts_3<Tr>::divide(m_mesh.triangulation(), number, 0);
+  }
 
   // Whether one was not inserted for that.
   bool was_full() const { return m_mesh.was_full(); }
@@ -258,7 +279,6 @@ public:
 private:
   typedef Improve_bad_cells_3<Tr, Quality> Improve_bad_cells;
   typedef typename Improve_bad_cells::Mesh                  Mesh;
-  typedef typename Improve_bad_cells::Bad_cell              Bad_cell;
 
   // See "Tuning constants" in the manual.
   static constexpr double really_bad_angle = 12;
@@ -276,6 +296,14 @@ private:
       if(m_mesh.domain().contains(c))
         f(c);
     }
+  }
+
+  // Whether a cell is inner to no part of the first round.
+  bool is_on_border([[maybe_unused]] const Cell_handle c) const
+  {
+    if constexpr(Has_part<typename Tr::Vertex>::value)
+      return m_number_of_owners > 0 && internal::owner_of_cell(*c) == 0;
+    return false;
   }
 
   void note_quality(const double quality)
@@ -301,7 +329,10 @@ private:
   {
     if constexpr(Has_part<typename Tr::Vertex>::value)
       if(m_number_of_parts > 1)
-        return Improve_parts_3<Tr, Quality>(m_improve, m_quality, m_context, m_number_of_parts).improve();
+      {
+        Improve_parts_3<Tr, Quality> improve_parts(m_improve, m_quality, m_context, m_number_of_parts);
+        return improve_parts.improve(m_number_of_owners);
+      }
     m_improve();
   }
 
@@ -333,7 +364,29 @@ private:
     m_search_locally(angle, account);
     set_enough(m_target);
     m_bad_cells.take(); // they were visited with another measure
-    for_each_cell([&](const Cell_handle c) { m_bad_cells.push(c, time); });
+    if(m_number_of_parts > 1)
+      find_bad_cells(time);
+    else
+      for_each_cell([&](const Cell_handle c) { m_bad_cells.push(c, time); });
+  }
+
+  // The same by several threads, so that nobody counts how many qualities are computed.
+  void find_bad_cells(const std::size_t time)
+  {
+    Blocks_of_cells_3<Tr> blocks(m_mesh.triangulation(), m_mesh.domain());
+    blocks([&](const std::vector<Cell_handle>& cells)
+    {
+      std::vector<Bad_cell> bad;
+      for(const Cell_handle c : cells)
+        if(const double quality = m_quality(internal::corners(c)); quality < m_mesh.enough())
+          bad.push_back(Bad_cell{ quality, c, time });
+      return bad;
+    },
+    [&](const std::vector<Bad_cell>& bad)
+    {
+      m_bad_cells.put_back(bad);
+      return m_context.go_further();
+    });
   }
 
   bool is_any_below(const double angle) { return number_of_bad_cells_below(angle) > 0; }
@@ -390,6 +443,7 @@ private:
   Improvement_effort m_effort = Improvement_effort::normal;
   std::size_t m_number_of_cells = 0;
   std::size_t m_number_of_parts = 1;
+  std::size_t m_number_of_owners = 0; // of vertices, in the first round; 0: none
   std::atomic<double> m_worst{ std::numeric_limits<double>::infinity() }; // of the qualities of all cells at first
 };
 

@@ -63,9 +63,11 @@ public:
       m_number_of_parts(number_of_parts)
   { }
 
-  // The bad cells; those that stay bad are in the list again. The accounts are those of `improve`.
-  void improve()
+  // The bad cells; those that stay bad are in the list again. The accounts are those of `improve`. For the first round,
+  // the vertices have so many owners already, and are marked where they are on the border.
+  void improve(const std::size_t number_of_owners)
   {
+    m_number_of_owners = number_of_owners;
     m_improve.set_visits_only_changed(true);
     std::vector<Bad_cell> cells = bad_cells().take();
     std::size_t number_of_waiting_cells = cells.size();
@@ -112,8 +114,7 @@ private:
 
   Parts divide(const int round)
   {
-    return Parts(m_improve.mesh().triangulation(), m_improve.mesh().domain(), m_number_of_parts, round,
-                 [](Vertex_handle) { return 1.; });
+    return Parts(m_improve.mesh().triangulation(), m_improve.mesh().domain(), m_number_of_parts, round);
   }
 
   // `work(task, k)` is done for each part; the numbers tell how much that is. `tell(part)` tells which part of it is
@@ -150,8 +151,10 @@ private:
   std::vector<Bad_cell> improve_parts(const int round, const std::vector<Bad_cell>& bad,
                                       const std::size_t number_of_waiting_cells)
   {
-    Parts parts = divide(round);
-    parts.mark_border(m_improve.mesh().domain());
+    Parts parts = round == 0 ? Parts(m_improve.mesh().triangulation(), m_improve.mesh().domain(), m_number_of_owners)
+                             : divide(round);
+    if(round > 0)
+      parts.mark_border(m_improve.mesh().domain());
     std::vector<std::vector<Bad_cell> > cells(parts.size() + 1); // the last ones are inner to none
     std::vector<std::size_t> amounts(parts.size() + 1, 0);
     for(const Bad_cell& c : bad)
@@ -189,27 +192,39 @@ private:
         cells.push_back(Bad_cell{ c.quality, c.cell, part.mesh().has_changed(c.cell, c.time) ? std::size_t(0) : 1 });
   }
 
+  // No cell comes or goes, so the border is not marked: it is met where the cells of a vertex are looked at.
   std::vector<Vertex_handle> center_in_parts(const int round, const std::vector<Vertex_handle>& vertices)
   {
     Parts parts = divide(round);
-    parts.mark_border(m_improve.mesh().domain());
-    std::vector<std::vector<Vertex_handle> > inner(parts.size());
-    std::vector<Vertex_handle> waiting;
+    std::vector<std::vector<Vertex_handle> > lists(parts.size());
     for(const Vertex_handle v : vertices)
-      (internal::is_on_border(v) ? waiting : inner[internal::owner(v) - std::size_t(1)]).push_back(v);
+      lists[internal::owner(v) - std::size_t(1)].push_back(v);
     std::deque<Task> tasks;
-    work_on(parts, sizes_of(inner), [&](Task& task, const std::size_t k) { center(task, inner[k]); },
+    work_on(parts, sizes_of(lists), [&](Task& task, const std::size_t k) { center(task, lists[k]); },
             [&](const double part) { m_improve.progress().center_in_parts(part); }, tasks);
+    std::vector<Vertex_handle> waiting;
+    for(const auto& list : lists)
+      waiting.insert(waiting.end(), list.begin(), list.end());
     return waiting;
   }
 
+  // Those on the border are left in the list.
   static void center(Task& task, std::vector<Vertex_handle>& vertices)
   {
+    const auto& domain = task.improve.mesh().domain();
     Center_vertex_3<Mesh> center(task.improve.mesh());
     internal::sort_in_space(vertices, &Mesh::coordinates,
                             [&task] { return task.context.go_further_after_short_step(); });
+    std::vector<Vertex_handle> waiting;
     for(std::size_t i = 0; i < vertices.size() && task.context.go_further_after_long_step(); ++i)
-      task.improve.counts().number_of_moved_vertices += center(vertices[i]);
+    {
+      domain.forget_border();
+      if(center(vertices[i]))
+        ++task.improve.counts().number_of_moved_vertices;
+      else if(domain.is_border_met())
+        waiting.push_back(vertices[i]);
+    }
+    vertices.swap(waiting);
   }
 
   template <typename Item>
@@ -225,6 +240,7 @@ private:
   const Quality& m_quality;
   Rounds m_rounds;
   const std::size_t m_number_of_parts;
+  std::size_t m_number_of_owners = 0; // in the first round
 };
 
 } // namespace CGAL::Boundary_recovery_3::internal

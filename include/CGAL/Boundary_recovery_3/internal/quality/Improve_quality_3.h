@@ -106,7 +106,12 @@ private:
     const Figures before = change_mesh(min_dihedral_angle, effort, is_begun);
     const bool is_done = ! m_context.is_stopped();
     Explain_bad_cells_3<Tr> explain(m_tr, m_domain, min_dihedral_angle);
-    const Figures after = measure([&](Cell_handle, const Cell_angles_3& angles) { return explain.is_bad(angles); },
+    typedef std::pair<Cell_handle, Cell_angles_3> Cell;
+    const auto concerns = [&](const Cell_handle c, const Cell_angles_3& angles)
+    {
+      return explain.is_bad(angles) ? std::make_optional<Cell>(c, angles) : std::nullopt;
+    };
+    const Figures after = measure(concerns, [&](const Cell& cell) { explain.add(cell.first, cell.second); },
                                   [&](const Cell_handle c, const Cell_angles_3& angles) { explain.add(c, angles); });
     if(before)
       m_result.before = *before;
@@ -123,13 +128,15 @@ private:
     improve_domain.set_target(min_dihedral_angle);
     improve_domain.set_effort(effort);
     improve_domain.set_max_number_of_vertices(m_max_number_of_vertices);
-    const auto concerns = [&](const Cell_handle c, const Cell_angles_3&) { return improve_domain.concerns(c); };
-    const Figures before = measure(concerns, [&](const Cell_handle c, const Cell_angles_3&) { improve_domain.add(c); });
-    if(before)
-      improve_domain.set_number_of_cells(before->number_of_cells);
     if(! m_domain.has_selection())
       improve_domain.set_number_of_parts(m_concurrency.number_of_parts(double(m_tr.number_of_finite_cells()),
-                                                                      m_max_number_of_vertices));
+                                                                       m_max_number_of_vertices));
+    typedef typename Improve_domain_3<Tr, Quality>::Bad_cell Bad_cell;
+    const auto concerns = [&](const Cell_handle c, const Cell_angles_3&) { return improve_domain.concerns(c); };
+    const Figures before = measure(concerns, [&](const Bad_cell& c) { improve_domain.add(c); },
+                                   [&](const Cell_handle c, const Cell_angles_3&) { improve_domain.add(c); });
+    if(before)
+      improve_domain.set_number_of_cells(before->number_of_cells);
     is_begun = m_context.go_further();
     if(is_begun)
       improve_domain();
@@ -137,13 +144,13 @@ private:
     return before;
   }
 
-  // Only cells that are concerned have to be examined.
-  template <typename Concerns, typename Examine>
-  Figures measure(const Concerns& concerns, const Examine& examine)
+  // Either threads find what has to be examined, see `Measure_blocks_3`, or each cell is examined.
+  template <typename Concerns, typename Examine, typename Examine_cell>
+  Figures measure(const Concerns& concerns, const Examine& examine, const Examine_cell& examine_cell)
   {
     const auto goes_on = [this] { return m_context.can_finish_after_short_step(); };
     return m_concurrency.number_of_threads ? Measure_blocks_3<Tr>(m_tr, m_domain)(concerns, examine, goes_on)
-                                           : Measure_quality_3<Tr>(m_tr, m_domain)(examine, goes_on);
+                                           : Measure_quality_3<Tr>(m_tr, m_domain)(examine_cell, goes_on);
   }
 
   Tr& m_tr;

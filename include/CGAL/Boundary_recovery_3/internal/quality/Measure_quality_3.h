@@ -297,83 +297,107 @@ private:
 };
 
 /*
- * The figures of a mesh by several threads, which take blocks of cells. They are added up in the order of the blocks,
- * so they do not depend on the threads.
+ * The cells of a domain in blocks, which several threads look at.
  */
 template <typename Tr>
-class Measure_blocks_3
+class Blocks_of_cells_3
 {
 public:
-  typedef typename Tr::Cell_handle   Cell_handle;
-  typedef std::vector<Cell_handle>   Cells;
-  typedef Selected_domain_3<Tr>      Domain;
+  typedef std::vector<typename Tr::Cell_handle> Cells;
+  typedef Selected_domain_3<Tr>                 Domain;
 
-  Measure_blocks_3(const Tr& tr, const Domain& domain) : m_tr(tr), m_domain(domain) { }
+  Blocks_of_cells_3(const Tr& tr, const Domain& domain) : m_tr(tr), m_domain(domain) { }
 
-  // `concerns(c, angles)` is asked by all threads about each cell. If it says yes, `examine(c, angles)` is called
-  // afterwards by one thread. `goes_on` is asked now and then; if it says no, there are no figures.
-  template <typename Concerns, typename Examine, typename Question>
-  std::optional<Mesh_quality_3> operator()(const Concerns& concerns, const Examine& examine, const Question& goes_on)
+  // All threads call `look_at(cells)`, each for other blocks. One thread calls `take(result)` with what comes of it, in
+  // the order of the blocks. Returns false as soon as `take` does.
+  template <typename Look_at, typename Take>
+  bool operator()(const Look_at& look_at, const Take& take) const
   {
-    Sum_of_qualities_3 sum;
+    typedef std::decay_t<decltype(look_at(std::declval<const Cells&>()))> Result;
     auto cell = m_tr.finite_cell_handles().begin();
     const auto end = m_tr.finite_cell_handles().end();
     while(cell != end)
     {
-      std::vector<Block> blocks;
+      std::vector<Cells> blocks;
       while(blocks.size() < blocks_at_a_time && cell != end)
         blocks.push_back(next_block(cell, end));
+      std::vector<Result> results(blocks.size());
       const std::vector<std::size_t> weights(blocks.size(), 1);
-      internal::for_each_task(weights, [&](const std::size_t k) { measure(blocks[k], concerns); },
+      internal::for_each_task(weights, [&](const std::size_t k) { results[k] = look_at(blocks[k]); },
                               Concurrency_tag_of<Tr>());
-      for(const Block& block : blocks)
-      {
-        sum.add(block.quality);
-        for(const Cell_handle c : block.cells)
-          if(! goes_on())
-            return std::nullopt;
-          else
-            examine(c, Cell_angles_3(internal::corners(c)));
-      }
-      if(! goes_on())
-        return std::nullopt;
+      for(const Result& result : results)
+        if(! take(result))
+          return false;
     }
-    return sum.quality();
+    return true;
   }
 
 private:
   static constexpr std::size_t cells_per_block = 8192;
   static constexpr std::size_t blocks_at_a_time = 256;
 
-  struct Block
-  {
-    Cells cells; // at last, those that are to be examined
-    Mesh_quality_3 quality;
-  };
-
   template <typename Iterator>
-  Block next_block(Iterator& cell, const Iterator end) const
+  Cells next_block(Iterator& cell, const Iterator end) const
   {
-    Block block;
-    for(; block.cells.size() < cells_per_block && cell != end; ++cell)
+    Cells cells;
+    cells.reserve(cells_per_block);
+    for(; cells.size() < cells_per_block && cell != end; ++cell)
       if(m_domain.contains(*cell))
-        block.cells.push_back(*cell);
-    return block;
+        cells.push_back(*cell);
+    return cells;
   }
 
-  template <typename Concerns>
-  void measure(Block& block, const Concerns& concerns) const
+  const Tr& m_tr;
+  const Domain& m_domain;
+};
+
+/*
+ * The figures of a mesh by several threads. They are added up in the order of blocks of cells, so they do not depend on
+ * the threads.
+ */
+template <typename Tr>
+class Measure_blocks_3
+{
+public:
+  typedef typename Tr::Cell_handle Cell_handle;
+  typedef Selected_domain_3<Tr>    Domain;
+
+  Measure_blocks_3(const Tr& tr, const Domain& domain) : m_tr(tr), m_domain(domain) { }
+
+  // `concerns(c, angles)` is called by all threads for each cell. If it returns something, an optional value, one
+  // thread calls `examine(value)` afterwards. `goes_on` is asked now and then; if it says no, there are no figures.
+  template <typename Concerns, typename Examine, typename Question>
+  std::optional<Mesh_quality_3> operator()(const Concerns& concerns, const Examine& examine, const Question& goes_on)
   {
-    Cells concerned;
-    block.quality = Measure_quality_3<Tr>(m_tr, m_domain).of_cells(block.cells,
-                                                                   [&](const Cell_handle c, const Cell_angles_3& angles)
+    typedef typename decltype(concerns(std::declval<Cell_handle>(), std::declval<Cell_angles_3>()))::value_type Value;
+    typedef std::pair<Mesh_quality_3, std::vector<Value> > Block;
+    Sum_of_qualities_3 sum;
+    const auto measure = [&](const std::vector<Cell_handle>& cells)
     {
-      if(concerns(c, angles))
-        concerned.push_back(c);
-    });
-    block.cells.swap(concerned);
+      Block block;
+      const auto note = [&](const Cell_handle c, const Cell_angles_3& angles)
+      {
+        if(const auto value = concerns(c, angles))
+          block.second.push_back(*value);
+      };
+      block.first = Measure_quality_3<Tr>(m_tr, m_domain).of_cells(cells, note);
+      return block;
+    };
+    const auto take = [&](const Block& block)
+    {
+      sum.add(block.first);
+      for(const Value& value : block.second)
+        if(! goes_on())
+          return false;
+        else
+          examine(value);
+      return bool(goes_on());
+    };
+    const bool is_done = Blocks_of_cells_3<Tr>(m_tr, m_domain)(measure, take);
+    return is_done ? std::optional<Mesh_quality_3>(sum.quality()) : std::nullopt;
   }
 
+private:
   const Tr& m_tr;
   const Domain& m_domain;
 };
