@@ -237,8 +237,9 @@ public:
   }
   void add(const Bad_cell& c)
   {
-    if(is_on_border(c.cell))
-      internal::put_cell_on_border(*c.cell);
+    if constexpr(Has_part<typename Tr::Vertex>::value)
+      if(is_on_border(c.cell))
+        internal::put_cell_on_border(*c.cell);
     m_mesh.add_lengths(c.cell);
     if(c.quality < m_mesh.enough())
       m_bad_cells.put_back(c);
