@@ -64,10 +64,8 @@ public:
       CGAL_assertion(CGAL::is_positive(denominators[i]));
       are_inverses_known = are_inverses_known && invert_power_of_two(denominators[i], inverses[i]);
     }
-    Integer w(1);
-    if(! are_inverses_known)
-      for(const Integer& d : denominators) // their least common multiple, to have few digits
-        w *= CGAL::integral_division(d, Fractions::Common_factor()(w, d));
+    const Integer w = are_inverses_known ? Integer(1)
+                                         : internal::common_denominator(std::array<Rational, 3>{{ x, y, z }});
     p.m_w = ring_number(w);
     for(int i = 0; i < 3; ++i)
       p.m_xyz[i] = are_inverses_known ? RT(ring_number(numerators[i]) * inverses[i])

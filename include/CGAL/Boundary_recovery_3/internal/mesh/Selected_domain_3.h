@@ -109,9 +109,8 @@ public:
   bool is_border([[maybe_unused]] const Cell_handle c, [[maybe_unused]] const int i) const
   {
     if constexpr(Has_part<typename Tr::Vertex>::value)
-      if(m_part != 0 && internal::is_facet_on_border(*c, i) && internal::owner_of_cell(*c->neighbor(i)) != m_part
-         && ! c->is_facet_on_surface(i) && c->neighbor(i)->subdomain_index() == c->subdomain_index())
-        return m_is_border_met = true;
+      return m_part != 0 && internal::is_facet_on_border(*c, i) && ! c->is_facet_on_surface(i)
+          && c->neighbor(i)->subdomain_index() == c->subdomain_index() && is_beyond_border(c->neighbor(i));
     return false;
   }
 

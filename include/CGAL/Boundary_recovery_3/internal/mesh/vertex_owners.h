@@ -50,9 +50,6 @@ Part_number owner(const Vertex_handle v) { return Part_number(v->part() & max_nu
 template <typename Vertex_handle>
 bool is_on_border(const Vertex_handle v) { return (v->part() & border_bit) != 0; }
 
-template <typename Vertex_handle>
-void put_on_border(const Vertex_handle v) { v->set_part(Part_number(v->part() | border_bit)); }
-
 // The part that a cell is inner to; 0: none.
 template <typename Cell>
 Part_number owner_of_cell(const Cell& c)
@@ -64,10 +61,10 @@ Part_number owner_of_cell(const Cell& c)
 
 // All vertices of a cell that is inner to no part.
 template <typename Cell>
-void put_cell_on_border(const Cell& c)
+void put_on_border(const Cell& c)
 {
   for(int i = 0; i < 4; ++i)
-    internal::put_on_border(c.vertex(i));
+    c.vertex(i)->set_part(Part_number(c.vertex(i)->part() | border_bit));
 }
 
 // Whether the vertices of a facet of a cell are on the border. If not, the cell behind it is inner to the same part.

@@ -15,7 +15,6 @@
 #include <CGAL/Boundary_recovery_3/internal/numbers/binary_scale.h>
 #include <CGAL/Boundary_recovery_3/internal/numbers/exact_numbers.h>
 
-#include <CGAL/Fraction_traits.h>
 #include <CGAL/Kernel/global_functions_3.h>
 #include <CGAL/Origin.h>
 #include <CGAL/Simple_cartesian.h>
@@ -108,29 +107,14 @@ private:
     return Vector_3(dot(m[0], v), dot(m[1], v), dot(m[2], v));
   }
 
-  // The least positive integer that makes integers of all these numbers. Where only ratios matter, integers take a
-  // fraction of the time: other numbers are reduced to lowest terms at every step.
-  template <typename Numbers>
-  static Rational common_denominator(const Numbers& numbers)
-  {
-    typedef Fraction_traits<Rational> Fractions;
-    Rational result(1);
-    for(const Rational& x : numbers)
-    {
-      typename Fractions::Numerator_type numerator;
-      typename Fractions::Denominator_type denominator;
-      typename Fractions::Decompose()(Rational(x * result), numerator, denominator);
-      result *= Rational(denominator);
-    }
-    return result;
-  }
-
+  // Where only ratios matter, integers take a fraction of the time: other numbers are reduced to lowest terms at every
+  // step.
   static void make_integral(std::vector<Plane_3>& planes)
   {
     for(Plane_3& h : planes)
     {
       const std::array<Rational, 4> numbers = {{ h.a(), h.b(), h.c(), h.d() }};
-      const Rational w = common_denominator(numbers);
+      const Rational w(internal::common_denominator(numbers));
       h = Plane_3(w * h.a(), w * h.b(), w * h.c(), w * h.d());
     }
   }
@@ -140,7 +124,7 @@ private:
     std::vector<Rational> numbers;
     for(const Vector_3& column : m)
       numbers.insert(numbers.end(), { column.x(), column.y(), column.z() });
-    const Rational w = common_denominator(numbers);
+    const Rational w(internal::common_denominator(numbers));
     for(Vector_3& column : m)
       column = w * column;
   }

@@ -12,6 +12,9 @@
 
 #include <CGAL/license/Boundary_recovery_3.h>
 
+#include <CGAL/Fraction_traits.h>
+#include <CGAL/number_utils.h>
+
 #ifdef CGAL_USE_GMP
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Gmpzf.h>
@@ -19,7 +22,6 @@
 #else
 #include <CGAL/MP_Float.h>
 #include <CGAL/boost_mp.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
 
@@ -73,6 +75,22 @@ FT nearest_integer(const FT& x)
     result += one;
   for(; rest < - half; rest += one)
     result -= one;
+  return result;
+}
+
+// The least positive integer that makes integers of all these rational numbers.
+template <typename Numbers>
+Fraction_traits<Rational>::Numerator_type common_denominator(const Numbers& numbers)
+{
+  typedef Fraction_traits<Rational>  Fractions;
+  typedef Fractions::Numerator_type  Integer;
+  Integer result(1);
+  for(const Rational& x : numbers)
+  {
+    Integer numerator, denominator;
+    Fractions::Decompose()(x, numerator, denominator);
+    result *= CGAL::integral_division(denominator, Fractions::Common_factor()(result, denominator));
+  }
   return result;
 }
 

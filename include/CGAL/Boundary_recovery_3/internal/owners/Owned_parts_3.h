@@ -149,7 +149,7 @@ public:
   {
     for(const Cell_handle c : m_tr.all_cell_handles())
       if(internal::owner_of_cell(*c) == 0 && domain.contains(c))
-        internal::put_cell_on_border(*c);
+        internal::put_on_border(*c);
   }
 
 private:

@@ -239,7 +239,7 @@ public:
   {
     if constexpr(Has_part<typename Tr::Vertex>::value)
       if(is_on_border(c.cell))
-        internal::put_cell_on_border(*c.cell);
+        internal::put_on_border(*c.cell);
     m_mesh.add_lengths(c.cell);
     if(c.quality < m_mesh.enough())
       m_bad_cells.put_back(c);
