@@ -17,6 +17,7 @@
 #include <CGAL/Boundary_recovery_3/internal/filling/Fill_parts_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Ordinary_scale_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/vertex_owners.h>
 #include <CGAL/Boundary_recovery_3/internal/owners/Concurrency.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/Cell_shape_3.h>
@@ -241,7 +242,7 @@ private:
     {
       const bool is_forecast = phase == Phase::forecast;
       report.number_of_vertices = is_forecast ? rounded(m_result.forecast_of_vertices) : m_tr.number_of_vertices();
-      report.number_of_cells = is_forecast ? rounded(m_result.forecast_of_cells) : m_tr.number_of_finite_cells();
+      report.number_of_cells = is_forecast ? rounded(m_result.forecast_of_cells) : internal::number_of_finite_cells(m_tr);
     });
   }
 

@@ -171,45 +171,6 @@ private:
 };
 
 /*
- * Tells most facets that are not in a set from those that may be: two bits for each facet of the set, both in one word
- * of a table that has 8 to 16 bits for each facet.
- */
-template <typename Vertex_handle>
-class Facet_filter_3
-{
-public:
-  explicit Facet_filter_3(const std::size_t number_of_facets)
-  {
-    std::size_t size = 1;
-    while(8 * size < number_of_facets)
-      size *= 2;
-    m_words.assign(size, 0);
-  }
-
-  void insert(const std::array<Vertex_handle, 3>& f)
-  {
-    const std::uint64_t sum = hash_share(f[0]) + hash_share(f[1]) + hash_share(f[2]);
-    m_words[word(sum)] |= bits(sum);
-  }
-
-  // The facet is given by the sum over its vertices, which does not depend on their order.
-  bool may_contain(const std::uint64_t sum) const { return (m_words[word(sum)] & bits(sum)) == bits(sum); }
-
-private:
-  std::size_t word(const std::uint64_t sum) const
-  {
-    return static_cast<std::size_t>(sum >> 13) & (m_words.size() - 1);
-  }
-
-  static std::uint64_t bits(const std::uint64_t sum)
-  {
-    return (std::uint64_t(1) << (sum & 63)) | (std::uint64_t(1) << (sum >> 6 & 63));
-  }
-
-  std::vector<std::uint64_t> m_words;
-};
-
-/*
  * Looks up constraints in the mesh.
  *
  * All of them: first the facets where the last sweep found them. If many have gone from there, another sweep over the
@@ -320,18 +281,10 @@ private:
   // branches, for nobody could predict them.
   static unsigned candidate_facets(const Cell_handle c, const Facet_filter_3<Vertex_handle>& filter)
   {
-    std::array<std::uint64_t, 4> h;
+    unsigned asked = 0;
     for(int i = 0; i < 4; ++i)
-      h[i] = hash_share(c->vertex(i));
-    const std::uint64_t sum = h[0] + h[1] + h[2] + h[3];
-    unsigned result = 0;
-    for(int i = 0; i < 4; ++i)
-    {
-      const unsigned is_asked = std::less<const void*>()(&*c, &*c->neighbor(i));
-      const unsigned is_candidate = filter.may_contain(sum - h[i]);
-      result |= (is_asked & is_candidate) << i;
-    }
-    return result;
+      asked |= unsigned(std::less<const void*>()(&*c, &*c->neighbor(i))) << i;
+    return asked & filter.candidates(c);
   }
 
   void put_in_place(const std::vector<Vertex_triple>& facets, const std::vector<Cell_handle>& cells)

@@ -137,17 +137,28 @@ private:
   // one sweep over all facets of the triangulation, instead of one search in a star for each of them
   void find_facets()
   {
+    Facet_filter_3<Vertex_handle> filter(m_facets.size());
+    for(const Constrained_facet& f : m_facets)
+      filter.insert(f.vertices);
     for(std::size_t n = 0; n < m_cells.size(); ++n)
-      for(int i = 0; i < 4; ++i)
-      {
-        const Cell_handle c = m_cells[n];
-        const std::size_t neighbor = m_cell_index[c->neighbor(i)];
-        if(n < neighbor && is_constrained(c, i))
-        {
-          close(n, i);
-          close(neighbor, c->neighbor(i)->index(c));
-        }
-      }
+    {
+      unsigned candidates = filter.candidates(m_cells[n]);
+      for(int i = 0; candidates != 0; candidates >>= 1, ++i)
+        if((candidates & 1) != 0)
+          find_facet(n, i);
+    }
+  }
+
+  // closes the facet if it is constrained, and if it is this one of its two cells that is asked
+  void find_facet(const std::size_t n, const int i)
+  {
+    const Cell_handle c = m_cells[n];
+    const std::size_t neighbor = m_cell_index[c->neighbor(i)];
+    if(n < neighbor && is_constrained(c, i))
+    {
+      close(n, i);
+      close(neighbor, c->neighbor(i)->index(c));
+    }
   }
 
   void close(const std::size_t cell, const int i) { m_closed[cell] |= static_cast<unsigned char>(1 << i); }
@@ -228,10 +239,17 @@ private:
       if(here == there)
         continue;
       const long weight = mod_2 ? long(f.odd) : f.weight;
-      result[here].push_back(Crossing{there, weight});
-      result[there].push_back(Crossing{here, mod_2 ? weight : -weight});
+      add(Crossing{there, weight}, result[here]);
+      add(Crossing{here, mod_2 ? weight : -weight}, result[there]);
     }
     return result;
+  }
+
+  // most of them are like the last one
+  static void add(const Crossing& crossing, std::vector<Crossing>& crossings)
+  {
+    if(crossings.empty() || crossings.back().target != crossing.target || crossings.back().weight != crossing.weight)
+      crossings.push_back(crossing);
   }
 
   // returns whether the numbers are the same along every way from the infinite cells to a component

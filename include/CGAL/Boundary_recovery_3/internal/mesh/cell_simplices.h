@@ -17,6 +17,8 @@
 
 #include <CGAL/Triangulation_utils_3.h>
 
+#include <boost/iterator/function_output_iterator.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -34,6 +36,18 @@ auto facet_vertices(const Cell_handle c, const int i)
   return std::array<decltype(c->vertex(0)), 3>{{ c->vertex(Utils::vertex_triple_index(i, 0)),
                                                  c->vertex(Utils::vertex_triple_index(i, 1)),
                                                  c->vertex(Utils::vertex_triple_index(i, 2)) }};
+}
+
+// Of the triangulation. Its own function goes through all cells, but only those around one vertex are infinite.
+template <typename Tr>
+std::size_t number_of_finite_cells(const Tr& tr)
+{
+  if(tr.dimension() < 3)
+    return 0;
+  std::size_t number_of_infinite_cells = 0;
+  tr.tds().incident_cells(tr.infinite_vertex(), boost::make_function_output_iterator(
+    [&number_of_infinite_cells](const typename Tr::Cell_handle) { ++number_of_infinite_cells; }));
+  return tr.number_of_cells() - number_of_infinite_cells;
 }
 
 // Whether all vertices of the simplex are vertices of the cell.

@@ -18,6 +18,7 @@
 #include <CGAL/Boundary_recovery_3/internal/filling/Field_point_insertion_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mark_domain_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/regions_at_places.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Mesh_in_subdomains_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Part_triangulation_3.h>
@@ -242,7 +243,7 @@ private:
     [this](Phase_report& report)
     {
       report.number_of_vertices = m_tr.number_of_vertices();
-      report.number_of_cells = m_tr.number_of_finite_cells();
+      report.number_of_cells = internal::number_of_finite_cells(m_tr);
     });
   }
 

@@ -15,6 +15,7 @@
 #include <CGAL/Boundary_recovery_3/Boundary_constrained_mesh_result_3.h>
 #include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
 #include <CGAL/Boundary_recovery_3/internal/filling/Field_point_insertion_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Decomposition_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Mesh_part_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Part_triangulation_3.h>
@@ -89,7 +90,7 @@ private:
     m_context.run(phase, work, [this](Phase_report& report)
     {
       report.number_of_vertices = m_tr.number_of_vertices() + m_number_of_vertices - m_number_of_old_vertices;
-      report.number_of_cells = m_tr.number_of_finite_cells() + number_of_cells(m_parts) - m_number_of_old_cells;
+      report.number_of_cells = internal::number_of_finite_cells(m_tr) + number_of_cells(m_parts) - m_number_of_old_cells;
     });
   }
 

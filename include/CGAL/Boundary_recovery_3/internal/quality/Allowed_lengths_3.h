@@ -72,15 +72,14 @@ public:
   {
     if constexpr(Has_meshing_info<typename Tr::Vertex>::value)
       for(int i = 0; i < 4; ++i)
-        if(may_be_wall(domain, c, i) && domain.is_wall(c, i))
+        if(is_wall(domain, c, i))
           add_facet(c, i);
   }
 
-  // Whether add() may have anything to do.
-  static bool may_have_wall(const Selected_domain_3<Tr>& domain, const Cell_handle c)
+  // Whether add() has something to do.
+  static bool has_wall(const Selected_domain_3<Tr>& domain, const Cell_handle c)
   {
-    return may_be_wall(domain, c, 0) || may_be_wall(domain, c, 1) || may_be_wall(domain, c, 2)
-        || may_be_wall(domain, c, 3);
+    return is_wall(domain, c, 0) || is_wall(domain, c, 1) || is_wall(domain, c, 2) || is_wall(domain, c, 3);
   }
 
   // To be called when all cells were added. `goes_on` is asked after each vertex; if it says no, nobody may need this.
@@ -142,28 +141,28 @@ private:
     return internal::distance(internal::coordinates_of(u->point()), internal::coordinates_of(v->point()));
   }
 
-  // Asks the vertices, if they know; that is cheaper than to ask the cell behind the facet.
-  static bool may_be_wall([[maybe_unused]] const Selected_domain_3<Tr>& domain, const Cell_handle c, const int i)
+  // Asks the vertices first, if they know; that is cheaper than to ask the cell behind the facet.
+  static bool is_wall(const Selected_domain_3<Tr>& domain, const Cell_handle c, const int i)
   {
     if constexpr(Has_vertex_indices<typename Tr::Vertex>::value)
       for(int k = 0; k < 4 && ! domain.has_selection(); ++k)
         if(k != i && c->vertex(k)->in_dimension() == 3)
           return false;
-    return true;
+    return domain.is_wall(c, i);
   }
 
   void add_facet(const Cell_handle c, const int i)
   {
     for(int k = 0; k < 4; ++k)
-      for(int l = 0; l < 4; ++l)
-        if(k != i && l != i && k != l)
-        {
-          const double d = distance(c->vertex(k), c->vertex(l));
-          Range& range = m_of_constraints[c->vertex(k)];
-          if(range.largest == 0)
-            m_constrained_vertices.push_back(c->vertex(k));
-          range.include(d);
-        }
+      if(k != i)
+      {
+        Range& range = m_of_constraints[c->vertex(k)];
+        if(range.largest == 0)
+          m_constrained_vertices.push_back(c->vertex(k));
+        for(int l = 0; l < 4; ++l)
+          if(l != i && l != k)
+            range.include(distance(c->vertex(k), c->vertex(l)));
+      }
   }
 
   template <typename Question>

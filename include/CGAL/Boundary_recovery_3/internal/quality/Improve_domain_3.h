@@ -225,21 +225,21 @@ public:
   }
 
   // Instead: the number of cells, and only what this returns has to be added. It is called for all cells, maybe by
-  // several threads.
+  // several threads, while one of them adds; so borders are marked later.
   void set_number_of_cells(const std::size_t number) { m_number_of_cells = number; }
   std::optional<Bad_cell> concerns(const Cell_handle c)
   {
     const double quality = m_quality(internal::corners(c));
     note_quality(quality);
     const bool is_added = quality < m_mesh.enough() || is_on_border(c)
-                       || m_mesh.allowed_lengths().may_have_wall(m_mesh.domain(), c);
+                       || m_mesh.allowed_lengths().has_wall(m_mesh.domain(), c);
     return is_added ? std::make_optional(Bad_cell{ quality, c, 0 }) : std::nullopt;
   }
   void add(const Bad_cell& c)
   {
     if constexpr(Has_part<typename Tr::Vertex>::value)
       if(is_on_border(c.cell))
-        internal::put_on_border(*c.cell);
+        m_cells_on_border.push_back(c.cell);
     m_mesh.add_lengths(c.cell);
     if(c.quality < m_mesh.enough())
       m_bad_cells.put_back(c);
@@ -331,6 +331,9 @@ private:
     if constexpr(Has_part<typename Tr::Vertex>::value)
       if(m_number_of_parts > 1)
       {
+        for(const Cell_handle c : m_cells_on_border)
+          internal::put_on_border(*c);
+        m_cells_on_border.clear();
         Improve_parts_3<Tr, Quality> improve_parts(m_improve, m_quality, m_context, m_number_of_parts);
         return improve_parts.improve(m_number_of_owners);
       }
@@ -445,6 +448,7 @@ private:
   std::size_t m_number_of_cells = 0;
   std::size_t m_number_of_parts = 1;
   std::size_t m_number_of_owners = 0; // of vertices, in the first round; 0: none
+  std::vector<Cell_handle> m_cells_on_border; // of their parts
   std::atomic<double> m_worst{ std::numeric_limits<double>::infinity() }; // of the qualities of all cells at first
 };
 

@@ -16,6 +16,7 @@
 #include <CGAL/Boundary_recovery_3/Quality_improvement_result_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Ordinary_scale_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Selected_domain_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Cell_angles_3.h>
 #include <CGAL/Boundary_recovery_3/internal/owners/Concurrency.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Explain_bad_cells_3.h>
@@ -129,7 +130,7 @@ private:
     improve_domain.set_effort(effort);
     improve_domain.set_max_number_of_vertices(m_max_number_of_vertices);
     if(! m_domain.has_selection())
-      improve_domain.set_number_of_parts(m_concurrency.number_of_parts(double(m_tr.number_of_finite_cells()),
+      improve_domain.set_number_of_parts(m_concurrency.number_of_parts(double(internal::number_of_finite_cells(m_tr)),
                                                                        m_max_number_of_vertices));
     typedef typename Improve_domain_3<Tr, Quality>::Bad_cell Bad_cell;
     const auto concerns = [&](const Cell_handle c, const Cell_angles_3&) { return improve_domain.concerns(c); };
@@ -177,7 +178,7 @@ Improve_quality_3<Tr, Quality>::operator()(const double min_dihedral_angle, cons
     m_context.run(Phase::quality_improvement, improve_with_threads, [this](Phase_report& report)
     {
       report.number_of_vertices = m_tr.number_of_vertices();
-      report.number_of_cells = m_tr.number_of_finite_cells();
+      report.number_of_cells = internal::number_of_finite_cells(m_tr);
     });
   }
   else

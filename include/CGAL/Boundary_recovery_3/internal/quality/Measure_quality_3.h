@@ -28,10 +28,13 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <map>
+#include <mutex>
 #include <numeric>
 #include <optional>
 #include <type_traits>
@@ -297,6 +300,49 @@ private:
 };
 
 /*
+ * What comes of blocks of work, taken in the order of the blocks, whichever thread is ready first.
+ */
+template <typename Result, typename Take>
+class Results_in_order
+{
+public:
+  explicit Results_in_order(const Take& take) : m_take(take) { }
+
+  // Whether `take` never said no, and never threw.
+  bool goes_on() const { return m_goes_on; }
+
+  // By any thread.
+  void add(const std::size_t block, Result&& result)
+  {
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    m_waiting.emplace(block, std::move(result));
+    for(auto first = m_waiting.begin(); m_goes_on && first != m_waiting.end() && first->first == m_number_of_taken;
+        first = m_waiting.erase(first), ++m_number_of_taken)
+      take(first->second);
+  }
+
+private:
+  void take(const Result& result)
+  {
+    try
+    {
+      m_goes_on = m_take(result);
+    }
+    catch(...)
+    {
+      m_goes_on = false;
+      throw;
+    }
+  }
+
+  const Take& m_take;
+  std::mutex m_mutex;
+  std::map<std::size_t, Result> m_waiting;
+  std::size_t m_number_of_taken = 0;
+  std::atomic<bool> m_goes_on{ true };
+};
+
+/*
  * The cells of a domain in blocks, which several threads look at.
  */
 template <typename Tr>
@@ -308,44 +354,33 @@ public:
 
   Blocks_of_cells_3(const Tr& tr, const Domain& domain) : m_tr(tr), m_domain(domain) { }
 
-  // All threads call `look_at(cells)`, each for other blocks. One thread calls `take(result)` with what comes of it, in
-  // the order of the blocks. Returns false as soon as `take` does.
+  // All threads call `look_at(cells)`, each for other blocks, and one at a time `take(result)` with what comes of it,
+  // in the order of the blocks. Returns false as soon as `take` does.
   template <typename Look_at, typename Take>
   bool operator()(const Look_at& look_at, const Take& take) const
   {
-    typedef std::decay_t<decltype(look_at(std::declval<const Cells&>()))> Result;
-    auto cell = m_tr.finite_cell_handles().begin();
-    const auto end = m_tr.finite_cell_handles().end();
-    while(cell != end)
+    Results_in_order<std::decay_t<decltype(look_at(std::declval<const Cells&>()))>, Take> results(take);
+    std::mutex mutex;
+    std::size_t number_of_blocks = 0;
+    auto cell = m_tr.all_cell_handles().begin();
+    const std::vector<std::size_t> weights(1 + m_tr.number_of_cells() / cells_per_block, 1);
+    internal::for_each_task(weights, [&](std::size_t)
     {
-      std::vector<Cells> blocks;
-      while(blocks.size() < blocks_at_a_time && cell != end)
-        blocks.push_back(next_block(cell, end));
-      std::vector<Result> results(blocks.size());
-      const std::vector<std::size_t> weights(blocks.size(), 1);
-      internal::for_each_task(weights, [&](const std::size_t k) { results[k] = look_at(blocks[k]); },
-                              Concurrency_tag_of<Tr>());
-      for(const Result& result : results)
-        if(! take(result))
-          return false;
-    }
-    return true;
+      Cells cells;
+      std::unique_lock<std::mutex> lock(mutex);
+      const std::size_t block = number_of_blocks++;
+      for(std::size_t k = 0; k < cells_per_block && cell != m_tr.all_cell_handles().end(); ++k, ++cell)
+        if(m_domain.contains(*cell))
+          cells.push_back(*cell);
+      lock.unlock();
+      if(results.goes_on())
+        results.add(block, look_at(cells));
+    }, Concurrency_tag_of<Tr>());
+    return results.goes_on();
   }
 
 private:
-  static constexpr std::size_t cells_per_block = 8192;
-  static constexpr std::size_t blocks_at_a_time = 256;
-
-  template <typename Iterator>
-  Cells next_block(Iterator& cell, const Iterator end) const
-  {
-    Cells cells;
-    cells.reserve(cells_per_block);
-    for(; cells.size() < cells_per_block && cell != end; ++cell)
-      if(m_domain.contains(*cell))
-        cells.push_back(*cell);
-    return cells;
-  }
+  static constexpr std::size_t cells_per_block = 2048; // that stay in the cache
 
   const Tr& m_tr;
   const Domain& m_domain;
@@ -365,7 +400,7 @@ public:
   Measure_blocks_3(const Tr& tr, const Domain& domain) : m_tr(tr), m_domain(domain) { }
 
   // `concerns(c, angles)` is called by all threads for each cell. If it returns something, an optional value, one
-  // thread calls `examine(value)` afterwards. `goes_on` is asked now and then; if it says no, there are no figures.
+  // thread at a time calls `examine(value)`. `goes_on` is asked now and then; if it says no, there are no figures.
   template <typename Concerns, typename Examine, typename Question>
   std::optional<Mesh_quality_3> operator()(const Concerns& concerns, const Examine& examine, const Question& goes_on)
   {

@@ -327,6 +327,59 @@ bool has_repeated_vertex(Simplex simplex)
 template <typename Vertex_handle, std::size_t N>
 using Simplex_index_3 = Hash_index<std::array<Vertex_handle, N>, Simplex_hash, Have_same_vertices>;
 
+/*
+ * Tells most facets that are not in a set from those that may be: two bits for each facet of the set, both in one word
+ * of a table that has 8 to 16 bits for each facet.
+ */
+template <typename Vertex_handle>
+class Facet_filter_3
+{
+public:
+  explicit Facet_filter_3(const std::size_t number_of_facets)
+  {
+    std::size_t size = 1;
+    while(8 * size < number_of_facets)
+      size *= 2;
+    m_words.assign(size, 0);
+  }
+
+  void insert(const std::array<Vertex_handle, 3>& f)
+  {
+    const std::uint64_t sum = hash_share(f[0]) + hash_share(f[1]) + hash_share(f[2]);
+    m_words[word(sum)] |= bits(sum);
+  }
+
+  // Bit i is set if facet i of the cell may be in the set. There are no branches, for nobody could predict them.
+  template <typename Cell_handle>
+  unsigned candidates(const Cell_handle c) const
+  {
+    std::array<std::uint64_t, 4> h;
+    for(int i = 0; i < 4; ++i)
+      h[i] = hash_share(c->vertex(i));
+    const std::uint64_t sum = h[0] + h[1] + h[2] + h[3];
+    unsigned result = 0;
+    for(int i = 0; i < 4; ++i)
+      result |= unsigned(may_contain(sum - h[i])) << i;
+    return result;
+  }
+
+private:
+  // The facet is given by the sum over its vertices, which does not depend on their order.
+  bool may_contain(const std::uint64_t sum) const { return (m_words[word(sum)] & bits(sum)) == bits(sum); }
+
+  std::size_t word(const std::uint64_t sum) const
+  {
+    return static_cast<std::size_t>(sum >> 13) & (m_words.size() - 1);
+  }
+
+  static std::uint64_t bits(const std::uint64_t sum)
+  {
+    return (std::uint64_t(1) << (sum & 63)) | (std::uint64_t(1) << (sum >> 6 & 63));
+  }
+
+  std::vector<std::uint64_t> m_words;
+};
+
 } // namespace CGAL::Boundary_recovery_3::internal
 
 #endif // CGAL_BOUNDARY_RECOVERY_3_INTERNAL_UTIL_SIMPLEX_INDEX_3_H
