@@ -209,7 +209,7 @@ private:
   // See "Tuning constants" in the manual.
   static constexpr double cells_per_forecast_cell = 1.32;
   static constexpr double cells_per_wall = 1.2;
-  static constexpr double cells_per_cell_of_part = 2.5; // of other parts: each border has to be filled first
+  static constexpr double cells_per_cell_of_part = 3; // of other parts: each border has to be filled first
   static constexpr double cells_per_inner_vertex = 6.6;
   static constexpr double cells_per_surface_vertex = 2;
   static constexpr std::size_t least_number_of_questions = 2000;
@@ -347,11 +347,17 @@ private:
 
   typedef std::conjunction<Has_part<typename Tr::Vertex>, Has_meshing_info<typename Tr::Vertex> > Can_have_parts;
 
+  // A power of 2: parts are halves of halves with as much work each, which threads share evenly.
   std::size_t number_of_parts(const std::size_t max_number_of_vertices) const
   {
-    return Can_have_parts::value && ! m_domain.has_selection()
-         ? m_concurrency.number_of_parts(m_result.forecast_of_cells / cells_per_cell_of_part, max_number_of_vertices)
-         : 1;
+    if(! Can_have_parts::value || m_domain.has_selection())
+      return 1;
+    const double number_of_cells = m_result.forecast_of_cells / cells_per_cell_of_part;
+    const std::size_t least = m_concurrency.number_of_parts(number_of_cells, max_number_of_vertices);
+    std::size_t number = 1;
+    while(number < least && 2 * number <= max_number_of_parts)
+      number *= 2;
+    return number;
   }
 
   void fill_parts([[maybe_unused]] Fill_domain_3<Tr>& fill_domain, [[maybe_unused]] const std::size_t number_of_parts,

@@ -73,6 +73,7 @@ public:
 private:
   typedef Owned_parts_3<Tr>            Parts;
   typedef Rounds_of_parts_3<Tr>        Rounds;
+  typedef Divide_space_3::Cut          Cut;
   typedef std::array<Coordinates_3, 4> Corners;
 
   static constexpr std::size_t no_limit = (std::numeric_limits<std::size_t>::max)(); // of the number of vertices
@@ -98,22 +99,20 @@ private:
   // The tasks of a depth get the cells of their parts, and leave those of the halves.
   void fill_from_borders(const Cells& all_cells, const std::size_t number_of_parts)
   {
-    const Divide_space_3 divide = divided_space(all_cells, number_of_parts);
+    const Divide_space_3 divide = divided_space(all_cells, number_of_parts, [](const Corners&) { return true; });
     std::vector<Cells> cells(divide.number_of_parts());
-    cells.front() = all_cells;
-    for(int depth = 0; depth < divide.depth() && m_fill.can_go_on(); ++depth)
+    fill_first_cut(all_cells, *divide.cut_of(1, 0), cells);
+    for(int depth = 1; depth < divide.depth() && m_fill.can_go_on(); ++depth)
     {
       Parts parts(m_tr, m_domain, divide, depth);
       std::vector<Cells> cells_of_halves(cells.size());
       work_on(parts, cells, [&](Task& task, const std::size_t k)
       {
-        const Divide_space_3::Cut* const cut = divide.cut_of(static_cast<Part_number>(k + 1), depth);
+        const Cut* const cut = divide.cut_of(static_cast<Part_number>(k + 1), depth);
         if(cut == nullptr)
           return cells_of_halves[k].swap(cells[k]);
         const Cells left = task.fill.fill(cells[k], [cut](const Cell_handle c) { return is_cut(*cut, c); });
-        for(const Cell_handle c : left)
-          if(task.fill.is_there(c) && parts[k].domain().contains(c) && ! is_cut(*cut, c))
-            cells_of_halves[is_before(*cut, c, 0) ? k : cut->second_half - std::size_t(1)].push_back(c);
+        leave_to_halves(*cut, left, task.fill, parts[k].domain(), k, cells_of_halves);
       });
       cells.swap(cells_of_halves);
     }
@@ -121,6 +120,39 @@ private:
       return;
     Parts parts(m_tr, m_domain, divide, divide.depth());
     work_on(parts, cells, [&](Task& task, const std::size_t k) { task.fill.fill(cells[k]); });
+  }
+
+  // There is only one part that the first cut goes through. So the cells there are filled in two parts at the same
+  // time, after those where the border of these meets the cut.
+  void fill_first_cut(const Cells& all_cells, const Cut& cut, std::vector<Cells>& cells_of_halves)
+  {
+    Cells left;
+    std::vector<Cells> cells(2);
+    for(const Cell_handle c : all_cells)
+      (is_cut(cut, c) ? cells[0] : left).push_back(c);
+    const Divide_space_3 divide = divided_space(cells[0], 2, [&](const Corners& p) { return is_cut(cut, p); });
+    const Cut& border = *divide.cut_of(1, 0);
+    const auto fill = [&](const int depth, const auto& concerns)
+    {
+      Parts parts(m_tr, m_domain, divide, depth);
+      work_on(parts, cells, [&](Task& task, const std::size_t k) { cells[k] = task.fill.fill(cells[k], concerns); });
+    };
+    fill(0, [&](const Cell_handle c) { return is_cut(cut, c) && is_cut(border, c); });
+    for(const Cell_handle c : std::exchange(cells[0], Cells()))
+      if(m_fill.is_there(c))
+        (is_cut(border, c) ? left : cells[is_before(border, c) ? 0 : 1]).push_back(c);
+    fill(1, [&](const Cell_handle c) { return is_cut(cut, c); });
+    for(const Cells& cells_left : { left, cells[0], cells[1] })
+      leave_to_halves(cut, cells_left, m_fill, m_domain, 0, cells_of_halves);
+  }
+
+  // The cells of part k that are not cut.
+  static void leave_to_halves(const Cut& cut, const Cells& cells, const Fill_domain& fill, const Domain& domain,
+                              const std::size_t k, std::vector<Cells>& cells_of_halves)
+  {
+    for(const Cell_handle c : cells)
+      if(fill.is_there(c) && domain.contains(c) && ! is_cut(cut, c))
+        cells_of_halves[is_before(cut, c) ? k : cut.second_half - std::size_t(1)].push_back(c);
   }
 
   // What was put off, in parts with other borders.
@@ -165,21 +197,25 @@ private:
     }
   }
 
-  static bool is_before(const Divide_space_3::Cut& cut, const Cell_handle c, const int i)
+  static bool is_cut(const Cut& cut, const Corners& corners)
   {
-    return cut.is_before(internal::coordinates_of(c->vertex(i)->point()));
+    const bool is_first_before = cut.is_before(corners[0]);
+    return cut.is_before(corners[1]) != is_first_before || cut.is_before(corners[2]) != is_first_before
+        || cut.is_before(corners[3]) != is_first_before;
   }
 
-  static bool is_cut(const Divide_space_3::Cut& cut, const Cell_handle c)
+  static bool is_cut(const Cut& cut, const Cell_handle c) { return is_cut(cut, internal::corners(c)); }
+
+  // If it is not cut.
+  static bool is_before(const Cut& cut, const Cell_handle c)
   {
-    const bool is_first_before = is_before(cut, c, 0);
-    return is_before(cut, c, 1) != is_first_before || is_before(cut, c, 2) != is_first_before
-        || is_before(cut, c, 3) != is_first_before;
+    return cut.is_before(internal::coordinates_of(c->vertex(0)->point()));
   }
 
   // The work is about the number of points. Large cells have it everywhere inside, so they are cut into pieces; of
-  // several small ones, one stands for all.
-  Divide_space_3 divided_space(const Cells& cells, const std::size_t number_of_parts)
+  // several small ones, one stands for all. It is only where it `concerns(corners)` of such a piece.
+  template <typename Concerns>
+  Divide_space_3 divided_space(const Cells& cells, const std::size_t number_of_parts, const Concerns& concerns)
   {
     double volume = 0;
     for(const Cell_handle c : cells)
@@ -192,8 +228,8 @@ private:
       const Corners corners = internal::corners(c);
       const double volume_of_cell = std::abs(internal::volume_times_6(corners));
       if(volume_of_cell > volume / double(number_of_pieces))
-        add_pieces(c, corners, volume_of_cell, volume / double(number_of_pieces), divide);
-      else
+        add_pieces(c, corners, volume_of_cell, volume / double(number_of_pieces), concerns, divide);
+      else if(concerns(corners))
         divide.add_one_of(several, number_of_points(volume_of_cell,
                                                     m_sizes.likely_size_at_centroid(c, corners, likely_growth)),
                           [&] { return internal::centroid(corners); });
@@ -203,9 +239,12 @@ private:
   }
 
   // Of a cell, or a part of one.
+  template <typename Concerns>
   void add_pieces(const Cell_handle c, const Corners& corners, const double volume, const double largest_volume,
-                  Divide_space_3& divide)
+                  const Concerns& concerns, Divide_space_3& divide)
   {
+    if(! concerns(corners))
+      return;
     if(volume <= largest_volume)
     {
       const Coordinates_3 center = internal::centroid(corners);
@@ -216,7 +255,7 @@ private:
     {
       Corners half = corners;
       half[end] = internal::midpoint(corners[edge.i], corners[edge.j]);
-      add_pieces(c, half, volume / 2, largest_volume, divide);
+      add_pieces(c, half, volume / 2, largest_volume, concerns, divide);
     }
   }
 

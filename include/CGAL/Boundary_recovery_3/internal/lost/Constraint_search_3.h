@@ -18,8 +18,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
-#include <functional>
 #include <iterator>
 #include <vector>
 
@@ -257,49 +255,12 @@ private:
     Facet_filter_3<Vertex_handle> filter(candidates.size());
     for(const std::size_t f : candidates)
       filter.insert(m_constraints.facets()[f]);
-    std::vector<Vertex_triple> facets; // looked up some at a time
-    std::vector<Cell_handle> cells;
-    for(auto c = m_tr.all_cells_begin(); c != m_tr.all_cells_end(); ++c)
-    {
-      unsigned bits = candidate_facets(c, filter);
-      for(int i = 0; bits != 0; bits >>= 1, ++i)
-        if((bits & 1) != 0)
-        {
-          facets.push_back(internal::facet_vertices(c, i));
-          cells.push_back(c);
-        }
-      if(facets.size() < number_of_facets_at_a_time)
-        continue;
-      put_in_place(facets, cells);
-      facets.clear();
-      cells.clear();
-    }
-    put_in_place(facets, cells);
-  }
-
-  // Bit i is set if facet i may be a constraint, and if it is this one of its two cells that is asked. There are no
-  // branches, for nobody could predict them.
-  static unsigned candidate_facets(const Cell_handle c, const Facet_filter_3<Vertex_handle>& filter)
-  {
-    unsigned asked = 0;
-    for(int i = 0; i < 4; ++i)
-      asked |= unsigned(std::less<const void*>()(&*c, &*c->neighbor(i))) << i;
-    return asked & filter.candidates(c);
-  }
-
-  void put_in_place(const std::vector<Vertex_triple>& facets, const std::vector<Cell_handle>& cells)
-  {
-    std::vector<std::size_t> indices;
-    m_constraints.look_up(facets, indices);
-    for(std::size_t k = 0; k < indices.size(); ++k)
-      if(indices[k] != Constraints::none)
-        m_places[indices[k]] = cells[k];
+    internal::find_facets(m_tr.all_cell_handles(), filter, m_constraints,
+                          [this](const std::size_t f, const Cell_handle c, int) { m_places[f] = c; });
   }
 
   // A sweep takes less time than the stars if more than one facet of so many has no place.
   static constexpr std::size_t min_number_of_facets_per_star = 16;
-
-  static constexpr std::size_t number_of_facets_at_a_time = 1024;
 
   const Tr& m_tr;
   const Constraints& m_constraints;

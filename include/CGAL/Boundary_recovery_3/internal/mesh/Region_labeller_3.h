@@ -62,6 +62,7 @@ public:
                          // found, like the first one
     bool odd = false;    // whether it was given an odd number of times
     bool agrees = true;  // whether the first one that was given turns like `facet`
+    std::size_t component = 0, component_behind = 0; // of `facet`, if it is found
   };
 
 private:
@@ -140,44 +141,25 @@ private:
     Facet_filter_3<Vertex_handle> filter(m_facets.size());
     for(const Constrained_facet& f : m_facets)
       filter.insert(f.vertices);
-    for(std::size_t n = 0; n < m_cells.size(); ++n)
+    internal::find_facets(m_cells, filter, m_facet_index, [this](const std::size_t f, const Cell_handle c, const int i)
     {
-      unsigned candidates = filter.candidates(m_cells[n]);
-      for(int i = 0; candidates != 0; candidates >>= 1, ++i)
-        if((candidates & 1) != 0)
-          find_facet(n, i);
-    }
+      if(! m_tr.is_infinite(c, i))
+        found(m_facets[f], Facet(c, i));
+    });
   }
 
-  // closes the facet if it is constrained, and if it is this one of its two cells that is asked
-  void find_facet(const std::size_t n, const int i)
+  void found(Constrained_facet& f, const Facet& facet)
   {
-    const Cell_handle c = m_cells[n];
-    const std::size_t neighbor = m_cell_index[c->neighbor(i)];
-    if(n < neighbor && is_constrained(c, i))
-    {
-      close(n, i);
-      close(neighbor, c->neighbor(i)->index(c));
-    }
-  }
-
-  void close(const std::size_t cell, const int i) { m_closed[cell] |= static_cast<unsigned char>(1 << i); }
-
-  // whether the facet is constrained; it is found then
-  bool is_constrained(const Cell_handle c, const int i)
-  {
-    const Vertex_triple triple = internal::facet_vertices(c, i);
-    const std::size_t index = m_facet_index[triple];
-    if(index == m_facet_index.none || m_tr.is_infinite(c, i))
-      return false;
-    Constrained_facet& f = m_facets[index];
-    f.facet = Facet(c, i);
+    f.facet = facet;
     f.found = true;
-    f.agrees = is_rotation(f.vertices, triple);
+    f.agrees = is_rotation(f.vertices, internal::facet_vertices(facet.first, facet.second));
     if(! f.agrees)
       f.weight = -f.weight;
-    return true;
+    close(facet);
+    close(m_tr.mirror_facet(facet));
   }
+
+  void close(const Facet& f) { m_closed[m_cell_index[f.first]] |= static_cast<unsigned char>(1 << f.second); }
 
   void find_components()
   {
@@ -186,6 +168,12 @@ private:
     for(std::size_t i = 0; i < m_cells.size(); ++i)
       if(m_component[i] == std::size_t(-1))
         fill(m_cells[i]);
+    for(Constrained_facet& f : m_facets)
+      if(f.found)
+      {
+        f.component = component(f.facet.first);
+        f.component_behind = component(f.facet.first->neighbor(f.facet.second));
+      }
   }
 
   // a new component
@@ -207,7 +195,7 @@ private:
     ++m_number_of_components;
   }
 
-  std::size_t component(const Facet& f) const { return m_component[m_cell_index[f.first]]; }
+  std::size_t component(const Cell_handle c) const { return m_component[m_cell_index[c]]; }
 
   // The constrained facets are a cycle iff there are winding numbers: one for each component, such that crossing a
   // facet changes it by the weight of the facet. One with the same component on both sides, as in a sheet that ends
@@ -234,8 +222,7 @@ private:
     {
       if(! f.found)
         continue;
-      const std::size_t here = component(f.facet);
-      const std::size_t there = component(m_tr.mirror_facet(f.facet));
+      const std::size_t here = f.component, there = f.component_behind;
       if(here == there)
         continue;
       const long weight = mod_2 ? long(f.odd) : f.weight;
@@ -295,9 +282,8 @@ private:
     {
       if(! f.found)
         continue;
-      const std::size_t here = component(f.facet), there = component(m_tr.mirror_facet(f.facet));
-      number(f.agrees ? there : here); // a vertex triple turns such that its normal points into the cell
-      number(f.agrees ? here : there);
+      number(f.agrees ? f.component_behind : f.component); // the normal of a vertex triple points into the cell
+      number(f.agrees ? f.component : f.component_behind);
     }
     return numbers;
   }

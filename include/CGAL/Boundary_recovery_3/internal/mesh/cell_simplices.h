@@ -24,6 +24,7 @@
 #include <cstddef>
 #include <iterator>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Boundary_recovery_3::internal {
@@ -187,6 +188,44 @@ void flood_fill(const Cell_handle seed, const Is_open& is_open, const Add& add)
       if(is_open(c, i))
         reach(c->neighbor(i));
   }
+}
+
+/*
+ * Calls `found(index, cell, i)` for each facet of these cells that is in a table of facets, by `table.look_up()`, if
+ * the cell behind it is one of them, too. What the filter is sure of is not looked up, and the others are some at a
+ * time. Which of its two cells a facet is found at depends on addresses; what is found does not.
+ */
+template <typename CellRange, typename Vertex_handle, typename Table, typename Found>
+void find_facets(const CellRange& cells, const Facet_filter_3<Vertex_handle>& filter, const Table& table,
+                 const Found& found)
+{
+  constexpr std::size_t number_at_a_time = 1024; // so that waits for memory overlap
+  typedef std::decay_t<decltype(*std::begin(cells))> Cell_handle;
+  std::vector<std::pair<Cell_handle, int> > facets;
+  std::vector<std::array<Vertex_handle, 3> > triples;
+  std::vector<std::size_t> indices;
+  const auto look_up = [&]
+  {
+    table.look_up(triples, indices);
+    for(std::size_t k = 0; k < indices.size(); ++k)
+      if(indices[k] != std::size_t(-1))
+        found(indices[k], facets[k].first, facets[k].second);
+    facets.clear();
+    triples.clear();
+  };
+  for(const Cell_handle c : cells)
+  {
+    unsigned bits = filter.candidates_from_below(c);
+    for(int i = 0; bits != 0; bits >>= 1, ++i)
+      if((bits & 1) != 0)
+      {
+        facets.emplace_back(c, i);
+        triples.push_back(internal::facet_vertices(c, i));
+      }
+    if(facets.size() >= number_at_a_time)
+      look_up();
+  }
+  look_up();
 }
 
 } // namespace CGAL::Boundary_recovery_3::internal

@@ -84,10 +84,13 @@ public:
   void operator()() { divide(m_items.begin(), m_items.end(), Range{ 0, number_of_parts() }); }
 
   // The part, from 1 on, that a point is in.
-  Part_number part_of(const Coordinates_3& p) const
+  Part_number part_of(const Coordinates_3& p) const { return part_of(p, depth()); }
+
+  // The same at a smaller depth.
+  Part_number part_of(const Coordinates_3& p, const int depth) const
   {
     Range range = { 0, number_of_parts() };
-    while(range.size() > 1)
+    for(int k = 0; k < depth && range.size() > 1; ++k)
       range = half(range, m_cuts[range.middle()].is_before(p));
     return number_of(range);
   }

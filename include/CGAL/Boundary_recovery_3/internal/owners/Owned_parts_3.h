@@ -100,17 +100,12 @@ public:
     : Owned_parts_3(tr, domain, divide(tr, number, round))
   { }
 
-  // The parts at a depth of a tree of cuts: each vertex is in one of the halves of the part that has it by now.
+  // The parts at a depth of a tree of cuts.
   Owned_parts_3(Tr& tr, const Domain& domain, const Divide_space_3& divide, const int depth)
     : m_tr(tr)
   {
     for(const Vertex_handle v : tr.finite_vertex_handles())
-    {
-      const Part_number part = depth == 0 ? Part_number(1) : internal::owner(v);
-      const Divide_space_3::Cut* const cut = depth == 0 ? nullptr : divide.cut_of(part, depth - 1);
-      const bool is_in_first = cut == nullptr || cut->is_before(internal::coordinates_of(v->point()));
-      v->set_part(is_in_first ? part : cut->second_half);
-    }
+      v->set_part(divide.part_of(internal::coordinates_of(v->point()), depth));
     create_parts(divide.number_of_parts(), domain);
   }
 

@@ -164,31 +164,32 @@ private:
         cells[k].push_back(c);
         amounts[k] += is_waiting(c);
       }
-    std::vector<Bad_cell> left = std::move(cells.back());
     amounts.pop_back();
     std::deque<Task> tasks;
     work_on(parts, amounts, [&](Task& task, const std::size_t k)
     {
       task.improve.open_accounts_of_part(m_improve, double(amounts[k]) / double(number_of_waiting_cells));
       task.improve.set_visits_only_changed(true);
-      task.improve.bad_cells().put_back(cells[k]);
+      task.improve.bad_cells().put_back(std::exchange(cells[k], std::vector<Bad_cell>()));
       task.improve();
+      add_bad_cells(task.improve, cells[k]);
     }, [&](const double part) { m_improve.progress().visit_in_parts(part); }, tasks);
-    for(Task& task : tasks)
-    {
+    for(const Task& task : tasks)
       m_improve.book(task.improve);
-      add_bad_cells(task.improve, left);
-    }
+    std::vector<Bad_cell> left = std::move(cells.back());
+    cells.pop_back();
+    for(const auto& cells_of_part : cells)
+      left.insert(left.end(), cells_of_part.begin(), cells_of_part.end());
     return left;
   }
 
   // Those of a part. Its clock is not that of the whole mesh, where they are visited before all changes, or not at all.
-  void add_bad_cells(Improve_bad_cells& part, std::vector<Bad_cell>& cells)
+  static void add_bad_cells(Improve_bad_cells& part, std::vector<Bad_cell>& cells)
   {
     for(const Cell_handle c : part.cells_put_off())
       cells.push_back(Bad_cell{ 0, c, 0 });
     for(const Bad_cell& c : part.bad_cells().take())
-      if(bad_cells().contains(c.cell))
+      if(part.bad_cells().contains(c.cell))
         cells.push_back(Bad_cell{ c.quality, c.cell, part.mesh().has_changed(c.cell, c.time) ? std::size_t(0) : 1 });
   }
 

@@ -18,6 +18,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -349,9 +350,10 @@ public:
     m_words[word(sum)] |= bits(sum);
   }
 
-  // Bit i is set if facet i of the cell may be in the set. There are no branches, for nobody could predict them.
+  // Bit i is set if facet i of the cell may be in the set, and if the cell behind it has a higher address, so that one
+  // of the two is asked. There are no branches, for nobody could predict them.
   template <typename Cell_handle>
-  unsigned candidates(const Cell_handle c) const
+  unsigned candidates_from_below(const Cell_handle c) const
   {
     std::array<std::uint64_t, 4> h;
     for(int i = 0; i < 4; ++i)
@@ -359,7 +361,7 @@ public:
     const std::uint64_t sum = h[0] + h[1] + h[2] + h[3];
     unsigned result = 0;
     for(int i = 0; i < 4; ++i)
-      result |= unsigned(may_contain(sum - h[i])) << i;
+      result |= unsigned(std::less<const void*>()(&*c, &*c->neighbor(i)) & may_contain(sum - h[i])) << i;
     return result;
   }
 
