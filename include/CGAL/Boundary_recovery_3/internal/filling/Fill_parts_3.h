@@ -74,6 +74,7 @@ private:
   typedef Owned_parts_3<Tr>            Parts;
   typedef Rounds_of_parts_3<Tr>        Rounds;
   typedef Divide_space_3::Cut          Cut;
+  typedef Concurrency_tag_of<Tr>       Tag;
   typedef std::array<Coordinates_3, 4> Corners;
 
   static constexpr std::size_t no_limit = (std::numeric_limits<std::size_t>::max)(); // of the number of vertices
@@ -112,7 +113,7 @@ private:
         if(cut == nullptr)
           return cells_of_halves[k].swap(cells[k]);
         const Cells left = task.fill.fill(cells[k], [cut](const Cell_handle c) { return is_cut(*cut, c); });
-        leave_to_halves(*cut, left, task.fill, parts[k].domain(), k, cells_of_halves);
+        leave_to_halves(*cut, left, task.fill, parts[k].domain(), k, cells_of_halves, Sequential_tag());
       });
       cells.swap(cells_of_halves);
     }
@@ -128,8 +129,10 @@ private:
   {
     Cells left;
     std::vector<Cells> cells(2);
-    for(const Cell_handle c : all_cells)
-      (is_cut(cut, c) ? cells[0] : left).push_back(c);
+    const std::vector<std::size_t> is_at_cut
+      = internal::numbers(all_cells.size(), [&](const std::size_t i) { return is_cut(cut, all_cells[i]); }, Tag());
+    for(std::size_t i = 0; i < all_cells.size(); ++i)
+      (is_at_cut[i] ? cells[0] : left).push_back(all_cells[i]);
     const Divide_space_3 divide = divided_space(cells[0], 2, [&](const Corners& p) { return is_cut(cut, p); });
     const Cut& border = *divide.cut_of(1, 0);
     const auto fill = [&](const int depth, const auto& concerns)
@@ -142,17 +145,26 @@ private:
       if(m_fill.is_there(c))
         (is_cut(border, c) ? left : cells[is_before(border, c) ? 0 : 1]).push_back(c);
     fill(1, [&](const Cell_handle c) { return is_cut(cut, c); });
-    for(const Cells& cells_left : { left, cells[0], cells[1] })
-      leave_to_halves(cut, cells_left, m_fill, m_domain, 0, cells_of_halves);
+    left.insert(left.end(), cells[0].begin(), cells[0].end());
+    left.insert(left.end(), cells[1].begin(), cells[1].end());
+    leave_to_halves(cut, left, m_fill, m_domain, 0, cells_of_halves, Tag());
   }
 
   // The cells of part k that are not cut.
+  template <typename ConcurrencyTag>
   static void leave_to_halves(const Cut& cut, const Cells& cells, const Fill_domain& fill, const Domain& domain,
-                              const std::size_t k, std::vector<Cells>& cells_of_halves)
+                              const std::size_t k, std::vector<Cells>& cells_of_halves, const ConcurrencyTag tag)
   {
-    for(const Cell_handle c : cells)
-      if(fill.is_there(c) && domain.contains(c) && ! is_cut(cut, c))
-        cells_of_halves[is_before(cut, c) ? k : cut.second_half - std::size_t(1)].push_back(c);
+    const std::size_t none = cells_of_halves.size();
+    const std::vector<std::size_t> half_of = internal::numbers(cells.size(), [&](const std::size_t i)
+    {
+      const Cell_handle c = cells[i];
+      return ! fill.is_there(c) || ! domain.contains(c) || is_cut(cut, c) ? none
+           : is_before(cut, c) ? k : cut.second_half - std::size_t(1);
+    }, tag);
+    for(std::size_t i = 0; i < cells.size(); ++i)
+      if(half_of[i] != none)
+        cells_of_halves[half_of[i]].push_back(cells[i]);
   }
 
   // What was put off, in parts with other borders.

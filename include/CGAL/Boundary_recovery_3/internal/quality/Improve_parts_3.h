@@ -157,12 +157,16 @@ private:
       parts.mark_border(m_improve.mesh().domain());
     std::vector<std::vector<Bad_cell> > cells(parts.size() + 1); // the last ones are inner to none
     std::vector<std::size_t> amounts(parts.size() + 1, 0);
-    for(const Bad_cell& c : bad)
-      if(bad_cells().is_in_domain(c.cell))
+    const std::size_t none = cells.size();
+    const std::vector<std::size_t> part_of = internal::numbers(bad.size(), [&](const std::size_t i)
+    {
+      return bad_cells().is_in_domain(bad[i].cell) ? parts.part_of(bad[i].cell) : none;
+    }, Concurrency_tag_of<typename Mesh::Triangulation>());
+    for(std::size_t i = 0; i < bad.size(); ++i)
+      if(part_of[i] != none)
       {
-        const std::size_t k = parts.part_of(c.cell);
-        cells[k].push_back(c);
-        amounts[k] += is_waiting(c);
+        cells[part_of[i]].push_back(bad[i]);
+        amounts[part_of[i]] += is_waiting(bad[i]);
       }
     amounts.pop_back();
     std::deque<Task> tasks;

@@ -85,6 +85,21 @@ void for_each_task(const std::vector<std::size_t>& weights, const std::function<
   internal::for_each_in_order(order, work, tag);
 }
 
+// The numbers f(0), f(1), ..., each by any thread.
+template <typename Function, typename ConcurrencyTag>
+std::vector<std::size_t> numbers(const std::size_t n, const Function& f, const ConcurrencyTag tag)
+{
+  constexpr std::size_t numbers_per_task = 8192;
+  std::vector<std::size_t> result(n);
+  const std::vector<std::size_t> weights(1 + n / numbers_per_task, 1);
+  internal::for_each_task(weights, [&](const std::size_t k)
+  {
+    for(std::size_t i = k * numbers_per_task; i < (std::min)((k + 1) * numbers_per_task, n); ++i)
+      result[i] = f(i);
+  }, tag);
+  return result;
+}
+
 // Does work by at most so many threads, and no more than the TBB allows for; 0: by as many as the caller's arena has.
 template <typename Work>
 void with_threads([[maybe_unused]] const std::size_t number_of_threads, const Work& work)
