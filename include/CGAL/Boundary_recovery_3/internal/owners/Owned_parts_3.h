@@ -19,6 +19,7 @@
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 #include <CGAL/Boundary_recovery_3/internal/util/for_each_task.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <deque>
 #include <functional>
@@ -104,8 +105,7 @@ public:
   Owned_parts_3(Tr& tr, const Domain& domain, const Divide_space_3& divide, const int depth)
     : m_tr(tr)
   {
-    for(const Vertex_handle v : tr.finite_vertex_handles())
-      v->set_part(divide.part_of(internal::coordinates_of(v->point()), depth));
+    set_parts(tr, divide, depth);
     create_parts(divide.number_of_parts(), domain);
   }
 
@@ -113,8 +113,7 @@ public:
   static std::size_t divide(Tr& tr, const std::size_t number, const int round)
   {
     const Divide_space_3 divide = divided_space(tr, number, round);
-    for(const Vertex_handle v : tr.finite_vertex_handles())
-      v->set_part(divide.part_of(internal::coordinates_of(v->point())));
+    set_parts(tr, divide, divide.depth());
     return divide.number_of_parts();
   }
 
@@ -142,13 +141,36 @@ public:
   // Finds the vertices on the border, before the work begins.
   void mark_border(const Domain& domain)
   {
-    for(const Cell_handle c : m_tr.all_cell_handles())
-      if(internal::owner_of_cell(*c) == 0 && domain.contains(c))
-        internal::put_on_border(*c);
+    typedef std::vector<Cell_handle> Cells;
+    Cells border;
+    const auto look_at = [&domain](Cells cells)
+    {
+      const auto is_inner = [&](const Cell_handle c) { return internal::owner_of_cell(*c) != 0 || ! domain.contains(c); };
+      cells.erase(std::remove_if(cells.begin(), cells.end(), is_inner), cells.end());
+      return cells;
+    };
+    const auto take = [&border](const Cells& cells)
+    {
+      border.insert(border.end(), cells.begin(), cells.end());
+      return true;
+    };
+    internal::for_each_block(m_tr.all_cell_handles(), look_at, take, Concurrency_tag_of<Tr>());
+    for(const Cell_handle c : border)
+      internal::put_on_border(*c);
   }
 
 private:
   static constexpr std::size_t vertices_per_part = 2000; // that the work of others is added to
+
+  // By all threads.
+  static void set_parts(Tr& tr, const Divide_space_3& divide, const int depth)
+  {
+    const auto set_part = [&](const Vertex_handle v)
+    {
+      v->set_part(divide.part_of(internal::coordinates_of(v->point()), depth));
+    };
+    internal::for_each_handle(tr.finite_vertex_handles(), set_part, Concurrency_tag_of<Tr>());
+  }
 
   void create_parts(const std::size_t number, const Domain& domain)
   {

@@ -377,20 +377,21 @@ private:
   // The same by several threads, so that nobody counts how many qualities are computed.
   void find_bad_cells(const std::size_t time)
   {
-    Blocks_of_cells_3<Tr> blocks(m_mesh.triangulation(), m_mesh.domain());
-    blocks([&](const std::vector<Cell_handle>& cells)
+    const auto look_at = [&](const std::vector<Cell_handle>& cells)
     {
       std::vector<Bad_cell> bad;
       for(const Cell_handle c : cells)
-        if(const double quality = m_quality(internal::corners(c)); quality < m_mesh.enough())
-          bad.push_back(Bad_cell{ quality, c, time });
+        if(m_mesh.domain().contains(c))
+          if(const double quality = m_quality(internal::corners(c)); quality < m_mesh.enough())
+            bad.push_back(Bad_cell{ quality, c, time });
       return bad;
-    },
-    [&](const std::vector<Bad_cell>& bad)
+    };
+    const auto take = [&](const std::vector<Bad_cell>& bad)
     {
       m_bad_cells.put_back(bad);
       return m_context.go_further();
-    });
+    };
+    internal::for_each_block(m_mesh.triangulation().all_cell_handles(), look_at, take, Concurrency_tag_of<Tr>());
   }
 
   bool is_any_below(const double angle) { return number_of_bad_cells_below(angle) > 0; }

@@ -28,13 +28,10 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
-#include <map>
-#include <mutex>
 #include <numeric>
 #include <optional>
 #include <type_traits>
@@ -90,12 +87,13 @@ public:
     return m_quality;
   }
 
-  // The same for some cells of the domain, as a part of the sum that `Sum_of_qualities_3` makes.
+  // The same for those of some cells that are in the domain, as a part of the sum that `Sum_of_qualities_3` makes.
   template <typename CellRange, typename Examine>
   Mesh_quality_3 of_cells(const CellRange& cells, const Examine& examine)
   {
     for(const Cell_handle c : cells)
-      measure(c, examine);
+      if(m_domain.contains(c))
+        measure(c, examine);
     finish();
     return m_quality;
   }
@@ -300,93 +298,6 @@ private:
 };
 
 /*
- * What comes of blocks of work, taken in the order of the blocks, whichever thread is ready first.
- */
-template <typename Result, typename Take>
-class Results_in_order
-{
-public:
-  explicit Results_in_order(const Take& take) : m_take(take) { }
-
-  // Whether `take` never said no, and never threw.
-  bool goes_on() const { return m_goes_on; }
-
-  // By any thread.
-  void add(const std::size_t block, Result&& result)
-  {
-    const std::lock_guard<std::mutex> lock(m_mutex);
-    m_waiting.emplace(block, std::move(result));
-    for(auto first = m_waiting.begin(); m_goes_on && first != m_waiting.end() && first->first == m_number_of_taken;
-        first = m_waiting.erase(first), ++m_number_of_taken)
-      take(first->second);
-  }
-
-private:
-  void take(const Result& result)
-  {
-    try
-    {
-      m_goes_on = m_take(result);
-    }
-    catch(...)
-    {
-      m_goes_on = false;
-      throw;
-    }
-  }
-
-  const Take& m_take;
-  std::mutex m_mutex;
-  std::map<std::size_t, Result> m_waiting;
-  std::size_t m_number_of_taken = 0;
-  std::atomic<bool> m_goes_on{ true };
-};
-
-/*
- * The cells of a domain in blocks, which several threads look at.
- */
-template <typename Tr>
-class Blocks_of_cells_3
-{
-public:
-  typedef std::vector<typename Tr::Cell_handle> Cells;
-  typedef Selected_domain_3<Tr>                 Domain;
-
-  Blocks_of_cells_3(const Tr& tr, const Domain& domain) : m_tr(tr), m_domain(domain) { }
-
-  // All threads call `look_at(cells)`, each for other blocks, and one at a time `take(result)` with what comes of it,
-  // in the order of the blocks. Returns false as soon as `take` does.
-  template <typename Look_at, typename Take>
-  bool operator()(const Look_at& look_at, const Take& take) const
-  {
-    Results_in_order<std::decay_t<decltype(look_at(std::declval<const Cells&>()))>, Take> results(take);
-    std::mutex mutex;
-    std::size_t number_of_blocks = 0;
-    auto cell = m_tr.all_cell_handles().begin();
-    const std::vector<std::size_t> weights(1 + m_tr.number_of_cells() / cells_per_block, 1);
-    internal::for_each_task(weights, [&](std::size_t)
-    {
-      Cells cells;
-      std::unique_lock<std::mutex> lock(mutex);
-      const std::size_t block = number_of_blocks++;
-      for(std::size_t k = 0; k < cells_per_block && cell != m_tr.all_cell_handles().end(); ++k, ++cell)
-        if(m_domain.contains(*cell))
-          cells.push_back(*cell);
-      lock.unlock();
-      if(results.goes_on())
-        results.add(block, look_at(cells));
-    }, Concurrency_tag_of<Tr>());
-    return results.goes_on();
-  }
-
-private:
-  static constexpr std::size_t cells_per_block = 2048; // that stay in the cache
-
-  const Tr& m_tr;
-  const Domain& m_domain;
-};
-
-/*
  * The figures of a mesh by several threads. They are added up in the order of blocks of cells, so they do not depend on
  * the threads.
  */
@@ -428,7 +339,7 @@ public:
           examine(value);
       return bool(goes_on());
     };
-    const bool is_done = Blocks_of_cells_3<Tr>(m_tr, m_domain)(measure, take);
+    const bool is_done = internal::for_each_block(m_tr.all_cell_handles(), measure, take, Concurrency_tag_of<Tr>());
     return is_done ? std::optional<Mesh_quality_3>(sum.quality()) : std::nullopt;
   }
 

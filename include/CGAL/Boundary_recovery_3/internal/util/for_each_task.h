@@ -28,9 +28,11 @@
 #include <atomic>
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <mutex>
 #include <numeric>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Boundary_recovery_3::internal {
@@ -41,17 +43,24 @@ template <typename Tr>
 using Concurrency_tag_of = std::conditional_t<std::is_floating_point<typename Tr::Geom_traits::FT>::value,
                                               Parallel_if_available_tag, Sequential_tag>;
 
+inline std::size_t number_of_workers(Sequential_tag) { return 1; }
+
 #ifdef CGAL_LINKED_WITH_TBB
+
+inline std::size_t number_of_workers(Parallel_tag)
+{
+  return static_cast<std::size_t>((std::max)(1, tbb::this_task_arena::max_concurrency()));
+}
 
 // Each thread takes the next task when it is ready, so not more of them are under way than there are threads. What was
 // done before the tasks and in them is seen in them and after them, as the atomic numbers also tell ThreadSanitizer,
 // which does not look into the TBB.
 inline void for_each_in_order(const std::vector<std::size_t>& order, const std::function<void(std::size_t)>& work,
-                              Parallel_tag)
+                              const Parallel_tag tag)
 {
   std::atomic<std::size_t> next, number_of_ends(0);
   next.store(0, std::memory_order_release);
-  const std::size_t concurrency = static_cast<std::size_t>((std::max)(1, tbb::this_task_arena::max_concurrency()));
+  const std::size_t concurrency = internal::number_of_workers(tag);
   const auto do_tasks = [&]
   {
     for(std::size_t k = next++; k < order.size(); k = next++)
@@ -98,6 +107,90 @@ std::vector<std::size_t> numbers(const std::size_t n, const Function& f, const C
       result[i] = f(i);
   }, tag);
   return result;
+}
+
+/*
+ * What comes of blocks of work, taken in the order of the blocks, whichever thread is ready first.
+ */
+template <typename Result, typename Take>
+class Results_in_order
+{
+public:
+  explicit Results_in_order(const Take& take) : m_take(take) { }
+
+  // Whether `take` never said no, and never threw.
+  bool goes_on() const { return m_goes_on; }
+
+  // By any thread.
+  void add(const std::size_t block, Result&& result)
+  {
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    m_waiting.emplace(block, std::move(result));
+    for(auto first = m_waiting.begin(); m_goes_on && first != m_waiting.end() && first->first == m_number_of_taken;
+        first = m_waiting.erase(first), ++m_number_of_taken)
+      take(first->second);
+  }
+
+private:
+  void take(const Result& result)
+  {
+    try
+    {
+      m_goes_on = m_take(result);
+    }
+    catch(...)
+    {
+      m_goes_on = false;
+      throw;
+    }
+  }
+
+  const Take& m_take;
+  std::mutex m_mutex;
+  std::map<std::size_t, Result> m_waiting;
+  std::size_t m_number_of_taken = 0;
+  std::atomic<bool> m_goes_on{ true };
+};
+
+// All threads call `look_at(handles)` for blocks of these handles, and one at a time `take(result)` with what comes of
+// it, in the order of the blocks. Returns false as soon as `take` does.
+template <typename HandleRange, typename Look_at, typename Take, typename ConcurrencyTag>
+bool for_each_block(const HandleRange& handles, const Look_at& look_at, const Take& take, const ConcurrencyTag tag)
+{
+  typedef std::vector<std::decay_t<decltype(*handles.begin())> > Block;
+  constexpr std::size_t handles_per_block = 2048; // what they belong to stays in the cache
+  Results_in_order<std::decay_t<decltype(look_at(std::declval<const Block&>()))>, Take> results(take);
+  std::mutex mutex;
+  std::size_t number_of_blocks = 0;
+  auto next = handles.begin();
+  const auto next_block = [&](Block& block)
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    block.clear();
+    for(; block.size() < handles_per_block && next != handles.end(); ++next)
+      block.push_back(*next);
+    return number_of_blocks++;
+  };
+  const std::vector<std::size_t> tasks(internal::number_of_workers(tag), 1);
+  internal::for_each_task(tasks, [&](std::size_t)
+  {
+    Block block;
+    for(std::size_t k = next_block(block); ! block.empty() && results.goes_on(); k = next_block(block))
+      results.add(k, look_at(block));
+  }, tag);
+  return results.goes_on();
+}
+
+// Calls `f(handle)` for each of these handles, by any thread.
+template <typename HandleRange, typename Function, typename ConcurrencyTag>
+void for_each_handle(const HandleRange& handles, const Function& f, const ConcurrencyTag tag)
+{
+  internal::for_each_block(handles, [&f](const auto& block)
+  {
+    for(const auto& handle : block)
+      f(handle);
+    return true;
+  }, [](bool) { return true; }, tag);
 }
 
 // Does work by at most so many threads, and no more than the TBB allows for; 0: by as many as the caller's arena has.
