@@ -242,7 +242,8 @@ private:
     {
       const bool is_forecast = phase == Phase::forecast;
       report.number_of_vertices = is_forecast ? rounded(m_result.forecast_of_vertices) : m_tr.number_of_vertices();
-      report.number_of_cells = is_forecast ? rounded(m_result.forecast_of_cells) : internal::number_of_finite_cells(m_tr);
+      report.number_of_cells = is_forecast ? rounded(m_result.forecast_of_cells)
+                                           : internal::number_of_finite_cells(m_tr);
     });
   }
 

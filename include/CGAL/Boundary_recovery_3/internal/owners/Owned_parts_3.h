@@ -145,7 +145,10 @@ public:
     Cells border;
     const auto look_at = [&domain](Cells cells)
     {
-      const auto is_inner = [&](const Cell_handle c) { return internal::owner_of_cell(*c) != 0 || ! domain.contains(c); };
+      const auto is_inner = [&domain](const Cell_handle c)
+      {
+        return internal::owner_of_cell(*c) != 0 || ! domain.contains(c);
+      };
       cells.erase(std::remove_if(cells.begin(), cells.end(), is_inner), cells.end());
       return cells;
     };

@@ -90,7 +90,8 @@ private:
     m_context.run(phase, work, [this](Phase_report& report)
     {
       report.number_of_vertices = m_tr.number_of_vertices() + m_number_of_vertices - m_number_of_old_vertices;
-      report.number_of_cells = internal::number_of_finite_cells(m_tr) + number_of_cells(m_parts) - m_number_of_old_cells;
+      report.number_of_cells = internal::number_of_finite_cells(m_tr) + number_of_cells(m_parts)
+                             - m_number_of_old_cells;
     });
   }
 
