@@ -18,6 +18,7 @@
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Replace_cells.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
+#include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
 
 #include <algorithm>
 #include <array>
@@ -85,6 +86,46 @@ void test_facets_of_cells(const Tr& tr)
 }
 
 // The cells around a vertex, its neighbors, and the faces that it sees.
+void test_numbers_of_cells(const Tr& tr)
+{
+  assert(internal::number_of_finite_cells(tr) == tr.number_of_finite_cells());
+  assert(internal::number_of_finite_cells(Tr()) == 0);
+}
+
+// A half of the facets, and some that are in no cell, are looked for: what is found is what is there, each once.
+void test_search_of_facets(const Tr& tr, std::mt19937& rng)
+{
+  internal::Simplex_index_3<Vertex_handle, 3> table;
+  std::set<Vertex_set> all, expected;
+  for(auto f = tr.finite_facets_begin(); f != tr.finite_facets_end(); ++f)
+  {
+    const Facet facet = internal::facet_vertices(f->first, f->second);
+    all.insert(set_of(facet));
+    if(rng() % 2 == 0)
+    {
+      table.insert(facet);
+      expected.insert(set_of(facet));
+    }
+  }
+  const std::vector<Vertex_handle> vertices(tr.finite_vertex_handles().begin(), tr.finite_vertex_handles().end());
+  for(std::size_t k = 2; k < vertices.size(); ++k)
+  {
+    const Facet facet = {{ vertices[k - 2], vertices[k - 1], vertices[k] }};
+    if(all.count(set_of(facet)) == 0)
+      table.insert(facet);
+  }
+  internal::Facet_filter_3<Vertex_handle> filter(table.size());
+  for(const Facet& f : table.keys())
+    filter.insert(f);
+  std::set<Vertex_set> found;
+  internal::find_facets(tr.all_cell_handles(), filter, table, [&](const std::size_t k, const Cell_handle c, const int i)
+  {
+    assert(set_of(internal::facet_vertices(c, i)) == set_of(table.keys()[k]));
+    assert(found.insert(set_of(table.keys()[k])).second);
+  });
+  assert(found == expected && expected.size() > 10);
+}
+
 void test_balls(const Tr& tr)
 {
   for(const Vertex_handle v : tr.finite_vertex_handles())
@@ -309,6 +350,8 @@ int main()
     Tr tr;
     insert_points(tr, 12 + 8 * static_cast<int>(seed), rng);
     test_facets_of_cells(tr);
+    test_numbers_of_cells(tr);
+    test_search_of_facets(tr, rng);
     test_balls(tr);
     for(int k = 0; k < 40; ++k)
     {

@@ -227,12 +227,58 @@ internal::Part_number part_by_cuts(const internal::Divide_space_3& divide, const
   internal::Part_number part = 1;
   for(int depth = 0; depth < divide.depth(); ++depth)
   {
+    assert(divide.part_of(p, depth) == part);
     const internal::Divide_space_3::Cut* const cut = divide.cut_of(part, depth);
     if(cut != nullptr && ! cut->is_before(p))
       part = cut->second_half;
   }
   assert(divide.cut_of(part, divide.depth()) == nullptr);
   return part;
+}
+
+// Numbers in blocks are looked at by all threads, and taken in order, until somebody says no, or throws: then nothing is
+// taken any more.
+void test_blocks()
+{
+  std::vector<std::size_t> handles(100000);
+  std::iota(handles.begin(), handles.end(), std::size_t(0));
+  const auto squares = [](std::vector<std::size_t> block)
+  {
+    for(std::size_t& x : block)
+      x *= x;
+    return block;
+  };
+  const internal::Concurrency_tag_of<Tr> tag;
+  for(const std::size_t number_of_threads : { 1, 3, 8 })
+    internal::with_threads(number_of_threads, [&]
+    {
+      std::vector<std::size_t> taken;
+      const auto take = [&](const std::vector<std::size_t>& block)
+      {
+        taken.insert(taken.end(), block.begin(), block.end());
+        return true;
+      };
+      assert(internal::for_each_block(handles, squares, take, tag));
+      assert(taken == squares(handles));
+
+      int number_of_blocks = 0;
+      assert(! internal::for_each_block(handles, squares, [&](const auto&) { return ++number_of_blocks < 3; }, tag));
+      assert(number_of_blocks == 3);
+      const auto throws = [&](const auto&)
+      {
+        return ++number_of_blocks < 6 ? true : throw Interruption();
+      };
+      bool is_thrown = false;
+      try { internal::for_each_block(handles, squares, throws, tag); }
+      catch(const Interruption&) { is_thrown = true; }
+      assert(is_thrown && number_of_blocks == 6);
+
+      std::vector<char> seen(handles.size(), 0);
+      internal::for_each_handle(handles, [&](const std::size_t i) { ++seen[i]; }, tag);
+      assert(std::count(seen.begin(), seen.end(), 1) == std::ptrdiff_t(handles.size()));
+      const auto twice = internal::numbers(handles.size(), [](const std::size_t i) { return 2 * i; }, tag);
+      assert(twice.size() == handles.size() && twice[99999] == 199998 && twice[8192] == 16384);
+    });
 }
 
 // All parts have about the same work; the first and the last one have it together in some rounds. Many points are in
@@ -325,7 +371,7 @@ void test_threads()
     scene.set_threads(number_of_threads);
     const auto filling = scene.fill();
     assert(filling);
-    assert(scene.concurrency.number_of_parts(filling.forecast_of_cells / 2.5, std::size_t(-1)) > 2);
+    assert(scene.concurrency.number_of_parts(filling.forecast_of_cells / 3, std::size_t(-1)) > 2);
     assert(scene.tr.number_of_vertices() == scene.surface.points.size() + filling.number_of_field_points);
     scene.check();
     const auto improvement = scene.improve();
@@ -438,6 +484,7 @@ int main(const int number_of_arguments, const char* const* const arguments)
     return test_race(), 0;
   if(what == "threads")
     return test_four_threads(), 0;
+  test_blocks();
   test_division();
   test_border();
   test_threads();

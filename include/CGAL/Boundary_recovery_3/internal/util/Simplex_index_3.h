@@ -361,7 +361,11 @@ public:
     const std::uint64_t sum = h[0] + h[1] + h[2] + h[3];
     unsigned result = 0;
     for(int i = 0; i < 4; ++i)
-      result |= unsigned(std::less<const void*>()(&*c, &*c->neighbor(i)) & may_contain(sum - h[i])) << i;
+    {
+      const unsigned is_below = std::less<const void*>()(&*c, &*c->neighbor(i));
+      const unsigned is_candidate = may_contain(sum - h[i]);
+      result |= (is_below & is_candidate) << i;
+    }
     return result;
   }
 
