@@ -236,8 +236,8 @@ internal::Part_number part_by_cuts(const internal::Divide_space_3& divide, const
   return part;
 }
 
-// Numbers in blocks are looked at by all threads, and taken in order, until somebody says no, or throws: then nothing is
-// taken any more.
+// Numbers in blocks are looked at by all threads, and taken in order, until somebody says no, or throws: then nothing
+// is taken any more.
 void test_blocks()
 {
   std::vector<std::size_t> handles(100000);
