@@ -74,7 +74,6 @@ private:
   typedef Owned_parts_3<Tr>            Parts;
   typedef Rounds_of_parts_3<Tr>        Rounds;
   typedef Divide_space_3::Cut          Cut;
-  typedef Concurrency_tag_of<Tr>       Tag;
   typedef std::array<Coordinates_3, 4> Corners;
 
   static constexpr std::size_t no_limit = (std::numeric_limits<std::size_t>::max)(); // of the number of vertices
@@ -97,42 +96,92 @@ private:
     Fill_domain fill;
   };
 
-  // The tasks of a depth get the cells of their parts, and leave those of the halves.
+  // The cells that are to be looked at, by the first cut of a tree that goes through them: for each depth those of the
+  // parts there, and at last those that are not cut.
+  class Waiting_cells
+  {
+  public:
+    explicit Waiting_cells(const Divide_space_3& divide)
+      : m_divide(divide), m_cells(divide.depth() + 1, std::vector<Cells>(divide.number_of_parts()))
+    { }
+
+    std::vector<Cells>& operator[](const int depth) { return m_cells[depth]; }
+
+    // All cells of the domain, by all threads.
+    void add(const Cells& cells)
+    {
+      const auto place = [&](const std::size_t i) { return place_of(cells[i]); };
+      const std::vector<std::size_t> places = internal::numbers(cells.size(), place, Concurrency_tag_of<Tr>());
+      for(std::size_t i = 0; i < cells.size(); ++i)
+        list(places[i]).push_back(cells[i]);
+    }
+
+    // Those that are still there, in this domain, and only cut at a larger depth.
+    void add(const Cells& cells, const Fill_domain& fill, const Domain& domain, const int depth)
+    {
+      for(const Cell_handle c : cells)
+        if(fill.is_there(c) && domain.contains(c))
+        {
+          const std::size_t place = place_of(c);
+          if(place >= (depth + 1) * m_divide.number_of_parts())
+            list(place).push_back(c);
+        }
+    }
+
+  private:
+    // The number of a list.
+    std::size_t place_of(const Cell_handle c) const
+    {
+      Part_number part = 1;
+      int depth = 0;
+      const Cut* cut = m_divide.cut_of(part, depth);
+      while(cut != nullptr && ! is_cut(*cut, c))
+      {
+        part = is_before(*cut, c) ? part : cut->second_half;
+        cut = m_divide.cut_of(part, ++depth);
+      }
+      return (cut == nullptr ? m_divide.depth() : depth) * m_divide.number_of_parts() + part - 1;
+    }
+
+    Cells& list(const std::size_t place)
+    {
+      return m_cells[place / m_divide.number_of_parts()][place % m_divide.number_of_parts()];
+    }
+
+    const Divide_space_3& m_divide;
+    std::vector<std::vector<Cells> > m_cells;
+  };
+
   void fill_from_borders(const Cells& all_cells, const std::size_t number_of_parts)
   {
     const Divide_space_3 divide = divided_space(all_cells, number_of_parts, [](const Corners&) { return true; });
-    std::vector<Cells> cells(divide.number_of_parts());
-    fill_first_cut(all_cells, *divide.cut_of(1, 0), cells);
+    Waiting_cells cells(divide);
+    cells.add(all_cells);
+    fill_first_cut(*divide.cut_of(1, 0), cells);
     for(int depth = 1; depth < divide.depth() && m_fill.can_go_on(); ++depth)
     {
       Parts parts(m_tr, m_domain, divide, depth);
-      std::vector<Cells> cells_of_halves(cells.size());
-      work_on(parts, cells, [&](Task& task, const std::size_t k)
+      work_on(parts, cells[depth], [&](Task& task, const std::size_t k)
       {
         const Cut* const cut = divide.cut_of(static_cast<Part_number>(k + 1), depth);
-        if(cut == nullptr)
-          return cells_of_halves[k].swap(cells[k]);
-        const Cells left = task.fill.fill(cells[k], [cut](const Cell_handle c) { return is_cut(*cut, c); });
-        leave_to_halves(*cut, left, task.fill, parts[k].domain(), k, cells_of_halves, Sequential_tag());
+        const auto is_at_cut = [cut](const Cell_handle c) { return is_cut(*cut, c); };
+        cells.add(task.fill.fill(cells[depth][k], is_at_cut), task.fill, parts[k].domain(), depth);
       });
-      cells.swap(cells_of_halves);
     }
     if(! m_fill.can_go_on())
       return;
     Parts parts(m_tr, m_domain, divide, divide.depth());
-    work_on(parts, cells, [&](Task& task, const std::size_t k) { task.fill.fill(cells[k]); });
+    work_on(parts, cells[divide.depth()], [&](Task& task, const std::size_t k)
+    {
+      task.fill.fill(cells[divide.depth()][k]);
+    });
   }
 
   // There is only one part that the first cut goes through. So the cells there are filled in two parts at the same
   // time, after those where the border of these meets the cut.
-  void fill_first_cut(const Cells& all_cells, const Cut& cut, std::vector<Cells>& cells_of_halves)
+  void fill_first_cut(const Cut& cut, Waiting_cells& waiting)
   {
-    Cells left;
-    std::vector<Cells> cells(2);
-    const std::vector<std::size_t> is_at_cut
-      = internal::numbers(all_cells.size(), [&](const std::size_t i) { return is_cut(cut, all_cells[i]); }, Tag());
-    for(std::size_t i = 0; i < all_cells.size(); ++i)
-      (is_at_cut[i] ? cells[0] : left).push_back(all_cells[i]);
+    std::vector<Cells> cells = { std::exchange(waiting[0].front(), Cells()), Cells() };
     const Divide_space_3 divide = divided_space(cells[0], 2, [&](const Corners& p) { return is_cut(cut, p); });
     const Cut& border = *divide.cut_of(1, 0);
     const auto fill = [&](const int depth, const auto& concerns)
@@ -141,30 +190,14 @@ private:
       work_on(parts, cells, [&](Task& task, const std::size_t k) { cells[k] = task.fill.fill(cells[k], concerns); });
     };
     fill(0, [&](const Cell_handle c) { return is_cut(cut, c) && is_cut(border, c); });
+    Cells left;
     for(const Cell_handle c : std::exchange(cells[0], Cells()))
       if(m_fill.is_there(c))
         (is_cut(border, c) ? left : cells[is_before(border, c) ? 0 : 1]).push_back(c);
     fill(1, [&](const Cell_handle c) { return is_cut(cut, c); });
-    left.insert(left.end(), cells[0].begin(), cells[0].end());
-    left.insert(left.end(), cells[1].begin(), cells[1].end());
-    leave_to_halves(cut, left, m_fill, m_domain, 0, cells_of_halves, Tag());
-  }
-
-  // The cells of part k that are not cut.
-  template <typename ConcurrencyTag>
-  static void leave_to_halves(const Cut& cut, const Cells& cells, const Fill_domain& fill, const Domain& domain,
-                              const std::size_t k, std::vector<Cells>& cells_of_halves, const ConcurrencyTag tag)
-  {
-    const std::size_t none = cells_of_halves.size();
-    const std::vector<std::size_t> half_of = internal::numbers(cells.size(), [&](const std::size_t i)
-    {
-      const Cell_handle c = cells[i];
-      return ! fill.is_there(c) || ! domain.contains(c) || is_cut(cut, c) ? none
-           : is_before(cut, c) ? k : cut.second_half - std::size_t(1);
-    }, tag);
-    for(std::size_t i = 0; i < cells.size(); ++i)
-      if(half_of[i] != none)
-        cells_of_halves[half_of[i]].push_back(cells[i]);
+    waiting.add(left, m_fill, m_domain, 0);
+    waiting.add(cells[0], m_fill, m_domain, 0);
+    waiting.add(cells[1], m_fill, m_domain, 0);
   }
 
   // What was put off, in parts with other borders.
