@@ -182,7 +182,7 @@ private:
   void look_at_all(const std::vector<Cell_handle>& cells, const Look_at& look_at)
   {
     for(std::size_t k = 0; k < cells.size() && can_go_on(); ++k)
-      if(is_there(cells[k]) && m_domain.contains(cells[k])) // a newer cell with that handle may be elsewhere
+      if(is_there(cells[k]))
       {
         look_at(cells[k]);
         look_around_new_vertices(look_at);

@@ -161,6 +161,7 @@ private:
     for(int depth = 1; depth < divide.depth() && m_fill.can_go_on(); ++depth)
     {
       Parts parts(m_tr, m_domain, divide, depth);
+      forget_gone_cells(parts, cells[depth]);
       work_on(parts, cells[depth], [&](Task& task, const std::size_t k)
       {
         const Cut* const cut = divide.cut_of(static_cast<Part_number>(k + 1), depth);
@@ -171,10 +172,26 @@ private:
     if(! m_fill.can_go_on())
       return;
     Parts parts(m_tr, m_domain, divide, divide.depth());
+    forget_gone_cells(parts, cells[divide.depth()]);
     work_on(parts, cells[divide.depth()], [&](Task& task, const std::size_t k)
     {
       task.fill.fill(cells[divide.depth()][k]);
     });
+  }
+
+  // What came to the places of cells that are gone may be in other parts, and must not be looked at while those are
+  // worked on.
+  void forget_gone_cells(Parts& parts, std::vector<Cells>& cells)
+  {
+    const std::vector<std::size_t> weights(cells.size(), 1);
+    internal::for_each_task(weights, [&](const std::size_t k)
+    {
+      const auto is_gone = [&](const Cell_handle c)
+      {
+        return ! m_fill.is_there(c) || ! parts[k].domain().contains(c);
+      };
+      cells[k].erase(std::remove_if(cells[k].begin(), cells[k].end(), is_gone), cells[k].end());
+    }, Concurrency_tag_of<Tr>());
   }
 
   // There is only one part that the first cut goes through. So the cells there are filled in two parts at the same
