@@ -85,7 +85,6 @@ void test_facets_of_cells(const Tr& tr)
     }
 }
 
-// The cells around a vertex, its neighbors, and the faces that it sees.
 void test_numbers_of_cells(const Tr& tr)
 {
   assert(internal::number_of_finite_cells(tr) == tr.number_of_finite_cells());
@@ -126,6 +125,7 @@ void test_search_of_facets(const Tr& tr, std::mt19937& rng)
   assert(found == expected && expected.size() > 10);
 }
 
+// The cells around a vertex, its neighbors, and the faces that it sees.
 void test_balls(const Tr& tr)
 {
   for(const Vertex_handle v : tr.finite_vertex_handles())

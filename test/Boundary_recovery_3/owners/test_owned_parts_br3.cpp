@@ -37,6 +37,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -276,8 +277,10 @@ void test_blocks()
       std::vector<char> seen(handles.size(), 0);
       internal::for_each_handle(handles, [&](const std::size_t i) { ++seen[i]; }, tag);
       assert(std::count(seen.begin(), seen.end(), 1) == std::ptrdiff_t(handles.size()));
-      const auto twice = internal::numbers(handles.size(), [](const std::size_t i) { return 2 * i; }, tag);
-      assert(twice.size() == handles.size() && twice[99999] == 199998 && twice[8192] == 16384);
+      std::vector<std::size_t> twice_even;
+      const auto twice_if_even = [](const std::size_t i) { return i % 2 == 0 ? std::optional(2 * i) : std::nullopt; };
+      internal::take_each(handles, twice_if_even, [&](const std::size_t i) { twice_even.push_back(i); }, tag);
+      assert(twice_even.size() == handles.size() / 2 && twice_even[49999] == 199996 && twice_even[4096] == 16384);
     });
 }
 

@@ -23,6 +23,7 @@
 #include <CGAL/Boundary_recovery_3/internal/shape/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/sizing/Region_sizes_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
+#include <CGAL/Boundary_recovery_3/internal/util/for_each_task.h>
 
 #include <algorithm>
 #include <array>
@@ -30,6 +31,7 @@
 #include <cstddef>
 #include <deque>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -110,10 +112,10 @@ private:
     // All cells of the domain, by all threads.
     void add(const Cells& cells)
     {
-      const auto place = [&](const std::size_t i) { return place_of(cells[i]); };
-      const std::vector<std::size_t> places = internal::numbers(cells.size(), place, Concurrency_tag_of<Tr>());
-      for(std::size_t i = 0; i < cells.size(); ++i)
-        list(places[i]).push_back(cells[i]);
+      typedef std::pair<std::size_t, Cell_handle> Placed_cell;
+      internal::take_each(cells, [this](const Cell_handle c) { return std::optional(Placed_cell(place_of(c), c)); },
+                          [this](const Placed_cell& c) { list(c.first).push_back(c.second); },
+                          Concurrency_tag_of<Tr>());
     }
 
     // Those that are still there, in this domain, and only cut at a larger depth.
@@ -158,25 +160,19 @@ private:
     Waiting_cells cells(divide);
     cells.add(all_cells);
     fill_first_cut(*divide.cut_of(1, 0), cells);
-    for(int depth = 1; depth < divide.depth() && m_fill.can_go_on(); ++depth)
+    for(int depth = 1; depth <= divide.depth() && m_fill.can_go_on(); ++depth)
     {
       Parts parts(m_tr, m_domain, divide, depth);
       forget_gone_cells(parts, cells[depth]);
       work_on(parts, cells[depth], [&](Task& task, const std::size_t k)
       {
         const Cut* const cut = divide.cut_of(static_cast<Part_number>(k + 1), depth);
+        if(cut == nullptr)
+          return task.fill.fill(cells[depth][k]);
         const auto is_at_cut = [cut](const Cell_handle c) { return is_cut(*cut, c); };
         cells.add(task.fill.fill(cells[depth][k], is_at_cut), task.fill, parts[k].domain(), depth);
       });
     }
-    if(! m_fill.can_go_on())
-      return;
-    Parts parts(m_tr, m_domain, divide, divide.depth());
-    forget_gone_cells(parts, cells[divide.depth()]);
-    work_on(parts, cells[divide.depth()], [&](Task& task, const std::size_t k)
-    {
-      task.fill.fill(cells[divide.depth()][k]);
-    });
   }
 
   // What came to the places of cells that are gone may be in other parts, and must not be looked at while those are

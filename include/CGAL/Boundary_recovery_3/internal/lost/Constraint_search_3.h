@@ -184,7 +184,6 @@ public:
   typedef Constraints_3<Tr>                  Constraints;
   typedef typename Tr::Vertex_handle         Vertex_handle;
   typedef typename Tr::Cell_handle           Cell_handle;
-  typedef typename Constraints::Vertex_triple Vertex_triple;
 
   Constraint_search_3(const Tr& tr, const Constraints& constraints) : m_tr(tr), m_constraints(constraints) { }
 

@@ -19,10 +19,10 @@
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 #include <CGAL/Boundary_recovery_3/internal/util/for_each_task.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <deque>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace CGAL::Boundary_recovery_3::internal {
@@ -141,23 +141,11 @@ public:
   // Finds the vertices on the border, before the work begins.
   void mark_border(const Domain& domain)
   {
-    typedef std::vector<Cell_handle> Cells;
-    Cells border;
-    const auto look_at = [&domain](Cells cells)
+    std::vector<Cell_handle> border; // to be marked when nobody reads the owners of vertices any more
+    internal::take_each(m_tr.all_cell_handles(), [&domain](const Cell_handle c)
     {
-      const auto is_inner = [&domain](const Cell_handle c)
-      {
-        return internal::owner_of_cell(*c) != 0 || ! domain.contains(c);
-      };
-      cells.erase(std::remove_if(cells.begin(), cells.end(), is_inner), cells.end());
-      return cells;
-    };
-    const auto take = [&border](const Cells& cells)
-    {
-      border.insert(border.end(), cells.begin(), cells.end());
-      return true;
-    };
-    internal::for_each_block(m_tr.all_cell_handles(), look_at, take, Concurrency_tag_of<Tr>());
+      return internal::owner_of_cell(*c) == 0 && domain.contains(c) ? std::make_optional(c) : std::nullopt;
+    }, [&border](const Cell_handle c) { border.push_back(c); }, Concurrency_tag_of<Tr>());
     for(const Cell_handle c : border)
       internal::put_on_border(*c);
   }

@@ -27,6 +27,7 @@
 #include <CGAL/Boundary_recovery_3/internal/quality/Move_vertex_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
+#include <CGAL/Boundary_recovery_3/internal/util/for_each_task.h>
 #include <CGAL/Boundary_recovery_3/internal/util/standard_types.h>
 
 #include <CGAL/Random.h>

@@ -20,11 +20,13 @@
 #include <CGAL/Boundary_recovery_3/internal/quality/Improve_bad_cells_3.h>
 #include <CGAL/Boundary_recovery_3/internal/quality/Move_vertex_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
+#include <CGAL/Boundary_recovery_3/internal/util/for_each_task.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <deque>
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -157,17 +159,16 @@ private:
       parts.mark_border(m_improve.mesh().domain());
     std::vector<std::vector<Bad_cell> > cells(parts.size() + 1); // the last ones are inner to none
     std::vector<std::size_t> amounts(parts.size() + 1, 0);
-    const std::size_t none = cells.size();
-    const std::vector<std::size_t> part_of = internal::numbers(bad.size(), [&](const std::size_t i)
+    const auto with_part = [&](const Bad_cell& c)
     {
-      return bad_cells().is_in_domain(bad[i].cell) ? parts.part_of(bad[i].cell) : none;
+      return bad_cells().is_in_domain(c.cell) ? std::make_optional(std::make_pair(parts.part_of(c.cell), c))
+                                              : std::nullopt;
+    };
+    internal::take_each(bad, with_part, [&](const std::pair<std::size_t, Bad_cell>& c)
+    {
+      cells[c.first].push_back(c.second);
+      amounts[c.first] += is_waiting(c.second);
     }, Concurrency_tag_of<typename Mesh::Triangulation>());
-    for(std::size_t i = 0; i < bad.size(); ++i)
-      if(part_of[i] != none)
-      {
-        cells[part_of[i]].push_back(bad[i]);
-        amounts[part_of[i]] += is_waiting(bad[i]);
-      }
     amounts.pop_back();
     std::deque<Task> tasks;
     work_on(parts, amounts, [&](Task& task, const std::size_t k)

@@ -94,21 +94,6 @@ void for_each_task(const std::vector<std::size_t>& weights, const std::function<
   internal::for_each_in_order(order, work, tag);
 }
 
-// The numbers f(0), f(1), ..., each by any thread.
-template <typename Function, typename ConcurrencyTag>
-std::vector<std::size_t> numbers(const std::size_t n, const Function& f, const ConcurrencyTag tag)
-{
-  constexpr std::size_t numbers_per_task = 8192;
-  std::vector<std::size_t> result(n);
-  const std::vector<std::size_t> weights(1 + n / numbers_per_task, 1);
-  internal::for_each_task(weights, [&](const std::size_t k)
-  {
-    for(std::size_t i = k * numbers_per_task; i < (std::min)((k + 1) * numbers_per_task, n); ++i)
-      result[i] = f(i);
-  }, tag);
-  return result;
-}
-
 /*
  * What comes of blocks of work, taken in the order of the blocks, whichever thread is ready first.
  */
@@ -191,6 +176,28 @@ void for_each_handle(const HandleRange& handles, const Function& f, const Concur
       f(handle);
     return true;
   }, [](bool) { return true; }, tag);
+}
+
+// All threads call `find(handle)`, which returns an optional value, and one at a time calls `take(value)`, in the order
+// of the handles.
+template <typename HandleRange, typename Find, typename Take, typename ConcurrencyTag>
+void take_each(const HandleRange& handles, const Find& find, const Take& take, const ConcurrencyTag tag)
+{
+  typedef typename decltype(find(*handles.begin()))::value_type Value;
+  internal::for_each_block(handles, [&find](const auto& block)
+  {
+    std::vector<Value> values;
+    for(const auto& handle : block)
+      if(const auto value = find(handle))
+        values.push_back(*value);
+    return values;
+  },
+  [&take](const std::vector<Value>& values)
+  {
+    for(const Value& value : values)
+      take(value);
+    return true;
+  }, tag);
 }
 
 // Does work by at most so many threads, and no more than the TBB allows for; 0: by as many as the caller's arena has.
