@@ -34,6 +34,7 @@ struct Bad_tetrahedron
 };
 
 // Tells the bad cells of a triangulation, and what makes them so, in the numbers of the domain that was made of it.
+// Only these cells are numbered, and those of the facets that are named.
 template <typename Tr>
 class Bad_tetrahedra_list
 {
@@ -43,26 +44,30 @@ class Bad_tetrahedra_list
   typedef Domain<typename Tr::Point>                     Mesh;
 
   const Mesh& m_domain;
+  const std::vector<Bad_cell>& m_cells;
   CGAL::Unique_hash_map<Cell_handle, std::size_t>        m_number; // of the tetrahedra, for looking up only
   std::map<std::array<Point_number, 3>, std::size_t>     m_triangles;
 
 public:
   // The triangles of the domain have the numbers of the file already.
-  Bad_tetrahedra_list(const Tr& tr, const Mesh& domain)
-    : m_domain(domain), m_number(0, domain.tetrahedra.size())
+  Bad_tetrahedra_list(const Tr& tr, const Mesh& domain, const std::vector<Bad_cell>& cells)
+    : m_domain(domain), m_cells(cells), m_number(0, cells.size())
   {
-    std::size_t n = 0;
-    for(const Cell_handle c : tr.finite_cell_handles())
-      if(c->subdomain_index() != 0 && n < domain.tetrahedra.size())
-        m_number[c] = n++;
+    for(const Bad_cell& cell : cells)
+    {
+      m_number[cell.cell] = 0;
+      for(int i = 0; i < cell.number_of_facets(); ++i)
+        m_number[cell.facets[i].first] = 0;
+    }
+    number_cells(tr);
     for(std::size_t i = 0; i < domain.triangles.size(); ++i)
       m_triangles.emplace(sorted(domain.triangles[i]), domain.triangle_numbers[i]);
   }
 
-  std::vector<Bad_tetrahedron> operator()(const std::vector<Bad_cell>& cells) const
+  std::vector<Bad_tetrahedron> operator()() const
   {
     std::vector<Bad_tetrahedron> result;
-    for(const Bad_cell& cell : cells)
+    for(const Bad_cell& cell : m_cells)
     {
       Bad_tetrahedron bad;
       bad.tetrahedron = m_number[cell.cell];
@@ -79,6 +84,18 @@ public:
   }
 
 private:
+  void number_cells(const Tr& tr)
+  {
+    std::size_t n = 0;
+    for(const Cell_handle c : tr.finite_cell_handles())
+      if(c->subdomain_index() != 0)
+      {
+        if(m_number.is_defined(c))
+          m_number[c] = n;
+        ++n;
+      }
+  }
+
   static std::array<Point_number, 3> sorted(std::array<Point_number, 3> points)
   {
     std::sort(points.begin(), points.end());

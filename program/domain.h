@@ -36,16 +36,17 @@ struct Domain
   }
 };
 
-// collects a domain from a triangulation after its boundary was recovered, see `Domain_builder_3`
+// collects a domain from a triangulation after its boundary was recovered, by all threads, see `Domain_builder_3`
 template <typename Tr, typename Result, typename Facets, typename Region>
 Domain<typename Tr::Geom_traits::Point_3>
 build_domain(const Tr& tr, const Result& result, const Facets& facets, const Region& region)
 {
+  namespace internal = CGAL::Boundary_recovery_3::internal;
   typedef typename Tr::Geom_traits::Point_3 Point;
 
   Domain<Point> domain;
-  static_cast<CGAL::Boundary_recovery_3::internal::Domain_soup_3<Point>&>(domain) =
-    CGAL::Boundary_recovery_3::internal::Domain_builder_3<Tr>(tr)(result, facets, region);
+  static_cast<internal::Domain_soup_3<Point>&>(domain) =
+    internal::Domain_builder_3<Tr, internal::Concurrency_tag_of<Tr> >(tr)(result, facets, region);
   return domain;
 }
 

@@ -4,10 +4,15 @@
 #include "domain.h"
 
 #include <CGAL/Boundary_recovery_3/internal/quality/Cell_angles_3.h>
+#include <CGAL/Boundary_recovery_3/internal/util/for_each_task.h>
+
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
+#include <vector>
 
 // The dihedral angles of tetrahedra, in degrees.
 struct Mesh_quality
@@ -45,61 +50,100 @@ private:
   }
 };
 
-// Measures the dihedral angles.
-template <typename Point>
+// Measures the dihedral angles of tetrahedra. Most are not found but compared, by the squares of their cotangents.
 class Quality_meter
 {
-  typedef CGAL::Boundary_recovery_3::internal::Cell_angles_3 Angles;
+  typedef CGAL::Boundary_recovery_3::internal::Cell_angles_3       Angles;
+  typedef std::array<double, Mesh_quality::number_of_bins - 1>     Ends_of_bins;
+  typedef std::array<double, Mesh_quality::small_angles.size()>    Small_angles;
+  typedef std::array<double, Mesh_quality::large_angles.size()>    Large_angles;
 
-  const Domain<Point>& m_domain;
+  const Ends_of_bins m_bins = squares_of_cotangents(ends_of_bins());
+  const Small_angles m_small = squares_of_cotangents(Mesh_quality::small_angles);
+  const Large_angles m_large = squares_of_cotangents(Mesh_quality::large_angles);
+  double m_largest_square = - std::numeric_limits<double>::infinity();
+  double m_smallest_square = std::numeric_limits<double>::infinity();
   Mesh_quality m_quality;
 
 public:
-  explicit Quality_meter(const Domain<Point>& domain) : m_domain(domain) { }
-
-  Mesh_quality operator()()
+  // If there is no volume, a square may be no number, which compares with none; then the smallest angle is 0.
+  void add(const std::array<std::array<double, 3>, 4>& corners)
   {
-    if(m_domain.tetrahedra.empty())
-      return m_quality;
-    m_quality.smallest_angle = 180;
-    for(const auto& t : m_domain.tetrahedra)
-    {
-      const std::array<std::array<double, 3>, 4> corners = {{ corner(t[0]), corner(t[1]), corner(t[2]), corner(t[3]) }};
-      add(Angles(corners));
-    }
-    return m_quality;
+    const Angles angles(corners);
+    for(int k = 0; k < 6; ++k)
+      ++m_quality.histogram[bin(angles.square_of_cotangent(k))];
+    const double largest = angles.square_of_largest_cotangent(), smallest = angles.square_of_smallest_cotangent();
+    for(std::size_t i = 0; i < m_small.size(); ++i)
+      m_quality.below[i] += ! (largest <= m_small[i]);
+    for(std::size_t i = 0; i < m_large.size(); ++i)
+      m_quality.above[i] += smallest < m_large[i];
+    if(m_quality.largest_angle == 0) // the first one
+      m_quality.smallest_angle = 180;
+    if(! (largest <= m_largest_square))
+      m_quality.smallest_angle = (std::min)(m_quality.smallest_angle, angles.smallest());
+    if(! (smallest >= m_smallest_square))
+      m_quality.largest_angle = (std::max)(m_quality.largest_angle, angles.largest());
+    m_largest_square = (std::max)(m_largest_square, largest);
+    m_smallest_square = (std::min)(m_smallest_square, smallest);
   }
+
+  const Mesh_quality& quality() const { return m_quality; }
 
 private:
-  std::array<double, 3> corner(const Point_number v) const
+  // A little below the angles, since those of 60 and 90 degrees are common, up to rounding errors.
+  static Ends_of_bins ends_of_bins()
   {
-    const Point& p = m_domain.points[v];
-    return {{ p.x(), p.y(), p.z() }};
+    Ends_of_bins ends;
+    for(std::size_t i = 0; i < ends.size(); ++i)
+      ends[i] = double(i + 1) * Mesh_quality::degrees_per_bin - 1e-9;
+    return ends;
   }
 
-  void add(const Angles& angles)
+  template <std::size_t N>
+  static std::array<double, N> squares_of_cotangents(std::array<double, N> angles)
   {
-    for(int k = 0; k < 6; ++k)
-      ++m_quality.histogram[bin(angles[k])];
-    m_quality.smallest_angle = (std::min)(m_quality.smallest_angle, angles.smallest());
-    m_quality.largest_angle = (std::max)(m_quality.largest_angle, angles.largest());
-    for(std::size_t i = 0; i < m_quality.below.size(); ++i)
-      m_quality.below[i] += angles.smallest() < Mesh_quality::small_angles[i];
-    for(std::size_t i = 0; i < m_quality.above.size(); ++i)
-      m_quality.above[i] += angles.largest() > Mesh_quality::large_angles[i];
+    for(double& x : angles)
+      x = CGAL::Boundary_recovery_3::internal::signed_square_of_cotangent(x);
+    return angles;
   }
 
-  static std::size_t bin(const double angle)
+  // without branches, since nobody can predict them
+  std::size_t bin(const double square) const
   {
-    const std::size_t bin = static_cast<std::size_t>(angle / Mesh_quality::degrees_per_bin);
-    return (std::min)(bin, Mesh_quality::number_of_bins - 1);
+    std::size_t bin = 0;
+    for(const double end : m_bins)
+      bin += square <= end;
+    return bin;
   }
 };
 
+// by all threads
 template <typename Point>
 Mesh_quality measure_quality(const Domain<Point>& domain)
 {
-  return Quality_meter<Point>(domain)();
+  namespace internal = CGAL::Boundary_recovery_3::internal;
+  typedef std::array<Point_number, 4> Tetrahedron;
+
+  const auto corner = [&](const Point_number v)
+  {
+    const Point& p = domain.points[v];
+    return std::array<double, 3>{{ p.x(), p.y(), p.z() }};
+  };
+  const auto measure = [&](const std::vector<Tetrahedron>& tetrahedra)
+  {
+    Quality_meter meter;
+    for(const Tetrahedron& t : tetrahedra)
+      meter.add({{ corner(t[0]), corner(t[1]), corner(t[2]), corner(t[3]) }});
+    return meter.quality();
+  };
+  Mesh_quality sum;
+  const auto take = [&sum](const Mesh_quality& quality)
+  {
+    sum += quality;
+    return true;
+  };
+  internal::for_each_block(domain.tetrahedra, measure, take, CGAL::Parallel_if_available_tag());
+  return sum;
 }
 
 #endif // BOUNDARY_RECOVERY_3_PROGRAM_DOMAIN_QUALITY_H

@@ -15,7 +15,8 @@ typedef std::array<int, 2> Sides;
 inline int region_beside(const Sides& sides) { return sides[0] != 0 ? sides[0] : sides[1]; }
 
 // Finds the tetrahedra beside each triangle of a domain. Triangles are looked up by their vertex with the smallest
-// number, in a table as large as the mesh has points: no hashing, no sorting.
+// number: no hashing, no sorting. Most facets of tetrahedra have a point that no triangle has, as those have the first
+// numbers.
 template <typename Point>
 class Side_finder
 {
@@ -23,14 +24,16 @@ class Side_finder
 
   const Domain<Point>& m_domain;
   const std::vector<int>& m_regions;     // of the tetrahedra; or other numbers that tell them apart
-  std::vector<std::size_t> m_begin;      // for each point, where its triangles begin in the list
+  const std::size_t m_number_of_points;  // up to the last one of a triangle
+  std::vector<std::size_t> m_begin;      // for each of these, where its triangles begin in the list
   std::vector<std::size_t> m_triangles;  // sorted by their smallest point
   std::vector<Sides> m_sides;
   std::vector<int> m_number_of_sides;
 
 public:
   Side_finder(const Domain<Point>& domain, const std::vector<int>& regions)
-    : m_domain(domain), m_regions(regions), m_begin(domain.points.size() + 1, 0), m_triangles(domain.triangles.size()),
+    : m_domain(domain), m_regions(regions), m_number_of_points(number_of_points(domain.triangles)),
+      m_begin(m_number_of_points + 1, 0), m_triangles(domain.triangles.size()),
       m_sides(domain.triangles.size(), Sides{{ 0, 0 }}), m_number_of_sides(domain.triangles.size(), 0)
   { }
 
@@ -42,7 +45,7 @@ public:
       for(int i = 0; i < 4; ++i)
       {
         const auto& v = m_domain.tetrahedra[t];
-        add_side(sorted({{ v[(i + 1) % 4], v[(i + 2) % 4], v[(i + 3) % 4] }}), m_regions[t]);
+        add_side({{ v[(i + 1) % 4], v[(i + 2) % 4], v[(i + 3) % 4] }}, m_regions[t]);
       }
     for(Sides& sides : m_sides)
       std::sort(sides.begin(), sides.end());
@@ -50,6 +53,14 @@ public:
   }
 
 private:
+  static std::size_t number_of_points(const std::vector<Triangle>& triangles)
+  {
+    std::size_t n = 0;
+    for(const Triangle& t : triangles)
+      n = (std::max)(n, std::size_t(*std::max_element(t.begin(), t.end())) + 1);
+    return n;
+  }
+
   static Triangle sorted(Triangle t)
   {
     std::sort(t.begin(), t.end());
@@ -69,9 +80,11 @@ private:
       m_triangles[next[smallest(m_domain.triangles[i])]++] = i;
   }
 
-  // most facets of tetrahedra are no triangles of the surface
-  void add_side(const Triangle& facet, const int region)
+  void add_side(const Triangle& corners, const int region)
   {
+    if((std::max)({ corners[0], corners[1], corners[2] }) >= m_number_of_points)
+      return;
+    const Triangle facet = sorted(corners);
     for(std::size_t k = m_begin[facet[0]]; k < m_begin[facet[0] + 1]; ++k)
     {
       const std::size_t i = m_triangles[k];

@@ -1,15 +1,13 @@
 #ifndef BOUNDARY_RECOVERY_3_PROGRAM_EDGE_LENGTHS_H
 #define BOUNDARY_RECOVERY_3_PROGRAM_EDGE_LENGTHS_H
 
-#include "domain.h"
+#include <CGAL/Boundary_recovery_3/internal/quality/Measure_quality_3.h>
 
 #include <CGAL/Kernel/global_functions.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 // How long the edges inside the domain are, those that no triangle of the surface has, in terms of the size that was
@@ -22,85 +20,71 @@ struct Edge_lengths
   std::size_t number_in_range = 0; // from `shortest` to `longest`
   std::size_t number_below = 0;
   std::size_t number_above = 0;
-  double mean = 0;
+  double sum = 0;
   double maximum = 0;
+
+  double mean() const { return sum / double((std::max)(number_of_edges, std::size_t(1))); }
 
   double share_in_range() const
   {
     return number_of_edges == 0 ? 1 : double(number_in_range) / double(number_of_edges);
   }
+
+  void add(const double length)
+  {
+    ++number_of_edges;
+    number_in_range += length >= shortest && length <= longest;
+    number_below += length < shortest;
+    number_above += length > longest;
+    sum += length;
+    maximum = (std::max)(maximum, length);
+  }
+
+  Edge_lengths& operator+=(const Edge_lengths& other)
+  {
+    number_of_edges += other.number_of_edges;
+    number_in_range += other.number_in_range;
+    number_below += other.number_below;
+    number_above += other.number_above;
+    sum += other.sum;
+    maximum = (std::max)(maximum, other.maximum);
+    return *this;
+  }
 };
 
-// Measures each edge once. The edges are sorted by their smaller vertex, and the larger ones are stamped: no hashing.
-template <typename Point>
-class Edge_meter
+// Measures the edges of the regions of a triangulation, by all threads; `size` tells the size at a point of a region.
+template <typename Tr, typename Size>
+Edge_lengths measure_edges(const Tr& tr, const Size& size)
 {
-  typedef std::vector<std::size_t> Begins;
+  namespace internal = CGAL::Boundary_recovery_3::internal;
+  typedef typename Tr::Cell_handle Cell_handle;
 
-  const Domain<Point>& m_domain;
-
-public:
-  explicit Edge_meter(const Domain<Point>& domain) : m_domain(domain) { }
-
-  // `size` tells the size at a point of a region
-  template <typename Size>
-  Edge_lengths operator()(const Size& size) const
+  const internal::Selected_domain_3<Tr> domain(tr);
+  const internal::Inner_edges_3<Tr> inner_edges(domain);
+  const auto measure = [&](const std::vector<Cell_handle>& cells)
   {
-    const std::size_t n = m_domain.points.size();
-    std::vector<std::pair<Point_number, int> > edges, surface_edges; // the larger vertices, and a region
-    const Begins begins = sort_edges(m_domain.tetrahedra, m_domain.regions, edges);
-    const Begins surface_begins =
-      sort_edges(m_domain.triangles, std::vector<int>(m_domain.triangles.size(), 0), surface_edges);
-
     Edge_lengths lengths;
-    std::vector<std::size_t> stamps(n, n);
-    for(std::size_t v = 0; v < n; ++v)
-    {
-      for(std::size_t k = surface_begins[v]; k < surface_begins[v + 1]; ++k)
-        stamps[surface_edges[k].first] = v;
-      for(std::size_t k = begins[v]; k < begins[v + 1]; ++k)
-        if(std::exchange(stamps[edges[k].first], v) != v)
-          add(m_domain.points[v], m_domain.points[edges[k].first], edges[k].second, size, lengths);
-    }
-    lengths.mean /= double((std::max)(lengths.number_of_edges, std::size_t(1)));
+    for(const Cell_handle c : cells)
+      if(domain.contains(c))
+        inner_edges.for_each_own_edge(c, internal::Cell_shape_3(internal::corners(c)), [&](const int k)
+        {
+          if(! inner_edges.is_inner(c, k))
+            return;
+          const auto& p = c->vertex(internal::edges_of_cell[k][0])->point();
+          const auto& q = c->vertex(internal::edges_of_cell[k][1])->point();
+          const double length = std::hypot(p.x() - q.x(), p.y() - q.y(), p.z() - q.z());
+          lengths.add(length / size(CGAL::midpoint(p, q), 3, c->subdomain_index()));
+        });
     return lengths;
-  }
-
-private:
-  // Lists the edges of simplices, by their smaller vertices; returns where those of each vertex begin.
-  template <std::size_t N>
-  Begins sort_edges(const std::vector<std::array<Point_number, N> >& simplices, const std::vector<int>& regions,
-                    std::vector<std::pair<Point_number, int> >& edges) const
+  };
+  Edge_lengths sum;
+  const auto take = [&sum](const Edge_lengths& lengths)
   {
-    const auto for_each_edge = [&](const auto& f)
-    {
-      for(std::size_t s = 0; s < simplices.size(); ++s)
-        for(std::size_t i = 0; i < N; ++i)
-          for(std::size_t j = i + 1; j < N; ++j)
-            f(std::minmax(simplices[s][i], simplices[s][j]), regions[s]);
-    };
-    Begins begins(m_domain.points.size() + 1, 0);
-    for_each_edge([&](const auto& edge, int) { ++begins[edge.first + 1]; });
-    for(std::size_t v = 1; v < begins.size(); ++v)
-      begins[v] += begins[v - 1];
-    edges.resize(begins.back());
-    Begins next(begins);
-    for_each_edge([&](const auto& edge, const int region) { edges[next[edge.first]++] = { edge.second, region }; });
-    return begins;
-  }
-
-  template <typename Size>
-  static void add(const Point& p, const Point& q, const int region, const Size& size, Edge_lengths& lengths)
-  {
-    const double h = size(CGAL::midpoint(p, q), 3, region);
-    const double length = std::hypot(p.x() - q.x(), p.y() - q.y(), p.z() - q.z()) / h;
-    ++lengths.number_of_edges;
-    lengths.number_below += length < Edge_lengths::shortest;
-    lengths.number_above += length > Edge_lengths::longest;
-    lengths.number_in_range += length >= Edge_lengths::shortest && length <= Edge_lengths::longest;
-    lengths.mean += length;
-    lengths.maximum = (std::max)(lengths.maximum, length);
-  }
-};
+    sum += lengths;
+    return true;
+  };
+  internal::for_each_block(tr.all_cell_handles(), measure, take, internal::Concurrency_tag_of<Tr>());
+  return sum;
+}
 
 #endif // BOUNDARY_RECOVERY_3_PROGRAM_EDGE_LENGTHS_H

@@ -372,7 +372,10 @@ private:
       Domain<Point> piece = pieces.piece(meshing.part(p), p == 0, numbers.numbers);
       piece.region_names = m_region_names;
       m_number_of_tetrahedra += piece.tetrahedra.size();
-      qualities.push_back(measure_quality(piece));
+      CGAL::Boundary_recovery_3::internal::with_threads(m_options.number_of_threads, [&]
+      {
+        qualities.push_back(measure_quality(piece));
+      });
       for(const std::string& file : files)
       {
         Whole_file whole((std::filesystem::path(file).parent_path() / name_of_piece(file, p)).string());

@@ -27,9 +27,9 @@ class Meshing_estimate
   // seconds for each triangle, cell, needle, or triangle that is nearly one; benchmark/Boundary_recovery_3/progress.py
   // shows how true the shares are with these figures
   static constexpr double to_read = 2.2e-6, to_insert = 2.1e-6, to_recover = 0.8e-6, to_recover_needle = 30e-6,
-                          to_mark = 1e-6, to_forecast = 1.8e-6, to_fill = 1.3e-6, to_fill_needle = 15e-6,
+                          to_mark = 1e-6, to_forecast = 0.7e-6, to_fill = 1.3e-6, to_fill_needle = 15e-6,
                           to_improve = 1.5e-6, to_improve_needle = 300e-6, to_improve_slender = 60e-6,
-                          to_measure = 1.6e-6, to_write = 0.35e-6;
+                          to_measure = 0.6e-6, to_write = 0.35e-6;
   static constexpr double low_factor = 0.4, high_factor = 10; // of efforts, for needles
   static constexpr double cells_per_triangle = 6, cells_per_needle = 2; // if sizes are those of the surface
   static constexpr double cells_per_cubed_size = 8.5;

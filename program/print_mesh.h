@@ -58,7 +58,7 @@ inline void print_edges(std::ostream& os, const Edge_lengths& edges)
     return;
   os << "edges inside: " << edges.number_of_edges << ", " << 100 * edges.share_in_range()
      << " % of them within [0.71, 1.41] of the size, " << edges.number_below << " shorter, " << edges.number_above
-     << " longer; on average " << edges.mean << " of it, at most " << edges.maximum << '\n';
+     << " longer; on average " << edges.mean() << " of it, at most " << edges.maximum << '\n';
 }
 
 // whether the tetrahedra were improved, at least for a while

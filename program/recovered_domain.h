@@ -8,6 +8,7 @@
 #include <CGAL/Unique_hash_map.h>
 
 #include <algorithm>
+#include <utility>
 
 // Where a facet is missing the outside may flow in, and what is left as regions are a few bubbles: then a facet
 // beside the gap has the outside on both sides.
@@ -35,13 +36,13 @@ Domain<typename Tr::Point> make_recovered_domain(const Tr& tr, const Result& res
   Region_map regions(0);
   int number_of_regions =
     CGAL::Boundary_recovery_3::label_regions(tr, facets, boost::associative_property_map<Region_map>(regions));
-  const auto region_of = [&](const Cell_handle c) { return regions[c]; };
+  const auto region_of = [&known = std::as_const(regions)](const Cell_handle c) { return known[c]; }; // by any thread
   if(! result.missing_facets.empty() && has_leak(tr, facets, region_of))
     number_of_regions = 0;
 
   auto domain = build_domain(tr, result, facets, [&](const Cell_handle c)
   {
-    const int region = (number_of_regions == 0) ? 1 : regions[c];
+    const int region = (number_of_regions == 0) ? 1 : region_of(c);
     return (region == 0 && ! keep_exterior) ? -1 : region;
   });
   domain.number_of_regions = number_of_regions;

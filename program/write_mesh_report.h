@@ -83,7 +83,7 @@ inline void write_edges(Json_writer& json, const Edge_lengths& edges)
   json.entry("number_of_edges_in_size", edges.number_in_range);
   json.entry("number_of_edges_below_size", edges.number_below);
   json.entry("number_of_edges_above_size", edges.number_above);
-  json.entry("mean_length_by_size", edges.mean);
+  json.entry("mean_length_by_size", edges.mean());
   json.entry("max_length_by_size", edges.maximum);
 }
 

@@ -16,8 +16,10 @@
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_indices.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Medit_writer.h>
 #include <CGAL/Boundary_recovery_3/internal/util/bare_point.h>
+#include <CGAL/Boundary_recovery_3/internal/util/for_each_task.h>
 
 #include <CGAL/Unique_hash_map.h>
+#include <CGAL/tags.h>
 
 #include <boost/io/ios_state.hpp>
 
@@ -28,6 +30,8 @@
 #include <fstream>
 #include <ios>
 #include <limits>
+#include <map>
+#include <optional>
 #include <ostream>
 #include <stdexcept>
 #include <string>
@@ -55,8 +59,9 @@ struct Domain_soup_3
   std::size_t number_of_field_points = 0;   // and what the improvement made of them
 };
 
-// Collects a domain from a triangulation after its boundary was recovered.
-template <typename Tr>
+// Collects a domain from a triangulation after its boundary was recovered. Numbers of vertices are looked up by all
+// threads if the tag says so.
+template <typename Tr, typename ConcurrencyTag = Sequential_tag>
 class Domain_builder_3
 {
   typedef typename Tr::Vertex_handle        Vertex_handle;
@@ -79,7 +84,8 @@ public:
       throw std::length_error("the mesh has too many vertices to be written");
   }
 
-  // `region` tells the region that a cell is in, 0 for the outside, a negative number if it is not to be taken
+  // `region` tells the region that a cell is in, 0 for the outside, a negative number if it is not to be taken; maybe
+  // by several threads
   template <typename Result, typename Facets, typename Region>
   Domain_soup_3<Point> operator()(const Result& result, const Facets& facets, const Region& region)
   {
@@ -137,29 +143,36 @@ private:
   template <typename Region>
   void add_field_points(const Region& region)
   {
-    std::vector<Vertex_handle> vertices;
+    std::map<int, std::vector<Vertex_handle> > vertices;
     for(const Vertex_handle v : m_tr.finite_vertex_handles())
       if(m_number[v] == is_of_region)
-        vertices.push_back(v);
-    std::stable_sort(vertices.begin(), vertices.end(), [&](const Vertex_handle u, const Vertex_handle v)
-                     { return region(u->cell()) < region(v->cell()); });
-    for(const Vertex_handle v : vertices)
-      add_vertex(v);
-    m_domain.number_of_field_points = vertices.size();
+        vertices[region(v->cell())].push_back(v);
+    for(const auto& [r, vertices_of_region] : vertices)
+    {
+      for(const Vertex_handle v : vertices_of_region)
+        add_vertex(v);
+      m_domain.number_of_field_points += vertices_of_region.size();
+    }
   }
 
   template <typename Facets, typename Region>
   void add_simplices(const Facets& facets, const Region& region)
   {
-    for(const Cell_handle c : m_tr.finite_cell_handles())
+    typedef std::pair<std::array<Point_number, 4>, int> Tetrahedron;
+    const Unique_hash_map<Vertex_handle, Point_number>& number = m_number;
+    internal::take_each(m_tr.finite_cell_handles(), [&](const Cell_handle c) -> std::optional<Tetrahedron>
     {
       const int r = region(c);
       if(r < 0)
-        continue;
-      m_domain.tetrahedra.push_back({{ m_number[c->vertex(0)], m_number[c->vertex(1)],
-                                       m_number[c->vertex(2)], m_number[c->vertex(3)] }});
-      m_domain.regions.push_back(r);
-    }
+        return std::nullopt;
+      const auto vertex = [&](const int i) { return number[c->vertex(i)]; };
+      return Tetrahedron({{ vertex(0), vertex(1), vertex(2), vertex(3) }}, r);
+    },
+    [this](const Tetrahedron& t)
+    {
+      m_domain.tetrahedra.push_back(t.first);
+      m_domain.regions.push_back(t.second);
+    }, ConcurrencyTag());
     for(const auto& facet : facets)
     {
       m_domain.triangles.push_back({{ m_number[facet[0]], m_number[facet[1]], m_number[facet[2]] }});

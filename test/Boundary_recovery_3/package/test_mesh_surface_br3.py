@@ -34,6 +34,7 @@ from check_certificate import Certificate_checker, Wrong
 
 DRAW_QUALITY = os.path.join(HERE, '..', '..', '..', 'program', 'draw_quality.py')
 MESHED = RECOVERED
+SECONDS = re.compile(rb'("seconds[a-z_]*": )[^,}]*')  # of a report
 
 
 # ---------------------------------------------------------------- surfaces
@@ -641,6 +642,17 @@ def test_time_limit():
     assert report['improvement']['is_measured'] and report['improvement']['is_certificate_complete']
 
 
+def test_threads():
+    """neither the mesh nor what is told of it depends on them"""
+    name = write('threads.off', off_text(*box((0, 0, 0), (1, 2, 3))))
+    told = []
+    for threads in ('1', '2', '3'):
+        report = report_of(name, '--size', '0.12', '--threads', threads, '-o', 'threads.mesh', status=MESHED)
+        told.append((read('threads.mesh'), SECONDS.sub(rb'\1', json.dumps(report).encode())))
+    assert told[0] == told[1] == told[2]
+    assert report['number_of_tetrahedra'] > 10000  # several blocks of work
+
+
 def test_subdomains():
     name = write('subdomains.off', off_text(*box((0, 0, 0), (1, 2, 3))))
     text = []
@@ -706,8 +718,7 @@ def test_determinism():
             '--sources', 'sources.txt', '--quiet', status=MESHED)
     for extension in ('.mesh', '.msh', '.vtu', '.vtk'):
         assert read('first' + extension) == read('second' + extension)
-    seconds = re.compile(rb'("seconds[a-z_]*": )[^,}]*')
-    assert seconds.sub(rb'\1', read('first.json')) == seconds.sub(rb'\1', read('second.json'))
+    assert SECONDS.sub(rb'\1', read('first.json')) == SECONDS.sub(rb'\1', read('second.json'))
 
 
 if __name__ == '__main__':

@@ -33,7 +33,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <queue>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -62,26 +61,38 @@ class Forecast_3
 public:
   typedef std::array<Coordinates_3, 4> Tetrahedron;
 
-  Forecast_3(Size& size, const double grading, const Least_size& least_size = Least_size())
+  Forecast_3(Size& size, const double grading, const std::size_t max_number_of_questions,
+             const Least_size& least_size = Least_size())
     : m_size(size), m_grading((std::min)(grading, assumed_grading)),
-      m_asks_for_least_sizes(grading > assumed_grading), m_least_size(least_size)
+      m_asks_for_least_sizes(grading > assumed_grading), m_max_number_of_cuts((max_number_of_questions + 1) / 2),
+      m_least_size(least_size)
   { }
 
   // By how much sizes are assumed to grow per length.
   double grading() const { return m_grading; }
 
-  // Its size at the centroid is about `h`.
-  void add(const Tetrahedron& t, const int region, const double h) { push(t, region, h); }
+  // Its size at the centroid is about `h`. Of millions, those are forgotten that will not be cut in any case.
+  void add(const Tetrahedron& t, const int region, const double h)
+  {
+    add_piece(t, region, h);
+    if(m_pieces.size() <= 2 * m_max_number_of_cuts)
+      return;
+    const auto end = m_pieces.begin() + static_cast<std::ptrdiff_t>(m_max_number_of_cuts);
+    std::nth_element(m_pieces.begin(), end, m_pieces.end(), [](const Piece& p, const Piece& q) { return q < p; });
+    m_pieces.erase(end, m_pieces.end());
+  }
 
   // Cuts the tetrahedra, which takes as many questions as are allowed, and returns the estimate.
-  double operator()(const std::size_t max_number_of_questions)
+  double operator()()
   {
-    for(std::size_t n = 0; n < max_number_of_questions && ! m_pieces.empty(); n += 2)
+    std::make_heap(m_pieces.begin(), m_pieces.end());
+    for(std::size_t n = 0; n < m_max_number_of_cuts && ! m_pieces.empty(); ++n)
     {
-      const Piece worst = m_pieces.top();
+      const Piece worst = m_pieces.front();
       if(! (worst.urgency > tolerance * m_sum))
         break;
-      m_pieces.pop();
+      std::pop_heap(m_pieces.begin(), m_pieces.end());
+      m_pieces.pop_back();
       m_sum -= worst.value;
       m_error -= worst.error;
       bisect(worst);
@@ -110,7 +121,7 @@ private:
 
   static double density(const double h) { return 6 * std::sqrt(2.) / (h * h * h); }
 
-  void push(const Tetrahedron& t, const int region, const double h)
+  void add_piece(const Tetrahedron& t, const int region, const double h)
   {
     const double volume = std::abs(volume_times_6(t)) / 6;
     const double reach = m_grading * internal::longest_edge(t).length / 2;
@@ -122,7 +133,7 @@ private:
     m_sum += piece.value;
     m_error += piece.error;
     if(piece.error > 0)
-      m_pieces.push(piece);
+      m_pieces.push_back(piece);
   }
 
   void bisect(const Piece& piece)
@@ -134,19 +145,22 @@ private:
       Tetrahedron half = piece.corners;
       half[end] = middle;
       const double h = m_size(centroid(half), piece.region);
-      if(h > 0) // else the field has no size there, which is known by now
-        push(half, piece.region, h);
+      if(! (h > 0)) // the field has no size there, which is known by now
+        continue;
+      add_piece(half, piece.region, h);
+      std::push_heap(m_pieces.begin(), m_pieces.end());
     }
   }
 
   Size& m_size;
   double m_grading;
   bool m_asks_for_least_sizes;
+  std::size_t m_max_number_of_cuts;
   Least_size m_least_size;
   double m_sum = 0;
   double m_error = 0; // of all pieces
   std::size_t m_number_of_pieces = 0;
-  std::priority_queue<Piece> m_pieces;
+  std::vector<Piece> m_pieces; // a heap once they are cut
 };
 
 // How large the mesh will be, which is told before the filling: with a few thousand questions to the size field at
@@ -300,14 +314,15 @@ private:
       return m_sizes.query().tells_least_sizes()
            ? m_sizes.least_size_around(center, internal::largest_distance(center, t), region) : 0;
     };
-    Forecast_3<decltype(size), decltype(least_size)> integral(size, m_sizes.grading(), least_size);
+    const std::size_t least = m_effort == Forecast_effort::usual ? least_number_of_questions : 0;
+    const std::size_t number_of_questions = (std::min)(least + m_cells.size(), largest_number_of_questions);
+    Forecast_3<decltype(size), decltype(least_size)> integral(size, m_sizes.grading(), number_of_questions, least_size);
     for(const Cell_handle c : m_cells)
     {
       const auto corners = internal::corners(c);
       integral.add(corners, m_sizes.region(c), m_sizes.likely_size_at_centroid(c, corners, integral.grading()));
     }
-    const std::size_t least = m_effort == Forecast_effort::usual ? least_number_of_questions : 0;
-    const double number = integral((std::min)(least + m_cells.size(), largest_number_of_questions));
+    const double number = integral();
     return std::isnan(number) ? std::numeric_limits<double>::infinity() : number;
   }
 

@@ -62,7 +62,9 @@ public:
 
   const Cell_shape_3& shape() const { return m_shape; }
 
-  // Those of the extreme angles. If the cell has no volume, they are infinite or not a number.
+  // That of the angle at the edge k, and those of the extreme angles. If the cell has no volume, they are infinite or
+  // not a number.
+  double square_of_cotangent(const int k) const { return m_squares[k] / square_of_volume(); }
   double square_of_largest_cotangent() const { return m_largest_square / square_of_volume(); }
   double square_of_smallest_cotangent() const { return m_smallest_square / square_of_volume(); }
 

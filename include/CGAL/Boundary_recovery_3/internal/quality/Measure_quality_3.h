@@ -49,128 +49,33 @@ constexpr double squares_of_cotangents[17] = {
 };
 
 /*
- * The figures of the cells of a domain, in one pass over them.
- *
- * An edge is counted in one of its cells, which is found without looking at the others: there is a fixed direction, and
- * exactly one cell around the edge is that way from it. That is the cell both of whose facets at the edge face there.
+ * The inner edges of a domain, those in no wall, each in one of its cells. That cell is found without looking at the
+ * others: there is a fixed direction, and exactly one cell around the edge is that way from it. That is the cell both
+ * of whose facets at the edge face there.
  */
 template <typename Tr>
-class Measure_quality_3
+class Inner_edges_3
 {
 public:
   typedef typename Tr::Vertex_handle Vertex_handle;
   typedef typename Tr::Cell_handle   Cell_handle;
   typedef Selected_domain_3<Tr>      Domain;
 
-  Measure_quality_3(const Tr& tr, const Domain& domain) : m_tr(tr), m_domain(domain) { }
+  // The domain must exist as long as this does.
+  explicit Inner_edges_3(const Domain& domain) : m_domain(domain) { }
 
-  // `examine` gets each cell and its angles.
-  template <typename Examine>
-  Mesh_quality_3 operator()(const Examine& examine)
-  {
-    return *(*this)(examine, [] { return true; });
-  }
-
-  // The same as long as `goes_on`, which is asked for each cell, says so; else there are no figures.
-  template <typename Examine, typename Question>
-  std::optional<Mesh_quality_3> operator()(const Examine& examine, const Question& goes_on)
-  {
-    if(m_tr.dimension() == 3)
-      for(const Cell_handle c : m_tr.all_cell_handles())
-      {
-        if(! goes_on())
-          return std::nullopt;
-        if(m_domain.contains(c))
-          measure(c, examine);
-      }
-    finish();
-    return m_quality;
-  }
-
-  // The same for those of some cells that are in the domain, as a part of the sum that `Sum_of_qualities_3` makes.
-  template <typename CellRange, typename Examine>
-  Mesh_quality_3 of_cells(const CellRange& cells, const Examine& examine)
-  {
-    for(const Cell_handle c : cells)
-      if(m_domain.contains(c))
-        measure(c, examine);
-    finish();
-    return m_quality;
-  }
-
-private:
-  typedef std::decay_t<decltype(std::declval<typename Tr::Point>().x())>                    FT;
-  typedef std::conditional_t<std::is_floating_point<FT>::value, internal::Exact_float, FT>  Exact;
-
-  template <typename Examine>
-  void measure(const Cell_handle c, const Examine& examine)
-  {
-    const Cell_corners_3 corners = internal::corners(c);
-    const Cell_angles_3 angles(corners);
-    add_angles(angles);
-    add_radius_ratio(angles.radius_ratio());
-    if constexpr(Has_meshing_info<typename Tr::Vertex>::value)
-      add_edges(c, corners, angles.shape());
-    examine(c, angles);
-  }
-
-  // No angles are found but those that are extreme so far, and those of cells without volume. Figures that do not exist
-  // yet are not numbers, and give way.
-  void add_angles(const Cell_angles_3& angles)
-  {
-    const double largest = angles.square_of_largest_cotangent(), smallest = angles.square_of_smallest_cotangent();
-    int bin = 0;
-    for(const double square : squares_of_cotangents)
-      bin += largest <= square;
-    ++m_quality.histogram[bin];
-    for(int i = 0; i < 3; ++i)
-      m_quality.numbers_of_cells_above[i] += smallest < - squares_of_cotangents[5 - 2 * i];
-    if(! (largest <= m_largest_square))
-      m_quality.min_dihedral_angle = (std::min)(angles.smallest(), m_quality.min_dihedral_angle);
-    if(! (smallest >= m_smallest_square))
-      m_quality.max_dihedral_angle = (std::max)(angles.largest(), m_quality.max_dihedral_angle);
-    m_largest_square = (std::max)(m_largest_square, largest);
-    m_smallest_square = (std::min)(m_smallest_square, smallest);
-  }
-
-  void add_radius_ratio(const double ratio)
-  {
-    m_quality.min_radius_ratio = (std::min)(ratio, m_quality.min_radius_ratio);
-    m_sum_of_radius_ratios += ratio;
-    ++m_quality.number_of_cells;
-  }
-
-  void add_edges(const Cell_handle c, const Cell_corners_3& corners, const Cell_shape_3& shape)
+  // Calls `f(k)` for each edge of a cell, in the order of `edges_of_cell`, that is this cell's if it is an inner one.
+  template <typename Function>
+  void for_each_own_edge(const Cell_handle c, const Cell_shape_3& shape, const Function& f) const
   {
     const std::array<bool, 4> faces = facets_that_face(c, shape);
     for(int k = 0; k < 6; ++k)
       if(faces[edges_of_cell[5 - k][0]] && faces[edges_of_cell[5 - k][1]])
-        add_edge(c, k, corners);
-  }
-
-  void add_edge(const Cell_handle c, const int k, const Cell_corners_3& corners)
-  {
-    const int u = edges_of_cell[k][0], v = edges_of_cell[k][1];
-    const double size_u = internal::vertex_size(*c->vertex(u)), size_v = internal::vertex_size(*c->vertex(v));
-    if(! (size_u > 0 && size_v > 0 && is_inner_edge(c, k)))
-      return;
-    ++m_quality.number_of_sized_edges;
-    m_number_of_edges_in_size += is_in_size(difference(corners[u], corners[v]), size_u, size_v);
-  }
-
-  // See `Length_rules`.
-  static bool is_in_size(Coordinates_3 edge, const double size_u, const double size_v)
-  {
-    const bool is_ordinary = size_u > 1e-100 && size_u < 1e100; // else squares would leave their range
-    const double factor = is_ordinary ? 1 : 1 / internal::binary_scale(size_u);
-    for(double& x : edge)
-      x *= factor;
-    const double sum = factor * size_u + factor * size_v, square = dot_product(edge, edge);
-    return 8 * square >= sum * sum && 2 * square <= sum * sum; // the mean is half of the sum
+        f(k);
   }
 
   // Whether an edge is in no wall. Most cells need not look at their neighbors, which are far away in memory.
-  bool is_inner_edge(const Cell_handle c, const int k) const
+  bool is_inner(const Cell_handle c, const int k) const
   {
     if(! m_domain.has_selection() && (c->vertex(edges_of_cell[k][0])->in_dimension() == 3 ||
                                       c->vertex(edges_of_cell[k][1])->in_dimension() == 3))
@@ -185,6 +90,10 @@ private:
     while(walk.cell() != c);
     return true;
   }
+
+private:
+  typedef std::decay_t<decltype(std::declval<typename Tr::Point>().x())>                    FT;
+  typedef std::conditional_t<std::is_floating_point<FT>::value, internal::Exact_float, FT>  Exact;
 
   // The one that facets may face: it is parallel to hardly any plane in a mesh.
   static constexpr double direction[3] = { 1, 1.4142135623730951, 1.7320508075688772 };
@@ -230,6 +139,116 @@ private:
     return {{ Exact(q.x()) - Exact(p.x()), Exact(q.y()) - Exact(p.y()), Exact(q.z()) - Exact(p.z()) }};
   }
 
+  const Domain& m_domain;
+};
+
+/*
+ * The figures of the cells of a domain, in one pass over them.
+ */
+template <typename Tr>
+class Measure_quality_3
+{
+public:
+  typedef typename Tr::Vertex_handle Vertex_handle;
+  typedef typename Tr::Cell_handle   Cell_handle;
+  typedef Selected_domain_3<Tr>      Domain;
+
+  Measure_quality_3(const Tr& tr, const Domain& domain) : m_tr(tr), m_domain(domain), m_inner_edges(domain) { }
+
+  // `examine` gets each cell and its angles.
+  template <typename Examine>
+  Mesh_quality_3 operator()(const Examine& examine)
+  {
+    return *(*this)(examine, [] { return true; });
+  }
+
+  // The same as long as `goes_on`, which is asked for each cell, says so; else there are no figures.
+  template <typename Examine, typename Question>
+  std::optional<Mesh_quality_3> operator()(const Examine& examine, const Question& goes_on)
+  {
+    if(m_tr.dimension() == 3)
+      for(const Cell_handle c : m_tr.all_cell_handles())
+      {
+        if(! goes_on())
+          return std::nullopt;
+        if(m_domain.contains(c))
+          measure(c, examine);
+      }
+    finish();
+    return m_quality;
+  }
+
+  // The same for those of some cells that are in the domain, as a part of the sum that `Sum_of_qualities_3` makes.
+  template <typename CellRange, typename Examine>
+  Mesh_quality_3 of_cells(const CellRange& cells, const Examine& examine)
+  {
+    for(const Cell_handle c : cells)
+      if(m_domain.contains(c))
+        measure(c, examine);
+    finish();
+    return m_quality;
+  }
+
+private:
+  template <typename Examine>
+  void measure(const Cell_handle c, const Examine& examine)
+  {
+    const Cell_corners_3 corners = internal::corners(c);
+    const Cell_angles_3 angles(corners);
+    add_angles(angles);
+    add_radius_ratio(angles.radius_ratio());
+    if constexpr(Has_meshing_info<typename Tr::Vertex>::value)
+      m_inner_edges.for_each_own_edge(c, angles.shape(), [&](const int k) { add_edge(c, k, corners); });
+    examine(c, angles);
+  }
+
+  // No angles are found but those that are extreme so far, and those of cells without volume. Figures that do not exist
+  // yet are not numbers, and give way.
+  void add_angles(const Cell_angles_3& angles)
+  {
+    const double largest = angles.square_of_largest_cotangent(), smallest = angles.square_of_smallest_cotangent();
+    int bin = 0;
+    for(const double square : squares_of_cotangents)
+      bin += largest <= square;
+    ++m_quality.histogram[bin];
+    for(int i = 0; i < 3; ++i)
+      m_quality.numbers_of_cells_above[i] += smallest < - squares_of_cotangents[5 - 2 * i];
+    if(! (largest <= m_largest_square))
+      m_quality.min_dihedral_angle = (std::min)(angles.smallest(), m_quality.min_dihedral_angle);
+    if(! (smallest >= m_smallest_square))
+      m_quality.max_dihedral_angle = (std::max)(angles.largest(), m_quality.max_dihedral_angle);
+    m_largest_square = (std::max)(m_largest_square, largest);
+    m_smallest_square = (std::min)(m_smallest_square, smallest);
+  }
+
+  void add_radius_ratio(const double ratio)
+  {
+    m_quality.min_radius_ratio = (std::min)(ratio, m_quality.min_radius_ratio);
+    m_sum_of_radius_ratios += ratio;
+    ++m_quality.number_of_cells;
+  }
+
+  void add_edge(const Cell_handle c, const int k, const Cell_corners_3& corners)
+  {
+    const int u = edges_of_cell[k][0], v = edges_of_cell[k][1];
+    const double size_u = internal::vertex_size(*c->vertex(u)), size_v = internal::vertex_size(*c->vertex(v));
+    if(! (size_u > 0 && size_v > 0 && m_inner_edges.is_inner(c, k)))
+      return;
+    ++m_quality.number_of_sized_edges;
+    m_number_of_edges_in_size += is_in_size(difference(corners[u], corners[v]), size_u, size_v);
+  }
+
+  // See `Length_rules`.
+  static bool is_in_size(Coordinates_3 edge, const double size_u, const double size_v)
+  {
+    const bool is_ordinary = size_u > 1e-100 && size_u < 1e100; // else squares would leave their range
+    const double factor = is_ordinary ? 1 : 1 / internal::binary_scale(size_u);
+    for(double& x : edge)
+      x *= factor;
+    const double sum = factor * size_u + factor * size_v, square = dot_product(edge, edge);
+    return 8 * square >= sum * sum && 2 * square <= sum * sum; // the mean is half of the sum
+  }
+
   void finish()
   {
     std::partial_sum(m_quality.histogram.begin(), m_quality.histogram.begin() + 4,
@@ -243,6 +262,7 @@ private:
 
   const Tr& m_tr;
   const Domain& m_domain;
+  const Inner_edges_3<Tr> m_inner_edges;
   Mesh_quality_3 m_quality;
   double m_largest_square = - std::numeric_limits<double>::infinity(); // of the cotangents of all cells
   double m_smallest_square = std::numeric_limits<double>::infinity();
