@@ -53,6 +53,8 @@ public:
   Bad_tetrahedra_list(const Tr& tr, const Mesh& domain, const std::vector<Bad_cell>& cells)
     : m_domain(domain), m_cells(cells), m_number(0, cells.size())
   {
+    if(cells.empty())
+      return;
     for(const Bad_cell& cell : cells)
     {
       m_number[cell.cell] = 0;

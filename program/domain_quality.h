@@ -66,6 +66,8 @@ class Quality_meter
   Mesh_quality m_quality;
 
 public:
+  Quality_meter() { m_quality.smallest_angle = 180; }
+
   // If there is no volume, a square may be no number, which compares with none; then the smallest angle is 0.
   void add(const std::array<std::array<double, 3>, 4>& corners)
   {
@@ -77,8 +79,6 @@ public:
       m_quality.below[i] += ! (largest <= m_small[i]);
     for(std::size_t i = 0; i < m_large.size(); ++i)
       m_quality.above[i] += smallest < m_large[i];
-    if(m_quality.largest_angle == 0) // the first one
-      m_quality.smallest_angle = 180;
     if(! (largest <= m_largest_square))
       m_quality.smallest_angle = (std::min)(m_quality.smallest_angle, angles.smallest());
     if(! (smallest >= m_smallest_square))
@@ -87,6 +87,7 @@ public:
     m_smallest_square = (std::min)(m_smallest_square, smallest);
   }
 
+  // of one tetrahedron at least
   const Mesh_quality& quality() const { return m_quality; }
 
 private:
