@@ -1,12 +1,10 @@
 #ifndef BOUNDARY_RECOVERY_3_PROGRAM_ORIENT_TRIANGLES_H
 #define BOUNDARY_RECOVERY_3_PROGRAM_ORIENT_TRIANGLES_H
 
+#include "disjoint_sets.h"
 #include "triangle_soup.h"
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
-
-#include <boost/pending/disjoint_sets.hpp>
-#include <boost/property_map/vector_property_map.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -37,10 +35,7 @@ std::vector<std::size_t> orient_triangles(Triangle_soup<Point>& soup)
 
   const std::size_t n = oriented.points.size();
   std::vector<std::size_t> size(n, 0), number_of_reversed(n, 0), sources;
-  typedef boost::vector_property_map<std::size_t> Map; // for a pointer, get() is hidden by some headers of Boost.Graph
-  boost::disjoint_sets<Map, Map> pieces((Map(n)), Map(n));
-  for(std::size_t v = 0; v < n; ++v)
-    pieces.make_set(v);
+  Disjoint_sets pieces(n);
   for(const Sourced_triangle& t : oriented.triangles)
   {
     pieces.union_set(t[0], t[1]);

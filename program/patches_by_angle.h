@@ -1,13 +1,12 @@
 #ifndef BOUNDARY_RECOVERY_3_PROGRAM_PATCHES_BY_ANGLE_H
 #define BOUNDARY_RECOVERY_3_PROGRAM_PATCHES_BY_ANGLE_H
 
+#include "disjoint_sets.h"
 #include "surface.h"
 #include "surface_features.h"
 #include "triangle_soup.h"
 
 #include <CGAL/Kernel/global_functions.h>
-
-#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -30,7 +29,7 @@ void set_patches_by_angle(Surface<Point>& surface, const double angle)
     const auto& p = surface.points;
     return CGAL::normal(p[e.vertices.first], p[e.vertices.second], p[e.opposite]);
   };
-  boost::disjoint_sets_with_storage<> sets(faces.size());
+  Disjoint_sets sets(faces.size());
   visit_edges(faces, [&](const auto edge, const std::size_t number)
   {
     if(number == 2 && angle_between(normal_along(*edge), - normal_along(*(edge + 1))) < angle)

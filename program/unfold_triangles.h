@@ -2,14 +2,12 @@
 #define BOUNDARY_RECOVERY_3_PROGRAM_UNFOLD_TRIANGLES_H
 
 #include "boundary_loops.h"
+#include "disjoint_sets.h"
 #include "fill_loop.h"
 #include "find_intersections.h"
 #include "triangle_soup.h"
 
 #include <CGAL/Kernel_traits.h>
-
-#include <boost/pending/disjoint_sets.hpp>
-#include <boost/property_map/vector_property_map.hpp>
 
 #include <algorithm>
 #include <array>
@@ -25,10 +23,8 @@
 template <typename Point>
 class Triangle_unfolder
 {
-  typedef typename CGAL::Kernel_traits<Point>::Kernel      Kernel;
-  typedef typename Kernel::Vector_3                        Vector;
-  typedef boost::vector_property_map<std::size_t> Map; // for a pointer, get() is hidden by some headers of Boost.Graph
-  typedef boost::disjoint_sets<Map, Map>          Sets;
+  typedef typename CGAL::Kernel_traits<Point>::Kernel Kernel;
+  typedef typename Kernel::Vector_3                   Vector;
 
   // triangles of the soup, and those in their place
   struct Fold
@@ -69,9 +65,7 @@ private:
   std::vector<std::vector<std::size_t> > find_folds() const
   {
     const std::size_t n = m_soup.triangles.size();
-    Sets sets((Map(n)), Map(n));
-    for(std::size_t t = 0; t < n; ++t)
-      sets.make_set(t);
+    Disjoint_sets sets(n);
     std::vector<bool> is_folded(n, false), has_intersection(n, false);
     const auto unite = [&](const std::size_t s, const std::size_t t)
     {
@@ -118,7 +112,7 @@ private:
   }
 
   // the sets that have a marked triangle
-  std::vector<std::vector<std::size_t> > sets_with(Sets& sets, const std::vector<bool>& is_marked) const
+  std::vector<std::vector<std::size_t> > sets_with(Disjoint_sets& sets, const std::vector<bool>& is_marked) const
   {
     std::map<std::size_t, std::vector<std::size_t> > members;
     for(std::size_t t = 0; t < is_marked.size(); ++t)
