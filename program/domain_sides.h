@@ -24,16 +24,15 @@ class Side_finder
 
   const Domain<Point>& m_domain;
   const std::vector<int>& m_regions;     // of the tetrahedra; or other numbers that tell them apart
-  const std::size_t m_number_of_points;  // up to the last one of a triangle
-  std::vector<std::size_t> m_begin;      // for each of these, where its triangles begin in the list
+  std::vector<std::size_t> m_begin;      // for each point up to the last one of a triangle, where its triangles begin
   std::vector<std::size_t> m_triangles;  // sorted by their smallest point
   std::vector<Sides> m_sides;
   std::vector<int> m_number_of_sides;
 
 public:
   Side_finder(const Domain<Point>& domain, const std::vector<int>& regions)
-    : m_domain(domain), m_regions(regions), m_number_of_points(number_of_points(domain.triangles)),
-      m_begin(m_number_of_points + 1, 0), m_triangles(domain.triangles.size()),
+    : m_domain(domain), m_regions(regions), m_begin(number_of_points(domain.triangles) + 1, 0),
+      m_triangles(domain.triangles.size()),
       m_sides(domain.triangles.size(), Sides{{ 0, 0 }}), m_number_of_sides(domain.triangles.size(), 0)
   { }
 
@@ -82,7 +81,7 @@ private:
 
   void add_side(const Triangle& corners, const int region)
   {
-    if((std::max)({ corners[0], corners[1], corners[2] }) >= m_number_of_points)
+    if((std::max)({ corners[0], corners[1], corners[2] }) + std::size_t(1) >= m_begin.size())
       return;
     const Triangle facet = sorted(corners);
     for(std::size_t k = m_begin[facet[0]]; k < m_begin[facet[0] + 1]; ++k)

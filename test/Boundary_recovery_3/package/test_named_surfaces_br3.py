@@ -323,6 +323,8 @@ def test_sharp_edges():
     assert set(read_all(name, '--patch-angle', '100')[0].patches) == {1}
     assert len(set(read_all(name, '--patch-angle', '10')[0].patches)) == 2 + n
     check_file_error(name, '--patch-angle', '200')
+    turned = [face[::-1] if i % 3 == 0 else face for i, face in enumerate(faces)]  # whichever way they are turned
+    assert read_all(write('turned.off', off_text(points, turned)))[0].patches == mesh.patches
 
 
 if __name__ == '__main__':
