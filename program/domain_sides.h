@@ -3,9 +3,15 @@
 
 #include "domain.h"
 
+#include <CGAL/Boundary_recovery_3/internal/util/for_each_task.h>
+#include <CGAL/tags.h>
+
+#include <boost/range/irange.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 // The regions on both sides of a triangle, the smaller one first; 0 is the outside.
@@ -16,7 +22,7 @@ inline int region_beside(const Sides& sides) { return sides[0] != 0 ? sides[0] :
 
 // Finds the tetrahedra beside each triangle of a domain. Triangles are looked up by their vertex with the smallest
 // number: no hashing, no sorting. Most facets of tetrahedra have a point that no triangle has, as those have the first
-// numbers.
+// numbers; all threads sort those tetrahedra out that have only such facets.
 template <typename Point>
 class Side_finder
 {
@@ -40,12 +46,10 @@ public:
   std::vector<Sides> operator()()
   {
     sort_triangles();
-    for(std::size_t t = 0; t < m_domain.tetrahedra.size(); ++t)
-      for(int i = 0; i < 4; ++i)
-      {
-        const auto& v = m_domain.tetrahedra[t];
-        add_side({{ v[(i + 1) % 4], v[(i + 2) % 4], v[(i + 3) % 4] }}, m_regions[t]);
-      }
+    CGAL::Boundary_recovery_3::internal::take_each(
+      boost::irange(std::size_t(0), m_domain.tetrahedra.size()),
+      [this](const std::size_t t) { return can_have_triangle(t) ? std::make_optional(t) : std::nullopt; },
+      [this](const std::size_t t) { add_sides(t); }, CGAL::Parallel_if_available_tag());
     for(Sides& sides : m_sides)
       std::sort(sides.begin(), sides.end());
     return std::move(m_sides);
@@ -79,9 +83,24 @@ private:
       m_triangles[next[smallest(m_domain.triangles[i])]++] = i;
   }
 
+  bool can_be_of_triangle(const Point_number v) const { return v + std::size_t(1) < m_begin.size(); }
+
+  bool can_have_triangle(const std::size_t t) const
+  {
+    const auto& v = m_domain.tetrahedra[t];
+    return std::count_if(v.begin(), v.end(), [this](const Point_number i) { return can_be_of_triangle(i); }) >= 3;
+  }
+
+  void add_sides(const std::size_t t)
+  {
+    const auto& v = m_domain.tetrahedra[t];
+    for(int i = 0; i < 4; ++i)
+      add_side({{ v[(i + 1) % 4], v[(i + 2) % 4], v[(i + 3) % 4] }}, m_regions[t]);
+  }
+
   void add_side(const Triangle& corners, const int region)
   {
-    if((std::max)({ corners[0], corners[1], corners[2] }) + std::size_t(1) >= m_begin.size())
+    if(! std::all_of(corners.begin(), corners.end(), [this](const Point_number v) { return can_be_of_triangle(v); }))
       return;
     const Triangle facet = sorted(corners);
     for(std::size_t k = m_begin[facet[0]]; k < m_begin[facet[0] + 1]; ++k)

@@ -68,19 +68,20 @@ class Domain_builder_3
   typedef typename Tr::Cell_handle          Cell_handle;
   typedef typename Tr::Geom_traits::Point_3 Point;
 
-  static constexpr Point_number is_unused = (std::numeric_limits<Point_number>::max)();
-  static constexpr Point_number is_of_facet = is_unused - 1;
-  static constexpr Point_number is_of_outside = is_unused - 2; // of tetrahedra of region 0, if these are taken, too
-  static constexpr Point_number is_of_region = is_unused - 3;
+  static constexpr Point_number no_number = (std::numeric_limits<Point_number>::max)();
+
+  // What has a point; the last one counts.
+  enum Use : char { nothing, facet_or_outside, region_inside };
 
   const Tr& m_tr;
   Domain_soup_3<Point> m_domain;
   Unique_hash_map<Vertex_handle, Point_number> m_number;
+  std::vector<Use> m_uses; // of the points
 
 public:
-  explicit Domain_builder_3(const Tr& tr) : m_tr(tr), m_number(is_unused, tr.number_of_vertices())
+  explicit Domain_builder_3(const Tr& tr) : m_tr(tr), m_number(no_number, tr.number_of_vertices())
   {
-    if(tr.number_of_vertices() >= is_of_region)
+    if(tr.number_of_vertices() >= no_number)
       throw std::length_error("the mesh has too many vertices to be written");
   }
 
@@ -89,76 +90,56 @@ public:
   template <typename Result, typename Facets, typename Region>
   Domain_soup_3<Point> operator()(const Result& result, const Facets& facets, const Region& region)
   {
-    mark_vertices(facets, region);
+    m_domain.points.reserve(m_tr.number_of_vertices());
     for(const Vertex_handle v : result.vertices)
       add_vertex(v);
+    const std::size_t first_steiner_point = m_domain.points.size();
     for(const Vertex_handle v : result.steiner_vertices)
-    {
-      m_domain.number_of_steiner_points += m_number[v] == is_of_region;
       add_vertex(v);
-    }
+    const std::size_t first_field_point = m_domain.points.size();
     add_field_points(region);
-    add_simplices(facets, region);
+    m_uses.assign(m_domain.points.size(), nothing);
+    add_tetrahedra(region);
+    add_triangles(facets);
+    m_domain.number_of_steiner_points = number_of_points_inside(first_steiner_point, first_field_point);
+    m_domain.number_of_field_points = number_of_points_inside(first_field_point, m_uses.size());
+    drop_unused_points();
     return std::move(m_domain);
   }
 
 private:
-  template <typename Facets, typename Region>
-  void mark_vertices(const Facets& facets, const Region& region)
-  {
-    for(const auto& facet : facets)
-      for(const Vertex_handle v : facet)
-        m_number[v] = is_of_facet;
-    std::size_t number_of_cells = 0;
-    for(const Cell_handle c : m_tr.finite_cell_handles())
-      if(region(c) >= 0)
-      {
-        mark_vertices(c, region(c) > 0 ? is_of_region : is_of_outside);
-        ++number_of_cells;
-      }
-    m_domain.tetrahedra.reserve(number_of_cells);
-    m_domain.regions.reserve(number_of_cells);
-  }
-
-  void mark_vertices(const Cell_handle c, const Point_number mark)
-  {
-    for(int i = 0; i < 4; ++i)
-    {
-      Point_number& number = m_number[c->vertex(i)];
-      number = (std::min)(number, mark);
-    }
-  }
-
-  // Equal input points are one vertex.
+  // Equal input points are one vertex; the vertex of a point may be missing.
   void add_vertex(const Vertex_handle v)
   {
-    Point_number& number = m_number[v];
-    if(number < is_of_region || number == is_unused)
+    if(v == Vertex_handle() || m_number.is_defined(v))
       return;
-    number = static_cast<Point_number>(m_domain.points.size());
+    m_number[v] = static_cast<Point_number>(m_domain.points.size());
     m_domain.points.push_back(internal::bare_point<Point>(v->point()));
   }
 
-  // All the cells of a field point are in one region. Those of a region come together, as Gmsh's files have them.
+  // All the cells of a field point are in one region. Those of a region come together, as Gmsh's files have them. Any
+  // other vertices are added, too, as a cell may have them: where regions meet without a facet that has a patch.
   template <typename Region>
   void add_field_points(const Region& region)
   {
+    typedef std::pair<int, Vertex_handle> Placed_vertex;
     std::map<int, std::vector<Vertex_handle> > vertices;
-    for(const Vertex_handle v : m_tr.finite_vertex_handles())
-      if(m_number[v] == is_of_region)
-        vertices[region(v->cell())].push_back(v);
-    for(const auto& [r, vertices_of_region] : vertices)
+    internal::take_each(m_tr.finite_vertex_handles(), [&](const Vertex_handle v)
     {
+      return m_number.is_defined(v) ? std::nullopt : std::make_optional(Placed_vertex(region(v->cell()), v));
+    },
+    [&](const Placed_vertex& placed) { vertices[placed.first].push_back(placed.second); }, ConcurrencyTag());
+    for(const auto& [r, vertices_of_region] : vertices)
       for(const Vertex_handle v : vertices_of_region)
         add_vertex(v);
-      m_domain.number_of_field_points += vertices_of_region.size();
-    }
   }
 
-  template <typename Facets, typename Region>
-  void add_simplices(const Facets& facets, const Region& region)
+  template <typename Region>
+  void add_tetrahedra(const Region& region)
   {
     typedef std::pair<std::array<Point_number, 4>, int> Tetrahedron;
+    m_domain.tetrahedra.reserve(m_tr.number_of_cells());
+    m_domain.regions.reserve(m_tr.number_of_cells());
     const Unique_hash_map<Vertex_handle, Point_number>& number = m_number;
     internal::take_each(m_tr.finite_cell_handles(), [&](const Cell_handle c) -> std::optional<Tetrahedron>
     {
@@ -172,12 +153,55 @@ private:
     {
       m_domain.tetrahedra.push_back(t.first);
       m_domain.regions.push_back(t.second);
+      use(t.first, t.second > 0 ? region_inside : facet_or_outside);
     }, ConcurrencyTag());
+  }
+
+  template <typename Facets>
+  void add_triangles(const Facets& facets)
+  {
     for(const auto& facet : facets)
     {
       m_domain.triangles.push_back({{ m_number[facet[0]], m_number[facet[1]], m_number[facet[2]] }});
       m_domain.triangle_numbers.push_back(facet.index);
+      use(m_domain.triangles.back(), facet_or_outside);
     }
+  }
+
+  template <typename Simplex>
+  void use(const Simplex& simplex, const Use use)
+  {
+    for(const Point_number i : simplex)
+      m_uses[i] = (std::max)(m_uses[i], use);
+  }
+
+  // Of those between two numbers.
+  std::size_t number_of_points_inside(const std::size_t first, const std::size_t last) const
+  {
+    return std::size_t(std::count(m_uses.begin() + first, m_uses.begin() + last, region_inside));
+  }
+
+  void drop_unused_points()
+  {
+    if(std::find(m_uses.begin(), m_uses.end(), nothing) == m_uses.end())
+      return;
+    std::vector<Point_number> number(m_uses.size(), no_number);
+    Point_number number_of_points = 0;
+    for(std::size_t i = 0; i < m_uses.size(); ++i)
+      if(m_uses[i] != nothing)
+      {
+        m_domain.points[number_of_points] = m_domain.points[i];
+        number[i] = number_of_points++;
+      }
+    m_domain.points.erase(m_domain.points.begin() + number_of_points, m_domain.points.end());
+    const auto renumber = [&](auto& simplices)
+    {
+      for(auto& simplex : simplices)
+        for(Point_number& i : simplex)
+          i = number[i];
+    };
+    renumber(m_domain.tetrahedra);
+    renumber(m_domain.triangles);
   }
 };
 
@@ -327,7 +351,7 @@ namespace IO {
  *
  * \return `true` iff the stream had no error
  *
- * \pre There are fewer than 2<sup>32</sup> - 4 vertices, else `std::length_error` is thrown.
+ * \pre There are fewer than 2<sup>32</sup> - 1 vertices, else `std::length_error` is thrown.
  */
 template <typename Triangulation>
 bool write_domain_MEDIT(std::ostream& os, const Triangulation& tr,

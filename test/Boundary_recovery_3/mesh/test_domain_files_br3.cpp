@@ -23,6 +23,7 @@
 #include <cstdint>
 #include <fstream>
 #include <iostream>
+#include <iterator>
 #include <set>
 #include <sstream>
 #include <string>
@@ -234,6 +235,35 @@ void test_reader_of_CGAL(Domain_scene& scene)
   assert(patches.size() == in_mesh && std::equal(patches.begin(), patches.end(), file.patches.begin()));
 }
 
+// Regions that only their cells tell of: the file has all points of these cells, and no others.
+void test_regions_without_patches()
+{
+  Triangulation tr;
+  for(int i = 0; i < 60; ++i)
+    tr.insert(K::Point_3(i * 37 % 61, i * i % 59, i * 17 % 53));
+  for(const Vertex_handle v : tr.finite_vertex_handles())
+  {
+    std::vector<Triangulation::Cell_handle> cells;
+    tr.finite_incident_cells(v, std::back_inserter(cells));
+    std::set<K::Point_3> points;
+    for(const auto c : cells)
+    {
+      c->set_subdomain_index(2);
+      for(int i = 0; i < 4; ++i)
+        points.insert(c->vertex(i)->point());
+    }
+    const File file = written(tr);
+    assert(file.triangles.empty() && file.regions == std::vector<int>(cells.size(), 2));
+    assert(file.points.size() == points.size());
+    assert(std::set<K::Point_3>(file.points.begin(), file.points.end()) == points);
+    for(const auto& t : file.tetrahedra)
+      assert(CGAL::orientation(file.points[t[0]], file.points[t[1]], file.points[t[2]], file.points[t[3]]) ==
+             CGAL::POSITIVE);
+    for(const auto c : cells)
+      c->set_subdomain_index(0);
+  }
+}
+
 void test_coordinates()
 {
   const std::vector<K::Point_3> points = { { 0.1, 1. / 3, -2e-17 }, { 1e17 / 9, 0, 5e-324 }, { 0, 1e5 / 7, 1 },
@@ -337,6 +367,7 @@ int main()
   test_reader_of_CGAL(scene);
   test_patches(scene);
   test_edge_nodes_of_mesh(scene);
+  test_regions_without_patches();
   test_coordinates();
   test_exact_kernel();
   test_edge_nodes();
