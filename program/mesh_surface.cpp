@@ -8,6 +8,7 @@
 #include "domain.h"
 #include "domain_quality.h"
 #include "edge_lengths.h"
+#include "large_pages.h"
 #include "live_progress_bar.h"
 #include "mesh_size.h"
 #include "mesh_surface_options.h"
@@ -60,6 +61,8 @@ class Progress
   typedef CGAL::Boundary_recovery_3::Phase        Phase;
   typedef CGAL::Boundary_recovery_3::Phase_report Phase_report;
 
+  static constexpr double bytes_per_triangle = 1000, bytes_per_cell = 170; // that meshing them takes
+
   const Triangulation& m_tr;
   const Surface<Point>& m_surface;
   const bool m_is_quiet;
@@ -86,7 +89,11 @@ public:
   }
 
   // The surface is ready to be meshed.
-  void set_surface() { m_bar.tell([this](Meshing_estimate& estimate) { estimate.set_surface(m_surface); }); }
+  void set_surface()
+  {
+    large_pages::reserve(bytes_per_triangle * double(m_surface.faces.size()));
+    m_bar.tell([this](Meshing_estimate& estimate) { estimate.set_surface(m_surface); });
+  }
 
   // before anything is printed
   void hide() { m_bar.hide(); }
@@ -100,6 +107,8 @@ public:
   void on_phase_end(const Phase_report& report)
   {
     m_bar.tell([&](Meshing_estimate& estimate) { estimate.end_phase(report); });
+    if(report.phase == Phase::forecast)
+      large_pages::reserve(bytes_per_cell * double(report.number_of_cells));
     if(report.phase == Phase::forecast && ! m_is_quiet)
     {
       hide();
@@ -347,5 +356,6 @@ int run_with_threads(const Meshing_options& options, Program<Point>& program)
 
 int main(int argc, char* argv[])
 {
+  large_pages::use_one_heap();
   return run_program<Point, Meshing_command_line, Meshing_options>("mesh_surface", argc, argv, run_with_threads);
 }
