@@ -14,7 +14,7 @@
 
 // Memory in pages of 2 MB instead of 4 KB, where Linux has them for those that ask. The cells of a large mesh are in so
 // many small pages that a processor does not remember where all these are: looking for them takes a twentieth of the
-// time. Elsewhere than with Linux and GNU's C library, nothing is done; where there are no large pages, there are small ones.
+// time. Without Linux or GNU's C library, nothing is done; where there are no large pages, there are small ones.
 namespace large_pages {
 
 #if defined(__linux__) && defined(__GLIBC__)
