@@ -31,7 +31,7 @@ inline void use_one_heap()
   mallopt(M_TRIM_THRESHOLD, -1);
 }
 
-// So much of what the heap has from now on is in large pages. They are taken from the system not before they are used.
+// So much of what the heap has from now on is in large pages. The system gives them only when they are used.
 inline void reserve(const double number_of_bytes)
 {
   const std::size_t bytes = static_cast<std::size_t>((std::min)(number_of_bytes, most_bytes));

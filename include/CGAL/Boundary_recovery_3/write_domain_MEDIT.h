@@ -111,9 +111,12 @@ private:
   // Equal input points are one vertex; the vertex of a point may be missing.
   void add_vertex(const Vertex_handle v)
   {
-    if(v == Vertex_handle() || m_number.is_defined(v))
+    if(v == Vertex_handle())
       return;
-    m_number[v] = static_cast<Point_number>(m_domain.points.size());
+    Point_number& number = m_number[v];
+    if(number != no_number)
+      return;
+    number = static_cast<Point_number>(m_domain.points.size());
     m_domain.points.push_back(internal::bare_point<Point>(v->point()));
   }
 
