@@ -29,7 +29,7 @@ public:
   std::size_t operator()()
   {
     std::size_t number_of_edges = 0;
-    for(;;) // there is an end: edges become shorter, and vertices are not added
+    for(;;) // There is an end: open edges become shorter, no others become open, and vertices are not added.
     {
       const Middle_vertices middles = find_middles();
       if(middles.empty())
@@ -65,21 +65,27 @@ private:
     return middles;
   }
 
-  // whether a vertex is close to an edge, and closer to both ends than these are to each other; an edge that is not
-  // longer than the gap may be wide has no sides
+  // Whether a vertex is close to an edge, and closer to both ends than these are to each other; an edge that is not
+  // longer than the gap may be wide has no sides.
   bool is_along(const std::size_t v, const Vertex_numbers& edge) const
   {
     const Point& p = m_soup.points[edge.first];
     const Point& q = m_soup.points[edge.second];
+    const Point& r = m_soup.points[v];
     const double size = (std::max)({ std::abs(q.x() - p.x()), std::abs(q.y() - p.y()), std::abs(q.z() - p.z()) });
-    if(! (size > 2 * m_tolerance))
+    if(! (size > 2 * m_tolerance && (std::max)(distance(p, r), distance(r, q)) < distance(p, q)))
       return false;
     // in units of the edge no square is too large or too small
-    const Vector e = difference(p, q, size), w = difference(p, m_soup.points[v], size);
-    const double length = dot(e, e), t = dot(w, e) / length, gap = m_tolerance / size;
+    const Vector e = difference(p, q, size), w = difference(p, r, size);
+    const double t = dot(w, e) / dot(e, e), gap = m_tolerance / size;
     const Vector off = {{ w[0] - t * e[0], w[1] - t * e[1], w[2] - t * e[2] }};
-    const Vector rest = {{ e[0] - w[0], e[1] - w[1], e[2] - w[2] }};
-    return dot(off, off) <= gap * gap && t > 0 && t < 1 && dot(w, w) < length && dot(rest, rest) < length;
+    return dot(off, off) <= gap * gap && t > 0 && t < 1;
+  }
+
+  // The same number for the same points, so that no edge is shorter than itself by rounding errors.
+  static double distance(const Point& p, const Point& q)
+  {
+    return std::hypot(p.x() - q.x(), p.y() - q.y(), p.z() - q.z());
   }
 
   static Vector difference(const Point& p, const Point& q, const double unit)

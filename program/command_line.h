@@ -17,6 +17,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -186,14 +187,15 @@ protected:
                "without this option, X is four units in the last place of the largest coordinate\n"
                "in single precision; 0 merges none")->needs(repair);
     add_flag("--fuse", m_options.fuse,
-             "repair: make one body of bodies that overlap: what is inside of any of them is inside,\n"
-             "so bodies inside of others disappear")->needs(repair);
+             "repair: make one body of closed bodies that overlap: what is inside of any of them is\n"
+             "inside, so bodies inside of others disappear")->needs(repair);
     add_number("--close-holes", "[LENGTH]", m_options.max_hole_length, Number_kind::not_negative,
                "close loops of open edges by triangles between their vertices: all loops, or only those\n"
                "whose edges are together at most so long; loops stay open whose triangles would cross\n"
                "the surface");
     add_flag("--list-defects", m_options.list_defects,
-             "look for intersections before anything else, and mesh nothing if there are any");
+             "look for intersections before anything else, and mesh nothing if there are any;\n"
+             "--report lists all of them");
   }
 
   void add_message_options()
@@ -267,7 +269,14 @@ private:
       const bool good = *end == '\0' && ! text.empty() && std::isfinite(x) && x >= 0 && x <= bound &&
                         (kind != Number_kind::positive || x > 0) &&
                         (kind != Number_kind::integer || x == std::floor(x));
-      return good ? "" : std::string("it needs ") + names[static_cast<int>(kind)] + ", not " + text;
+      if(good)
+        return "";
+      std::ostringstream os;
+      os << "it needs " << names[static_cast<int>(kind)];
+      if(x > bound)
+        os << " and at most " << bound;
+      os << ", not " << text;
+      return os.str();
     };
     return CLI::Validator(check, "");
   }
@@ -279,8 +288,10 @@ private:
       const std::string extension = lower_case_extension(file);
       if(is_output_format(extension) || is_own_format(extension))
         return "";
-      const std::string reason = is_format_of_gmsh(extension) ? reason_for_no_gmsh() : "unknown output format";
-      return reason.empty() ? "" : reason + ": " + file + " (known are " + known_output_formats + ')';
+      const std::string no_gmsh = reason_for_no_gmsh();
+      const std::string reason = is_format_of_gmsh(extension) ? no_gmsh : "unknown output format";
+      const std::string others = no_gmsh.empty() ? std::string(", ") + formats_of_gmsh : "";
+      return reason.empty() ? "" : reason + ": " + file + " (known are " + known_output_formats + others + ')';
     };
     return CLI::Validator(check, "");
   }

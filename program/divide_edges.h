@@ -3,48 +3,61 @@
 
 #include "triangle_soup.h"
 
+#include <array>
 #include <cstddef>
 #include <map>
 #include <vector>
 
 typedef std::map<Vertex_numbers, std::size_t> Middle_vertices; // of edges
 
-// the position of the vertex opposite to an edge that is to be divided, or -1: if it is the middle one itself, that is
-// the right edge of a triangle without area
-inline int edge_to_divide(const Sourced_triangle& t, const Middle_vertices& middles)
+// What a triangle is divided into.
+struct Triangle_part
 {
-  int found = -1;
-  for(int i = 0; i < 3; ++i)
-  {
-    const auto it = middles.find(edge_of(t, i));
-    if(it != middles.end() && it->second == t[i])
-      return i;
-    if(it != middles.end())
-      found = i;
-  }
-  return found;
-}
+  Sourced_triangle triangle;
+  std::array<bool, 3> is_edge_inner; // of the edge opposite to each vertex: whether it is not of the triangle's own
 
-// Divides all the triangles that have one of the edges, there and where their parts have one. The middle vertex of an
-// edge must be such that both parts are shorter. A triangle without area leaves parts with a repeated vertex.
+  // The position of the vertex opposite to an edge that is to be divided, or -1: if it is the middle one itself, that
+  // is the right edge of a triangle without area.
+  int edge_to_divide(const Middle_vertices& middles) const
+  {
+    int found = -1;
+    for(int i = 0; i < 3; ++i)
+    {
+      const auto it = is_edge_inner[i] ? middles.end() : middles.find(edge_of(triangle, i));
+      if(it != middles.end() && it->second == triangle[i])
+        return i;
+      if(it != middles.end())
+        found = i;
+    }
+    return found;
+  }
+};
+
+// Divides all the triangles that have one of the edges, there and where parts of their edges are to be divided. The
+// middle vertex of an edge must be such that both parts are shorter, so that there is an end. What is inside of a
+// triangle stays: an edge there may have other triangles, and a middle vertex that would undo what was divided. A
+// triangle without area leaves parts with a repeated vertex.
 template <typename Point>
 void divide_edges(Triangle_soup<Point>& soup, const Middle_vertices& middles)
 {
-  std::vector<Sourced_triangle> done, open;
+  std::vector<Sourced_triangle> done;
+  std::vector<Triangle_part> open;
   for(const Sourced_triangle& triangle : soup.triangles)
-    for(open.push_back(triangle); ! open.empty();)
+    for(open.push_back({ triangle, {{ false, false, false }} }); ! open.empty();)
     {
-      const Sourced_triangle t = open.back();
+      const Triangle_part part = open.back();
+      const Sourced_triangle& t = part.triangle;
       open.pop_back();
-      const int i = t.has_repeated_vertex() ? -1 : edge_to_divide(t, middles);
+      const int i = t.has_repeated_vertex() ? -1 : part.edge_to_divide(middles);
       if(i < 0)
       {
         done.push_back(t);
         continue;
       }
       const std::size_t a = t[i], b = t[(i + 1) % 3], c = t[(i + 2) % 3], m = middles.at(edge_of(t, i));
-      open.push_back(Sourced_triangle({{ a, m, c }}, t.source));
-      open.push_back(Sourced_triangle({{ a, b, m }}, t.source));
+      const bool is_ca_inner = part.is_edge_inner[(i + 1) % 3], is_ab_inner = part.is_edge_inner[(i + 2) % 3];
+      open.push_back({ Sourced_triangle({{ a, m, c }}, t.source), {{ false, is_ca_inner, true }} });
+      open.push_back({ Sourced_triangle({{ a, b, m }}, t.source), {{ false, true, is_ab_inner }} });
     }
   soup.triangles.swap(done);
 }

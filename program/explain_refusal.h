@@ -64,13 +64,14 @@ void print_remedy(std::ostream& os, const Result& result, const Common_options& 
     os << "--repair divides polygons that are not flat\n";
   else if(! std::all_of(numbers.begin(), numbers.end(), [](const auto& kind) { return is_repairable(kind.first); }))
     os << "the file has to be corrected: no option does that\n";
-  else if(numbers.count(Defect_kind::intersecting_constraints) > 0 && ! can_resolve_intersections)
-    os << "--repair resolves intersections if the program is compiled with CGAL 6.0 or later; this one is with CGAL "
-       << CGAL_VERSION_STR << '\n';
-  else if(options.repair)
-    os << "--repair did not do; a larger --tolerance may\n";
   else
-    os << "--repair may help\n";
+  {
+    os << (options.repair ? "--repair did not do; a larger --tolerance may" : "--repair may help");
+    if(numbers.count(Defect_kind::intersecting_constraints) > 0 && ! can_resolve_intersections)
+      os << "; with CGAL 6.0 or later it also divides triangles that intersect, but this program is compiled with CGAL "
+         << CGAL_VERSION_STR;
+    os << '\n';
+  }
 }
 
 // prints where a surface ends that bounds nothing, and which option may help
@@ -82,7 +83,8 @@ inline void print_open_surface(std::ostream& os, const Open_surface& open, const
   if(options.max_hole_length >= 0)
     os << "--close-holes leaves these open: --report tells why\n";
   else
-    os << "--close-holes may help\n";
+    os << "--close-holes may help; where points are only a little apart, "
+       << (options.repair ? "a larger --tolerance\n" : "--repair\n");
 }
 
 #endif // BOUNDARY_RECOVERY_3_PROGRAM_EXPLAIN_REFUSAL_H

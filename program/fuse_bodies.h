@@ -10,7 +10,8 @@
 
 // Makes one body of all that overlap: keeps the triangles between what is outside of all bodies and what is inside of
 // any, and turns them outward. Inside is where the winding number is not 0: the number of bodies around a place, those
-// counted as -1 that are inside out. It changes with each triangle on the way from the outside, so it is exact.
+// counted as -1 that are inside out. It changes with each triangle on the way from the outside, so it is exact. What
+// bounds nothing stays where it is outside of all bodies.
 template <typename Point>
 class Body_fuser
 {
@@ -29,15 +30,17 @@ public:
   explicit Body_fuser(Triangle_soup<Point>& soup) : m_soup(soup), m_regions(soup) { }
 
   // Returns `false`, and changes nothing, if there are no winding numbers, as the surface is open where it bounds
-  // something, or its triangles are not turned alike.
+  // something, or its triangles are not turned alike; or if there is no body.
   bool operator()()
   {
-    if(m_regions.walls().size() != m_soup.triangles.size() || ! find_windings())
+    if(m_regions.walls().size() != m_soup.triangles.size() || ! find_windings() || ! is_any_body())
       return false;
     std::vector<Sourced_triangle> kept;
     for(const Region_wall& wall : m_regions.walls())
     {
       const bool is_outside_in_front = m_windings[wall.regions[0]] == 0;
+      if(is_outside_in_front && ! wall.separates())
+        kept.push_back(m_soup.triangles[wall.triangle]);
       if(is_outside_in_front == (m_windings[wall.regions[1]] == 0))
         continue;
       kept.push_back(m_soup.triangles[wall.triangle]);
@@ -50,6 +53,11 @@ public:
   }
 
 private:
+  bool is_any_body() const
+  {
+    return std::any_of(m_windings.begin(), m_windings.end(), [](const long winding) { return winding != 0; });
+  }
+
   // returns whether all ways to a region give it the same number
   bool find_windings()
   {

@@ -170,7 +170,7 @@ private:
     begin_group("surfaces of needles, or of triangles that are larger than the size");
     add_number("--remesh-surface", "[H]", m_options.largest_edge, Number_kind::not_negative,
                "replace the triangles of the surface by others with better angles, and with edges of at\n"
-               "most H; without H, of at most a tenth of the diagonal of the bounding box. The new surface\n"
+               "most H; without H or with 0, of a tenth of the diagonal of the bounding box. The new surface\n"
                "is within a thousandth of the diagonal. Edges sharper than --patch-angle, borders and\n"
                "patches stay; steps smaller than a quarter of that distance do not");
   }

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <iomanip>
+#include <limits>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -74,7 +75,8 @@ std::string reason_for_too_large(const Result& result, const std::size_t max_num
 {
   const std::string what = "it would have about " + round_number(result.filling.forecast_of_vertices) +
                            " vertices and " + round_number(result.filling.forecast_of_cells) + " tetrahedra, ";
-  if(result.filling.forecast_of_vertices > double(max_number_of_vertices))
+  const bool is_limited = max_number_of_vertices < (std::numeric_limits<std::size_t>::max)();
+  if(is_limited && result.filling.forecast_of_vertices > double(max_number_of_vertices))
     return what + "and " + std::to_string(max_number_of_vertices) + " vertices are allowed";
   return what + "which do not fit into the memory";
 }

@@ -8,6 +8,7 @@ skipped, with a word, where the program is compiled with an older one.
 """
 import functools
 import math
+import random
 import re
 import sys
 
@@ -43,6 +44,13 @@ def folded_box():
     moved = points.index(next(p for p in points if abs(p[0] - 1 / 3) + abs(p[1] - 1 / 3) < 1e-9 and p[2] > 0.5))
     points[moved] = (0.9, 0.37, points[moved][2])
     return points, faces
+
+
+def crumbled(surface, distance):
+    """each triangle has points of its own, moved at random"""
+    generator = random.Random(1)
+    points = [tuple(x + distance * generator.uniform(-1, 1) for x in surface[0][v]) for f in surface[1] for v in f]
+    return points, [(i, i + 1, i + 2) for i in range(0, len(points), 3)]
 
 
 def overlapping_boxes():
@@ -222,6 +230,20 @@ def test_flat_fold_is_unfolded():
     assert changes['unfolded_facets'] == []
 
 
+def test_wide_gaps_are_closed():
+    # gaps are wider than the tolerance of the default: it is tried to divide triangles at points beside their edges, and
+    # points are beside many
+    surface = grid_box(4)
+    scaled = [tuple(20 * x for x in p) for p in surface[0]], surface[1]
+    name = write('crumbled.off', off_text(*crumbled(scaled, 1e-5)))
+    assert 'points are only a little apart, --repair' in run(name, status=INVALID_INPUT).err
+    err = run(name, '--repair', status=INVALID_INPUT).err
+    assert '--repair did not do; a larger --tolerance may' in err and 'a little apart, a larger --tolerance' in err
+    result, report = mesh('crumbled', crumbled(scaled, 1e-5), '--repair', '--tolerance', '1e-4')
+    assert report['number_of_regions'] == 1 and report['facets_that_bound_nothing'] == []
+    assert abs(float(volumes(result)[0]) / 6 / 8000 - 1) < 1e-5
+
+
 def test_dust_is_no_region():
     if not resolves_intersections():
         return
@@ -289,6 +311,16 @@ def test_fusion_needs_an_inside():
     result, report = mesh('wall', surface, '--repair', '--fuse', *MESH_ONLY)
     assert not report['repair']['is_fused'] and volumes(result) == [6, 6]
     assert 'not fused' in run('wall.off', '--repair', '--fuse', *MESH_ONLY, status=MESHED).out
+
+    # what bounds nothing is lost inside of a body only
+    opened = without(box((0, 0, 0), (1, 1, 1)), 0)
+    report = report_of(write('opened.off', off_text(*opened)), '--repair', '--fuse', status=NO_REGION)
+    assert not report['repair']['is_fused'] and report['repair']['source_facets'] == list(range(11))
+    assert volumes(mesh('opened', opened, '--repair', '--fuse', '--close-holes')[0]) == [6]
+    sheets = [([(x, 1, 1), (x + 0.5, 1, 1), (x, 1.5, 1)], [(0, 1, 2)]) for x in (1.0, 4.0)]
+    result, report = mesh('sheets', join(box((0, 0, 0), (3, 3, 3)), *sheets), '--repair', '--fuse')
+    assert report['repair']['is_fused'] and report['repair']['inner_facets'] == [12]
+    assert report['facets_that_bound_nothing'] == [13] and volumes(result) == [6 * 27]
 
 
 if __name__ == '__main__':
