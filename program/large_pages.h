@@ -8,50 +8,91 @@
 #include <sys/mman.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <cstdlib>
+#include <thread>
 #endif
 
 // Memory in pages of 2 MB instead of 4 KB, where Linux has them for those that ask. The cells of a large mesh are in so
 // many small pages that a processor does not remember where all these are: looking for them takes a twentieth of the
-// time. Without Linux or GNU's C library, nothing is done; where there are no large pages, there are small ones.
-namespace large_pages {
-
+// time. To get the pages takes another tenth, and threads wait for each other at that; so one more thread gets most of
+// them before they are used. Without Linux or GNU's C library, nothing is done; where there are no large pages, there
+// are small ones.
+class Large_pages
+{
 #if defined(__linux__) && defined(__GLIBC__)
 
-constexpr std::size_t size = std::size_t(1) << 21;
-constexpr double most_bytes = 1e14; // that there are addresses for
+  static constexpr std::size_t size = std::size_t(1) << 21;
+  static constexpr double most_bytes = 1e14;   // that there are addresses for
+  static constexpr double fetched_share = 0.8; // of what is expected to be used
 
-// Before there are threads. From then on, all memory comes from one heap, also that of threads, and stays there when it
-// is free.
-inline void use_one_heap()
-{
-  mallopt(M_ARENA_MAX, 1);
-  mallopt(M_MMAP_MAX, 0);
-  mallopt(M_TRIM_THRESHOLD, -1);
-}
+  const bool m_are_fetched;
+  std::atomic<bool> m_is_over{ false };
+  std::thread m_thread;
 
-// So much of what the heap has from now on is in large pages. The system gives them only when they are used.
-inline void reserve(const double number_of_bytes)
-{
-  const std::size_t bytes = static_cast<std::size_t>((std::min)(number_of_bytes, most_bytes));
-  void* const all = std::malloc(bytes);
-  if(all == nullptr)
-    return;
-  const std::uintptr_t address = reinterpret_cast<std::uintptr_t>(all);
-  const std::uintptr_t begin = (address + size - 1) / size * size, end = (address + bytes) / size * size;
-  if(begin < end)
-    madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
-  std::free(all);
-}
+public:
+  // Before there are threads. From then on, all memory comes from one heap, also that of threads, and stays there when
+  // it is free.
+  static void use_one_heap()
+  {
+    mallopt(M_ARENA_MAX, 1);
+    mallopt(M_MMAP_MAX, 0);
+    mallopt(M_TRIM_THRESHOLD, -1);
+  }
+
+  // `are_fetched` tells whether there may be another thread.
+  explicit Large_pages(const bool are_fetched) : m_are_fetched(are_fetched) { }
+
+  ~Large_pages()
+  {
+    m_is_over = true;
+    join();
+  }
+
+  // So much of what the heap has from now on is in large pages. It should be about what will be used.
+  void reserve(const double number_of_bytes)
+  {
+    const std::size_t bytes = static_cast<std::size_t>((std::min)(number_of_bytes, most_bytes));
+    void* const all = std::malloc(bytes);
+    if(all == nullptr)
+      return;
+    const std::uintptr_t address = reinterpret_cast<std::uintptr_t>(all);
+    const std::uintptr_t begin = (address + size - 1) / size * size, end = (address + bytes) / size * size;
+    if(begin < end)
+    {
+      madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
+      join();
+      if(m_are_fetched)
+        m_thread = std::thread([=] { fetch(begin, static_cast<std::size_t>(fetched_share * double(end - begin))); });
+    }
+    std::free(all);
+  }
+
+private:
+  // Whether somebody uses them meanwhile or not; before Linux 5.14 nothing happens.
+  void fetch([[maybe_unused]] const std::uintptr_t begin, [[maybe_unused]] const std::size_t bytes) const
+  {
+#ifdef MADV_POPULATE_WRITE
+    for(std::size_t done = 0; done + size <= bytes && ! m_is_over; done += size)
+      madvise(reinterpret_cast<void*>(begin + done), size, MADV_POPULATE_WRITE);
+#endif
+  }
+
+  void join()
+  {
+    if(m_thread.joinable())
+      m_thread.join();
+  }
 
 #else
 
-inline void use_one_heap() { }
-inline void reserve(double) { }
+public:
+  static void use_one_heap() { }
+  explicit Large_pages(bool) { }
+  void reserve(double) { }
 
 #endif
-
-} // namespace large_pages
+};
 
 #endif // BOUNDARY_RECOVERY_3_PROGRAM_LARGE_PAGES_H

@@ -35,6 +35,7 @@
 #include <iostream>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel           Kernel;
@@ -67,12 +68,14 @@ class Progress
   const Surface<Point>& m_surface;
   const bool m_is_quiet;
   Live_progress_bar<Meshing_estimate> m_bar;
+  Large_pages m_pages;
   Named_regions m_regions;
+  std::size_t m_number_of_expected_cells = 0;
 
 public:
   Progress(const Triangulation& tr, const Surface<Point>& surface, const Meshing_options& options)
     : m_tr(tr), m_surface(surface), m_is_quiet(options.quiet),
-      m_bar(std::cout, ! options.quiet && stdout_is_terminal(), options)
+      m_bar(std::cout, ! options.quiet && stdout_is_terminal(), options), m_pages(options.number_of_threads != 1)
   { }
 
   // of the steps that are not the library's
@@ -91,7 +94,7 @@ public:
   // The surface is ready to be meshed.
   void set_surface()
   {
-    large_pages::reserve(bytes_per_triangle * double(m_surface.faces.size()));
+    m_pages.reserve(bytes_per_triangle * double(m_surface.faces.size()));
     m_bar.tell([this](Meshing_estimate& estimate) { estimate.set_surface(m_surface); });
   }
 
@@ -101,6 +104,8 @@ public:
   void on_phase_begin(const Phase phase)
   {
     m_bar.tell([=](Meshing_estimate& estimate) { estimate.begin_phase(phase); });
+    if(phase == Phase::field_point_insertion) // there is enough memory for what is expected
+      m_pages.reserve(bytes_per_cell * double(std::exchange(m_number_of_expected_cells, 0)));
   }
 
   // The forecast is told at once, on a terminal or not.
@@ -108,7 +113,7 @@ public:
   {
     m_bar.tell([&](Meshing_estimate& estimate) { estimate.end_phase(report); });
     if(report.phase == Phase::forecast)
-      large_pages::reserve(bytes_per_cell * double(report.number_of_cells));
+      m_number_of_expected_cells = report.number_of_cells;
     if(report.phase == Phase::forecast && ! m_is_quiet)
     {
       hide();
@@ -356,6 +361,6 @@ int run_with_threads(const Meshing_options& options, Program<Point>& program)
 
 int main(int argc, char* argv[])
 {
-  large_pages::use_one_heap();
+  Large_pages::use_one_heap();
   return run_program<Point, Meshing_command_line, Meshing_options>("mesh_surface", argc, argv, run_with_threads);
 }
