@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 // Closes gaps along edges: where one triangle has an edge, and vertices are along it on the other side, as close as the
@@ -35,6 +36,7 @@ public:
       if(middles.empty())
         return number_of_edges;
       divide_edges(m_soup, middles);
+      drop_repeated_vertices(m_soup);
       number_of_edges += middles.size();
     }
   }
@@ -55,11 +57,12 @@ private:
     {
       search(m_soup.points[e.vertices.first], m_soup.points[e.vertices.second], m_tolerance, close);
       std::sort(close.begin(), close.end());
+      double longer_part = (std::numeric_limits<double>::infinity)(); // if it is short, there are few rounds
       for(const std::size_t v : close)
-        if(v != e.opposite && is_along(v, e.vertices))
+        if(v != e.opposite && is_along(v, e.vertices) && longer_part_at(v, e.vertices) < longer_part)
         {
-          middles.emplace(e.vertices, v);
-          break;
+          middles[e.vertices] = v;
+          longer_part = longer_part_at(v, e.vertices);
         }
     }
     return middles;
@@ -73,7 +76,7 @@ private:
     const Point& q = m_soup.points[edge.second];
     const Point& r = m_soup.points[v];
     const double size = (std::max)({ std::abs(q.x() - p.x()), std::abs(q.y() - p.y()), std::abs(q.z() - p.z()) });
-    if(! (size > 2 * m_tolerance && (std::max)(distance(p, r), distance(r, q)) < distance(p, q)))
+    if(! (size > 2 * m_tolerance && longer_part_at(v, edge) < distance(p, q)))
       return false;
     // in units of the edge no square is too large or too small
     const Vector e = difference(p, q, size), w = difference(p, r, size);
@@ -82,7 +85,15 @@ private:
     return dot(off, off) <= gap * gap && t > 0 && t < 1;
   }
 
-  // The same number for the same points, so that no edge is shorter than itself by rounding errors.
+  // The length of the longer part of an edge that is divided at a vertex.
+  double longer_part_at(const std::size_t v, const Vertex_numbers& edge) const
+  {
+    return (std::max)(distance(m_soup.points[edge.first], m_soup.points[v]),
+                      distance(m_soup.points[v], m_soup.points[edge.second]));
+  }
+
+  // All comparisons take the length of an edge from here: if rounding errors made it differ, an edge could be shorter
+  // than itself, and there would be no end.
   static double distance(const Point& p, const Point& q)
   {
     return std::hypot(p.x() - q.x(), p.y() - q.y(), p.z() - q.z());

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <iomanip>
 #include <limits>
 #include <map>
 #include <memory>
@@ -263,7 +264,7 @@ private:
     const auto check = [kind, bound](const std::string& text) -> std::string
     {
       static constexpr const char* names[] = { "a number that is not negative", "a positive number",
-                                               "a number that is not negative and integer" };
+                                               "an integer that is not negative" };
       char* end = nullptr;
       const double x = std::strtod(text.c_str(), &end);
       const bool good = *end == '\0' && ! text.empty() && std::isfinite(x) && x >= 0 && x <= bound &&
@@ -273,8 +274,8 @@ private:
         return "";
       std::ostringstream os;
       os << "it needs " << names[static_cast<int>(kind)];
-      if(x > bound)
-        os << " and at most " << bound;
+      if(std::isfinite(x) && x > bound)
+        os << std::setprecision(16) << " and at most " << bound;
       os << ", not " << text;
       return os.str();
     };

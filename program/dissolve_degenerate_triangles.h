@@ -6,7 +6,10 @@
 
 #include <CGAL/Kernel_traits.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <set>
+#include <utility>
 #include <vector>
 
 // Takes the triangles without area out of a soup, and leaves no gap. If the vertices of such a triangle are distinct,
@@ -29,39 +32,37 @@ public:
   // returns the sources of those that are gone
   std::vector<std::size_t> operator()()
   {
-    drop_repeated_vertices(true);
+    m_dissolved = drop_repeated_vertices(m_soup);
     while(find_longest_edges())
     {
       divide_edges(m_soup, m_middles); // what has no area is divided at its own vertex
-      drop_repeated_vertices(false); // parts only
+      drop_repeated_vertices(m_soup);  // parts only
     }
     return m_dissolved;
   }
 
 private:
-  void drop_repeated_vertices(const bool is_listed)
-  {
-    std::vector<Sourced_triangle> kept;
-    for(const Sourced_triangle& t : m_soup.triangles)
-      if(! t.has_repeated_vertex())
-        kept.push_back(t);
-      else if(is_listed)
-        m_dissolved.push_back(t.source);
-    m_soup.triangles.swap(kept);
-  }
-
-  // Each division makes the longest edges of what is left of the degenerate triangles shorter, so there is an end.
+  // The longest edge of each degenerate triangle, unless it is a part of a longer one, which comes first: else parts of
+  // a triangle could be divided where others are not, and gaps be left. Each division makes the longest edges of what
+  // is left of the degenerate triangles shorter, so there is an end.
   bool find_longest_edges()
   {
     m_middles.clear();
+    std::vector<std::pair<const Sourced_triangle*, int> > degenerate;
     for(const Sourced_triangle& t : m_soup.triangles)
-    {
-      const int i = middle_vertex(t);
-      if(i < 0)
-        continue;
-      m_middles.emplace(edge_of(t, i), t[i]);
-      m_dissolved.push_back(t.source);
-    }
+      if(const int i = middle_vertex(t); i >= 0)
+      {
+        degenerate.emplace_back(&t, i);
+        m_middles.emplace(edge_of(t, i), t[i]);
+        m_dissolved.push_back(t.source);
+      }
+    std::set<Vertex_numbers> shorter;
+    for(const auto& [t, i] : degenerate)
+      for(const std::size_t v : { (*t)[i], m_middles.at(edge_of(*t, i)) })
+        for(const int k : { (i + 1) % 3, (i + 2) % 3 })
+          shorter.insert(std::minmax((*t)[k], v));
+    for(const Vertex_numbers& edge : shorter)
+      m_middles.erase(edge);
     return ! m_middles.empty();
   }
 

@@ -14,7 +14,8 @@ typedef std::map<Vertex_numbers, std::size_t> Middle_vertices; // of edges
 struct Triangle_part
 {
   Sourced_triangle triangle;
-  std::array<bool, 3> is_edge_inner; // of the edge opposite to each vertex: whether it is not of the triangle's own
+  std::array<bool, 3> is_edge_inner; // whether the edge opposite to each vertex is inside of the triangle, and so is no
+                                     // part of its edges
 
   // The position of the vertex opposite to an edge that is to be divided, or -1: if it is the middle one itself, that
   // is the right edge of a triangle without area.
@@ -34,9 +35,9 @@ struct Triangle_part
 };
 
 // Divides all the triangles that have one of the edges, there and where parts of their edges are to be divided. The
-// middle vertex of an edge must be such that both parts are shorter, so that there is an end. What is inside of a
-// triangle stays: an edge there may have other triangles, and a middle vertex that would undo what was divided. A
-// triangle without area leaves parts with a repeated vertex.
+// middle vertex of an edge must be such that both parts are shorter. Edges that the division makes inside of a triangle
+// are not divided, even where other triangles have the same edge: that could lead back to a triangle that was there
+// before, without end. A triangle without area leaves parts with a repeated vertex.
 template <typename Point>
 void divide_edges(Triangle_soup<Point>& soup, const Middle_vertices& middles)
 {
@@ -54,10 +55,13 @@ void divide_edges(Triangle_soup<Point>& soup, const Middle_vertices& middles)
         done.push_back(t);
         continue;
       }
-      const std::size_t a = t[i], b = t[(i + 1) % 3], c = t[(i + 2) % 3], m = middles.at(edge_of(t, i));
-      const bool is_ca_inner = part.is_edge_inner[(i + 1) % 3], is_ab_inner = part.is_edge_inner[(i + 2) % 3];
-      open.push_back({ Sourced_triangle({{ a, m, c }}, t.source), {{ false, is_ca_inner, true }} });
-      open.push_back({ Sourced_triangle({{ a, b, m }}, t.source), {{ false, true, is_ab_inner }} });
+      const int j = (i + 1) % 3, k = (i + 2) % 3;
+      const std::size_t middle = middles.at(edge_of(t, i));
+      Triangle_part first = part, second = part;
+      first.triangle[k] = second.triangle[j] = middle;
+      first.is_edge_inner[j] = second.is_edge_inner[k] = true;
+      open.push_back(second);
+      open.push_back(first);
     }
   soup.triangles.swap(done);
 }

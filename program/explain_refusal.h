@@ -66,7 +66,7 @@ void print_remedy(std::ostream& os, const Result& result, const Common_options& 
     os << "the file has to be corrected: no option does that\n";
   else
   {
-    os << (options.repair ? "--repair did not do; a larger --tolerance may" : "--repair may help");
+    os << (options.repair ? "--repair was not enough; a larger --tolerance may help" : "--repair may help");
     if(numbers.count(Defect_kind::intersecting_constraints) > 0 && ! can_resolve_intersections)
       os << "; with CGAL 6.0 or later it also divides triangles that intersect, but this program is compiled with CGAL "
          << CGAL_VERSION_STR;
@@ -83,8 +83,8 @@ inline void print_open_surface(std::ostream& os, const Open_surface& open, const
   if(options.max_hole_length >= 0)
     os << "--close-holes leaves these open: --report tells why\n";
   else
-    os << "--close-holes may help; where points are only a little apart, "
-       << (options.repair ? "a larger --tolerance\n" : "--repair\n");
+    os << "--close-holes may help, or " << (options.repair ? "a larger --tolerance" : "--repair")
+       << " where points that should be equal are a little apart\n";
 }
 
 #endif // BOUNDARY_RECOVERY_3_PROGRAM_EXPLAIN_REFUSAL_H

@@ -10,8 +10,8 @@
 
 // Makes one body of all that overlap: keeps the triangles between what is outside of all bodies and what is inside of
 // any, and turns them outward. Inside is where the winding number is not 0: the number of bodies around a place, those
-// counted as -1 that are inside out. It changes with each triangle on the way from the outside, so it is exact. What
-// bounds nothing stays where it is outside of all bodies.
+// counted as -1 that are inside out. It changes with each triangle on the way from the outside, so it is exact.
+// Triangles that bound nothing are kept outside of all bodies, and dropped inside.
 template <typename Point>
 class Body_fuser
 {
@@ -33,7 +33,8 @@ public:
   // something, or its triangles are not turned alike; or if there is no body.
   bool operator()()
   {
-    if(m_regions.walls().size() != m_soup.triangles.size() || ! find_windings() || ! is_any_body())
+    if(m_soup.triangles.empty() || m_regions.walls().size() != m_soup.triangles.size() || ! find_windings()
+       || ! is_any_body())
       return false;
     std::vector<Sourced_triangle> kept;
     for(const Region_wall& wall : m_regions.walls())

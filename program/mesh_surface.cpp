@@ -104,7 +104,7 @@ public:
   void on_phase_begin(const Phase phase)
   {
     m_bar.tell([=](Meshing_estimate& estimate) { estimate.begin_phase(phase); });
-    if(phase == Phase::field_point_insertion) // there is enough memory for what is expected
+    if(phase == Phase::field_point_insertion) // not before: the library has checked now that the mesh fits into memory
       m_pages.reserve(bytes_per_cell * double(std::exchange(m_number_of_expected_cells, 0)));
   }
 
@@ -112,8 +112,11 @@ public:
   void on_phase_end(const Phase_report& report)
   {
     m_bar.tell([&](Meshing_estimate& estimate) { estimate.end_phase(report); });
+    if(report.phase == Phase::field_point_insertion)
+      m_pages.end_fetching();
     if(report.phase == Phase::forecast)
-      m_number_of_expected_cells = report.number_of_cells;
+      m_number_of_expected_cells = report.number_of_cells - (std::min)(report.number_of_cells,
+                                                                       m_tr.number_of_finite_cells());
     if(report.phase == Phase::forecast && ! m_is_quiet)
     {
       hide();

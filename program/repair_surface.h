@@ -258,6 +258,7 @@ private:
     const auto before = number_of_parts();
     m_state.changes.is_fused = Body_fuser<Point>(m_state.soup)();
     m_state.changes.inner_faces = sources_gone(before);
+    m_state.open_edges = open_edges(m_state.soup.triangles).size();
   }
 
   void drop_dust()

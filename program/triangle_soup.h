@@ -37,6 +37,21 @@ struct Triangle_soup
   std::vector<Sourced_triangle> triangles;
 };
 
+// Returns the sources of the triangles that are gone, in their order.
+template <typename Point>
+std::vector<std::size_t> drop_repeated_vertices(Triangle_soup<Point>& soup)
+{
+  std::vector<std::size_t> gone;
+  std::vector<Sourced_triangle> kept;
+  for(const Sourced_triangle& t : soup.triangles)
+    if(t.has_repeated_vertex())
+      gone.push_back(t.source);
+    else
+      kept.push_back(t);
+  soup.triangles.swap(kept);
+  return gone;
+}
+
 typedef std::pair<std::size_t, std::size_t> Vertex_numbers; // those of an edge, the smaller one first
 
 template <typename Triangle>

@@ -236,9 +236,9 @@ def test_wide_gaps_are_closed():
     surface = grid_box(4)
     scaled = [tuple(20 * x for x in p) for p in surface[0]], surface[1]
     name = write('crumbled.off', off_text(*crumbled(scaled, 1e-5)))
-    assert 'points are only a little apart, --repair' in run(name, status=INVALID_INPUT).err
+    assert 'or --repair where points that should be equal' in run(name, status=INVALID_INPUT).err
     err = run(name, '--repair', status=INVALID_INPUT).err
-    assert '--repair did not do; a larger --tolerance may' in err and 'a little apart, a larger --tolerance' in err
+    assert '--repair was not enough; a larger --tolerance' in err and 'or a larger --tolerance where points' in err
     result, report = mesh('crumbled', crumbled(scaled, 1e-5), '--repair', '--tolerance', '1e-4')
     assert report['number_of_regions'] == 1 and report['facets_that_bound_nothing'] == []
     assert abs(float(volumes(result)[0]) / 6 / 8000 - 1) < 1e-5
@@ -321,6 +321,7 @@ def test_fusion_needs_an_inside():
     result, report = mesh('sheets', join(box((0, 0, 0), (3, 3, 3)), *sheets), '--repair', '--fuse')
     assert report['repair']['is_fused'] and report['repair']['inner_facets'] == [12]
     assert report['facets_that_bound_nothing'] == [13] and volumes(result) == [6 * 27]
+    assert report['repair']['number_of_open_edges_after'] == 3
 
 
 if __name__ == '__main__':

@@ -653,6 +653,20 @@ def test_repair_drops_degenerate_triangles():
     check_sources(mesh, report, points, fan)
 
 
+def test_repair_leaves_no_gaps_at_degenerate_triangles():
+    # five vertices in a row, with triangles between them whose longest edges are parts of each other
+    points = [(float(i), 0.0, 0.0) for i in range(5)] + [(1.0, 3.0, 0.0), (2.0, -3.0, 2.0)]
+    faces = [(3, 0, 4), (0, 4, 1), (3, 4, 1), (2, 1, 3), (0, 3, 5), (1, 0, 6), (2, 1, 6), (3, 2, 6), (0, 5, 6),
+             (3, 6, 5)]
+    for order in (faces, faces[::-1], [(b, c, a) for a, b, c in faces], [(c, a, b) for a, b, c in faces]):
+        mesh, report = repair(points, order, '--tolerance', '0')
+        changes = report['repair']
+        assert changes['number_of_open_edges_before'] == changes['number_of_open_edges_after'] == 0
+        assert changes['number_of_degenerate_facets'] == 4 and report['number_of_regions'] == 1
+        check_tetrahedra(mesh)
+        check_sources(mesh, report, points, order)
+
+
 def test_repair_stitches_edges():
     points, faces = box((0, 0, 0), (4, 4, 4))
     one = next(i for i, f in enumerate(faces) if (0, 1) in zip(f, f[1:] + f[:1]))
