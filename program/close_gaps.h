@@ -22,6 +22,7 @@ class Gap_closer
 
   Triangle_soup<Point>& m_soup;
   const double m_tolerance;
+  std::vector<std::size_t> m_dropped;
 
 public:
   Gap_closer(Triangle_soup<Point>& soup, const double tolerance) : m_soup(soup), m_tolerance(tolerance) { }
@@ -36,10 +37,14 @@ public:
       if(middles.empty())
         return number_of_edges;
       divide_edges(m_soup, middles);
-      drop_repeated_vertices(m_soup);
+      const std::vector<std::size_t> gone = drop_repeated_vertices(m_soup);
+      m_dropped.insert(m_dropped.end(), gone.begin(), gone.end());
       number_of_edges += middles.size();
     }
   }
+
+  // The sources of triangles that are gone, or a part of them: their edges are as close to each other as the tolerance.
+  const std::vector<std::size_t>& dropped() const { return m_dropped; }
 
 private:
   Middle_vertices find_middles() const

@@ -165,7 +165,9 @@ private:
 
   static void stitch(State& state)
   {
-    state.changes.number_of_stitched_edges = Gap_closer<Point>(state.soup, state.changes.tolerance)();
+    Gap_closer<Point> close(state.soup, state.changes.tolerance);
+    state.changes.number_of_stitched_edges = close();
+    append(state.changes.degenerate_faces, close.dropped());
   }
 
   // The order of the faces stays.
