@@ -36,7 +36,7 @@ class Surface_repairer
 {
   typedef Triangle_soup<Point> Soup;
 
-  // rounded points make new intersections, fewer each time
+  // rounded points make new intersections, as a rule fewer each time
   static constexpr int max_number_of_refinements = 8;
 
   // a soup on its way, and what was done to it
@@ -231,6 +231,8 @@ private:
       dissolve();
       unite_equal_triangles(refined.soup);
       judge(refined);
+      if(i > 0 && refined.intersections >= m_state.intersections)
+        break; // they would become more and more
       m_state = std::move(refined);
     }
     return is_needed;
