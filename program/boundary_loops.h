@@ -1,12 +1,12 @@
 #ifndef BOUNDARY_RECOVERY_3_PROGRAM_BOUNDARY_LOOPS_H
 #define BOUNDARY_RECOVERY_3_PROGRAM_BOUNDARY_LOOPS_H
 
+#include "distance_between.h"
 #include "triangle_soup.h"
 
 #include <CGAL/Bbox_3.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <map>
 #include <utility>
@@ -115,14 +115,9 @@ private:
       const Point& p = m_points[loop.vertices[i]];
       loop.box += p.bbox();
       if(i < loop.number_of_edges())
-        loop.length += distance(p, m_points[loop.vertices[(i + 1) % loop.vertices.size()]]);
+        loop.length += distance_between(p, m_points[loop.vertices[(i + 1) % loop.vertices.size()]]);
     }
     m_result.loops.push_back(loop);
-  }
-
-  static double distance(const Point& p, const Point& q)
-  {
-    return std::hypot(q.x() - p.x(), q.y() - p.y(), q.z() - p.z());
   }
 };
 

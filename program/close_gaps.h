@@ -1,6 +1,7 @@
 #ifndef BOUNDARY_RECOVERY_3_PROGRAM_CLOSE_GAPS_H
 #define BOUNDARY_RECOVERY_3_PROGRAM_CLOSE_GAPS_H
 
+#include "distance_between.h"
 #include "divide_edges.h"
 #include "point_search.h"
 #include "triangle_soup.h"
@@ -9,7 +10,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 // Closes gaps along edges: where one triangle has an edge, and vertices are along it on the other side, as close as the
@@ -62,46 +62,40 @@ private:
     {
       search(m_soup.points[e.vertices.first], m_soup.points[e.vertices.second], m_tolerance, close);
       std::sort(close.begin(), close.end());
-      double longer_part = (std::numeric_limits<double>::infinity)(); // if it is short, there are few rounds
+      double longest = length(e.vertices.first, e.vertices.second); // Parts are shorter, so that there is an end.
       for(const std::size_t v : close)
-        if(v != e.opposite && is_along(v, e.vertices) && longer_part_at(v, e.vertices) < longer_part)
+      {
+        const double longer_part = (std::max)(length(e.vertices.first, v), length(v, e.vertices.second));
+        if(v != e.opposite && longer_part < longest && is_along(v, e.vertices))
         {
           middles[e.vertices] = v;
-          longer_part = longer_part_at(v, e.vertices);
+          longest = longer_part; // where it is short, there are few rounds
         }
+      }
     }
     return middles;
   }
 
-  // Whether a vertex is close to an edge, and closer to both ends than these are to each other; an edge that is not
-  // longer than the gap may be wide has no sides.
+  // Whether a vertex is close to an edge, beside it; an edge that is not longer than the gap may be wide has no sides.
   bool is_along(const std::size_t v, const Vertex_numbers& edge) const
   {
     const Point& p = m_soup.points[edge.first];
     const Point& q = m_soup.points[edge.second];
-    const Point& r = m_soup.points[v];
     const double size = (std::max)({ std::abs(q.x() - p.x()), std::abs(q.y() - p.y()), std::abs(q.z() - p.z()) });
-    if(! (size > 2 * m_tolerance && longer_part_at(v, edge) < distance(p, q)))
+    if(! (size > 2 * m_tolerance))
       return false;
     // in units of the edge no square is too large or too small
-    const Vector e = difference(p, q, size), w = difference(p, r, size);
+    const Vector e = difference(p, q, size), w = difference(p, m_soup.points[v], size);
     const double t = dot(w, e) / dot(e, e), gap = m_tolerance / size;
     const Vector off = {{ w[0] - t * e[0], w[1] - t * e[1], w[2] - t * e[2] }};
     return dot(off, off) <= gap * gap && t > 0 && t < 1;
   }
 
-  // The length of the longer part of an edge that is divided at a vertex.
-  double longer_part_at(const std::size_t v, const Vertex_numbers& edge) const
-  {
-    return (std::max)(distance(m_soup.points[edge.first], m_soup.points[v]),
-                      distance(m_soup.points[v], m_soup.points[edge.second]));
-  }
-
   // All comparisons take the length of an edge from here: if rounding errors made it differ, an edge could be shorter
   // than itself, and there would be no end.
-  static double distance(const Point& p, const Point& q)
+  double length(const std::size_t v, const std::size_t w) const
   {
-    return std::hypot(p.x() - q.x(), p.y() - q.y(), p.z() - q.z());
+    return distance_between(m_soup.points[v], m_soup.points[w]);
   }
 
   static Vector difference(const Point& p, const Point& q, const double unit)

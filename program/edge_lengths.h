@@ -1,12 +1,13 @@
 #ifndef BOUNDARY_RECOVERY_3_PROGRAM_EDGE_LENGTHS_H
 #define BOUNDARY_RECOVERY_3_PROGRAM_EDGE_LENGTHS_H
 
+#include "distance_between.h"
+
 #include <CGAL/Boundary_recovery_3/internal/quality/Measure_quality_3.h>
 
 #include <CGAL/Kernel/global_functions.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -72,8 +73,7 @@ Edge_lengths measure_edges(const Tr& tr, const Size& size)
             return;
           const auto& p = c->vertex(internal::edges_of_cell[k][0])->point();
           const auto& q = c->vertex(internal::edges_of_cell[k][1])->point();
-          const double length = std::hypot(p.x() - q.x(), p.y() - q.y(), p.z() - q.z());
-          lengths.add(length / size(CGAL::midpoint(p, q), 3, c->subdomain_index()));
+          lengths.add(distance_between(p, q) / size(CGAL::midpoint(p, q), 3, c->subdomain_index()));
         });
     return lengths;
   };

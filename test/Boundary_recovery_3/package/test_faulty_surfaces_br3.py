@@ -276,6 +276,18 @@ def test_fold_leaves_no_triangle():
     assert report['facets_that_bound_nothing'] == [] and report['number_of_facets_inside_regions'] == 0
 
 
+def test_resolving_noise_ends():
+    if not resolves_intersections():
+        return
+    # triangles between a few vertices, some of them nearly equal: rounded points make more and more intersections
+    generator = random.Random(19)
+    points = [tuple(10 * generator.randint(0, 3) + 1e-6 * generator.uniform(-1, 1) for _ in range(3)) for _ in range(9)]
+    faces = [tuple(generator.sample(range(9), 3)) for _ in range(80)]
+    changes = report_of(write('noise.off', off_text(points, faces)), '--repair', *MESH_ONLY,
+                        status=INVALID_INPUT)['repair']
+    assert 0 < changes['number_of_intersections_after'] < changes['number_of_intersections_before']
+
+
 # ---------------------------------------------------------------- fusion
 
 def test_fusion():
