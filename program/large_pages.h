@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <cstdlib>
 #include <system_error>
@@ -90,7 +91,8 @@ private:
     { }
   }
 
-  // Pages may be in use meanwhile; what is in them stays. Nothing happens before Linux 5.14.
+  // Pages may be in use meanwhile; what is in them stays. Threads that change the address space, as new ones do, wait
+  // for one page; without a pause, they would wait for several. Nothing happens before Linux 5.14.
   void fetch([[maybe_unused]] const std::uintptr_t begin, [[maybe_unused]] const std::size_t bytes) const
   {
 #ifdef MADV_POPULATE_WRITE
@@ -98,7 +100,8 @@ private:
     {
       return madvise(reinterpret_cast<void*>(begin + k * size), size, MADV_POPULATE_WRITE) == 0;
     };
-    for(std::size_t k = 0; k < bytes / size && ! m_is_over && fetch_page(k); ++k) { }
+    for(std::size_t k = 0; k < bytes / size && ! m_is_over && fetch_page(k); ++k)
+      std::this_thread::sleep_for(std::chrono::microseconds(100));
 #endif
   }
 
