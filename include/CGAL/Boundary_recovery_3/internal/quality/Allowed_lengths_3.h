@@ -168,7 +168,7 @@ private:
   template <typename Question>
   void spread_least(const Question& goes_on)
   {
-    spread([this](const Vertex_handle v) { return - m_of_constraints[v].least; },
+    spread([this](const Vertex_handle v) { return - of_constraints(v).least; },
            [this](const Vertex_handle v) { return - least(v); },
            [this](const Vertex_handle v, const double x) { m_of_constraints[v].least = -x; }, 0.5, goes_on);
   }
@@ -176,10 +176,10 @@ private:
   template <typename Question>
   void spread_largest(const Question& goes_on)
   {
-    spread([this](const Vertex_handle v) { return m_of_constraints[v].largest; },
+    spread([this](const Vertex_handle v) { return of_constraints(v).largest; },
            [this](const Vertex_handle v)
            {
-             return (std::max)(Length_rules::longest * size(v), m_of_constraints[v].largest);
+             return (std::max)(Length_rules::longest * size(v), of_constraints(v).largest);
            },
            [this](const Vertex_handle v, const double x) { m_of_constraints[v].largest = x; }, 1, goes_on);
   }
