@@ -175,7 +175,7 @@ private:
   static constexpr int max_number_of_rounds = 4;
   static constexpr std::size_t vertices_per_edge = 8;    // that is tried, where many cells have to be long
   static constexpr std::size_t least_number_of_edges = 8000;
-  static constexpr int max_number_of_steps = 100;
+  static constexpr int max_number_of_steps = 20;
   static constexpr std::size_t number_of_reports = 200;
 
   template <typename Look_at>

@@ -39,9 +39,9 @@ namespace CGAL::Boundary_recovery_3::internal {
 
 /*
  * Fills parts of a domain at the same time. Borders are filled first: the domain is cut into halves, these into
- * quarters, and so on, and before each cut, the cells that it will go through are made as small as all cells are to be.
- * Thus borders hardly ever hinder the points of the parts. Points that would change something beyond a border are put
- * off to another round with other borders; what is left is done by one thread.
+ * quarters, and so on, and before each cut, the cells at that place are made as small as all cells are to be. Thus
+ * borders hardly ever hinder the points of the parts. Points that would change something beyond a border are put off to
+ * another round with other borders; what is left is done by one thread.
  */
 template <typename Tr>
 class Fill_parts_3
@@ -83,6 +83,7 @@ private:
   // See "Tuning constants" in the manual.
   static constexpr double least_share = 0.15;  // of cells that wait in the number of vertices
   static constexpr double likely_growth = 0.2; // of sizes
+  static constexpr double nearly_cut = 0.25;   // as far from a cut, in the width of a cell
   static constexpr std::size_t pieces_per_part = 500; // of which each is added to the work as a whole
   static constexpr double points_per_piece = 0.1; // at least
 
@@ -255,11 +256,13 @@ private:
     }
   }
 
+  // Or nearly cut: then points of the cell would change something beyond the cut.
   static bool is_cut(const Cut& cut, const Corners& corners)
   {
-    const bool is_first_before = cut.is_before(corners[0]);
-    return cut.is_before(corners[1]) != is_first_before || cut.is_before(corners[2]) != is_first_before
-        || cut.is_before(corners[3]) != is_first_before;
+    const auto [first, last] = std::minmax({ cut.place_of(corners[0]), cut.place_of(corners[1]),
+                                             cut.place_of(corners[2]), cut.place_of(corners[3]) });
+    const double distance = nearly_cut * (last - first);
+    return first - distance < cut.place && last + distance >= cut.place;
   }
 
   static bool is_cut(const Cut& cut, const Cell_handle c) { return is_cut(cut, internal::corners(c)); }

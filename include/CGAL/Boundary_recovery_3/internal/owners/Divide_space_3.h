@@ -47,7 +47,8 @@ public:
     double        place = 0;
     Part_number   second_half = 0; // the first one has the number of the part
 
-    bool is_before(const Coordinates_3& p) const { return dot_product(normal, p) < place; }
+    double place_of(const Coordinates_3& p) const { return dot_product(normal, p); }
+    bool is_before(const Coordinates_3& p) const { return place_of(p) < place; }
   };
 
   // Into parts with the work of one of `number` equal ones. If a round is shifted, there is one more: the first and the
