@@ -354,18 +354,10 @@ void test_border()
   scene.check();
 }
 
-// Those below 25 degrees.
-std::size_t number_of_bad_cells(const CGAL::Boundary_recovery_3::Mesh_quality_3& quality)
-{
-  return std::accumulate(quality.histogram.begin(), quality.histogram.begin() + 5, std::size_t(0));
-}
-
 void test_threads()
 {
   Scene undivided;
-  assert(undivided.fill());
-  const auto improvement_of_undivided = undivided.improve();
-  assert(improvement_of_undivided);
+  assert(undivided.fill() && undivided.improve());
   undivided.check();
   std::vector<K::Point_3> first;
   for(const std::size_t number_of_threads : { 1, 2, 3, 8 })
@@ -381,7 +373,6 @@ void test_threads()
     assert(improvement);
     scene.check();
     assert(improvement.counts.number_of_moved_vertices > 0);
-    assert(number_of_bad_cells(improvement.after) <= number_of_bad_cells(improvement_of_undivided.after) + 2);
     const double cells = double(scene.visitor.cells.size()), expected = double(undivided.visitor.cells.size());
     assert(std::abs(cells - expected) < 0.05 * expected);
     const auto measured = internal::Measure_quality_3<Tr>(scene.tr, internal::Selected_domain_3<Tr>(scene.tr))(
@@ -395,6 +386,28 @@ void test_threads()
       first = scene.portrait();
     assert(scene.portrait() == first);
   }
+}
+
+// Those below 25 degrees.
+std::size_t number_of_bad_cells(const CGAL::Boundary_recovery_3::Mesh_quality_3& quality)
+{
+  return std::accumulate(quality.histogram.begin(), quality.histogram.begin() + 5, std::size_t(0));
+}
+
+// They are few, and how many there are in one mesh is chance, so those of several meshes are counted together.
+void test_bad_cells()
+{
+  std::size_t number_undivided = 0, number_in_parts = 0;
+  for(const double h : { 0.084, 0.087, 0.09, 0.093, 0.096 })
+  {
+    Scene undivided, in_parts;
+    in_parts.set_threads(2);
+    assert(undivided.fill(h) && in_parts.fill(h));
+    number_undivided += number_of_bad_cells(undivided.improve().after);
+    number_in_parts += number_of_bad_cells(in_parts.improve().after);
+  }
+  assert(number_undivided > 0);
+  assert(number_in_parts <= number_undivided);
 }
 
 // Somebody throws at one of the changes, in whichever thread that is.
@@ -491,6 +504,7 @@ int main(const int number_of_arguments, const char* const* const arguments)
   test_division();
   test_border();
   test_threads();
+  test_bad_cells();
   test_exceptions();
   test_stops();
   test_limit();
