@@ -30,6 +30,7 @@ class Large_pages
   static constexpr std::size_t size = std::size_t(1) << 21;
   static constexpr double most_bytes = 1e14;   // that there are addresses for
   static constexpr double fetched_share = 0.8; // of what is expected to be used
+  static constexpr std::chrono::microseconds pause{ 100 }; // after each page that is fetched
 
   const bool m_are_fetched;
   std::atomic<bool> m_is_over{ false };
@@ -101,7 +102,7 @@ private:
       return madvise(reinterpret_cast<void*>(begin + k * size), size, MADV_POPULATE_WRITE) == 0;
     };
     for(std::size_t k = 0; k < bytes / size && ! m_is_over && fetch_page(k); ++k)
-      std::this_thread::sleep_for(std::chrono::microseconds(100));
+      std::this_thread::sleep_for(pause);
 #endif
   }
 

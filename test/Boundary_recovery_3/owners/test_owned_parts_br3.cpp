@@ -398,7 +398,7 @@ std::size_t number_of_bad_cells(const CGAL::Boundary_recovery_3::Mesh_quality_3&
 void test_bad_cells()
 {
   std::size_t number_undivided = 0, number_in_parts = 0;
-  for(const double h : { 0.084, 0.087, 0.09, 0.093, 0.096 })
+  for(const double h : { 0.087, 0.09, 0.093, 0.096 })
   {
     Scene undivided, in_parts;
     in_parts.set_threads(2);

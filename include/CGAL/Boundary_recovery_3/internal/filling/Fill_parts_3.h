@@ -83,7 +83,7 @@ private:
   // See "Tuning constants" in the manual.
   static constexpr double least_share = 0.15;  // of cells that wait in the number of vertices
   static constexpr double likely_growth = 0.2; // of sizes
-  static constexpr double nearly_cut = 0.25;   // as far from a cut, in the width of a cell
+  static constexpr double nearly_cut = 0.25;   // distance from a cut, in the width of a cell
   static constexpr std::size_t pieces_per_part = 500; // of which each is added to the work as a whole
   static constexpr double points_per_piece = 0.1; // at least
 
@@ -99,8 +99,8 @@ private:
     Fill_domain fill;
   };
 
-  // The cells that are to be looked at, by the first cut of a tree that goes through them: for each depth those of the
-  // parts there, and at last those that are not cut.
+  // The cells that are to be looked at, by the first cut of a tree that they are at: for each depth those of the
+  // parts there, and at last those that are at none.
   class Waiting_cells
   {
   public:
@@ -119,7 +119,7 @@ private:
                           Concurrency_tag_of<Tr>());
     }
 
-    // Those that are still there, in this domain, and only cut at a larger depth.
+    // Those that are still there, in this domain, and only at cuts of a larger depth.
     void add(const Cells& cells, const Fill_domain& fill, const Domain& domain, const int depth)
     {
       for(const Cell_handle c : cells)
@@ -138,7 +138,7 @@ private:
       Part_number part = 1;
       int depth = 0;
       const Cut* cut = m_divide.cut_of(part, depth);
-      while(cut != nullptr && ! is_cut(*cut, c))
+      while(cut != nullptr && ! is_at_cut(*cut, c))
       {
         part = is_before(*cut, c) ? part : cut->second_half;
         cut = m_divide.cut_of(part, ++depth);
@@ -170,8 +170,8 @@ private:
         const Cut* const cut = divide.cut_of(static_cast<Part_number>(k + 1), depth);
         if(cut == nullptr)
           return task.fill.fill(cells[depth][k]);
-        const auto is_at_cut = [cut](const Cell_handle c) { return is_cut(*cut, c); };
-        cells.add(task.fill.fill(cells[depth][k], is_at_cut), task.fill, parts[k].domain(), depth);
+        const auto concerns = [cut](const Cell_handle c) { return is_at_cut(*cut, c); };
+        cells.add(task.fill.fill(cells[depth][k], concerns), task.fill, parts[k].domain(), depth);
       });
     }
   }
@@ -196,19 +196,19 @@ private:
   void fill_first_cut(const Cut& cut, Waiting_cells& waiting)
   {
     std::vector<Cells> cells = { std::exchange(waiting[0].front(), Cells()), Cells() };
-    const Divide_space_3 divide = divided_space(cells[0], 2, [&](const Corners& p) { return is_cut(cut, p); });
+    const Divide_space_3 divide = divided_space(cells[0], 2, [&](const Corners& p) { return is_at_cut(cut, p); });
     const Cut& border = *divide.cut_of(1, 0);
     const auto fill = [&](const int depth, const auto& concerns)
     {
       Parts parts(m_tr, m_domain, divide, depth);
       work_on(parts, cells, [&](Task& task, const std::size_t k) { cells[k] = task.fill.fill(cells[k], concerns); });
     };
-    fill(0, [&](const Cell_handle c) { return is_cut(cut, c) && is_cut(border, c); });
+    fill(0, [&](const Cell_handle c) { return is_at_cut(cut, c) && is_at_cut(border, c); });
     Cells left;
     for(const Cell_handle c : std::exchange(cells[0], Cells()))
       if(m_fill.is_there(c))
-        (is_cut(border, c) ? left : cells[is_before(border, c) ? 0 : 1]).push_back(c);
-    fill(1, [&](const Cell_handle c) { return is_cut(cut, c); });
+        (is_at_cut(border, c) ? left : cells[is_before(border, c) ? 0 : 1]).push_back(c);
+    fill(1, [&](const Cell_handle c) { return is_at_cut(cut, c); });
     waiting.add(left, m_fill, m_domain, 0);
     waiting.add(cells[0], m_fill, m_domain, 0);
     waiting.add(cells[1], m_fill, m_domain, 0);
@@ -256,8 +256,8 @@ private:
     }
   }
 
-  // Or nearly cut: then points of the cell would change something beyond the cut.
-  static bool is_cut(const Cut& cut, const Corners& corners)
+  // Whether the cut goes through the cell, or passes so near that its points would change something beyond it.
+  static bool is_at_cut(const Cut& cut, const Corners& corners)
   {
     const auto [first, last] = std::minmax({ cut.place_of(corners[0]), cut.place_of(corners[1]),
                                              cut.place_of(corners[2]), cut.place_of(corners[3]) });
@@ -265,9 +265,9 @@ private:
     return first - distance < cut.place && last + distance >= cut.place;
   }
 
-  static bool is_cut(const Cut& cut, const Cell_handle c) { return is_cut(cut, internal::corners(c)); }
+  static bool is_at_cut(const Cut& cut, const Cell_handle c) { return is_at_cut(cut, internal::corners(c)); }
 
-  // If it is not cut.
+  // If it is not at the cut.
   static bool is_before(const Cut& cut, const Cell_handle c)
   {
     return cut.is_before(internal::coordinates_of(c->vertex(0)->point()));

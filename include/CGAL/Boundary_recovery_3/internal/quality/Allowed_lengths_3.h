@@ -224,7 +224,7 @@ private:
 
   const Tr& m_tr;
   std::vector<Vertex_handle> m_constrained_vertices; // until all is known
-  Unique_hash_map<Vertex_handle, Range> m_of_constraints; // for looking up only
+  Unique_hash_map<Vertex_handle, Range> m_of_constraints; // for looking up only; [] adds what is not there
   const Allowed_lengths_3* m_whole = nullptr; // where this is about a part of a mesh
 };
 
