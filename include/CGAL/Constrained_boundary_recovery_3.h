@@ -238,8 +238,8 @@ public:
   /// \pre no Steiner point is on a constraint.
   void recover_planar_edges(const Mode mode = Mode::constrained) { m_points.recover_planar_edges(mode); }
 
-  /// removes edges and facets that cross lost edges, by complete removals of single shells: the cases that need neither
-  /// quality nor recursion.
+  /// removes edges and facets that cross lost edges, by cells from an end of the lost edge, or by complete removals of
+  /// single shells: the cases that need neither quality nor recursion.
   void remove_without_recursion() { flips().remove_without_recursion(); }
 
   /// is the first calling of [CZZ+17, Alg.\ 5]: under BRC1, with the vector [Q', Q'', Q_1].
@@ -342,7 +342,8 @@ public:
   /// points of `recover_planar_edges()`.
   std::size_t number_of_steiner_points() const { return m_ledger.number_of_free_points(); }
 
-  /// returns the number of replacements of cells by flips and reconnections, with replacements that were taken back.
+  /// returns the number of replacements of cells by flips, stars and reconnections, with replacements that were taken
+  /// back.
   std::size_t number_of_transformations() const { return m_state.number_of_transformations; }
   /// @}
 

@@ -168,8 +168,8 @@ struct Boundary_recovery_result_3
                                                ///< phase `planar_edge_recovery` in all modes; points that were removed
                                                ///< later count
   std::size_t number_of_inserted_vertices = 0; ///< number of input points that were not in the triangulation before
-  std::size_t number_of_shell_transformations = 0; ///< number of replacements of cells by flips and reconnections, with
-                                                   ///< replacements that were taken back
+  std::size_t number_of_shell_transformations = 0; ///< number of replacements of cells by flips, stars and
+                                                   ///< reconnections, with those that were taken back
 
   std::vector<Phase_report> phases;           ///< one entry for each run of a phase. Phases with Steiner points run
                                               ///< again if other points have to be tried, up to six times

@@ -112,7 +112,7 @@ enum class Phase
   search,                     ///< the constraints that the triangulation lacks are searched
   planar_edge_recovery,       ///< lost edges that cross many mesh edges in a plane are recovered by Steiner points
                               ///< close to the plane, which are removed again where possible
-  plain_removal,              ///< complete removals of single shells, without recursion
+  plain_removal,              ///< stars of ends, and complete removals of single shells
   edge_recovery_brc1,         ///< first calling of [CZZ+17, Alg.\ 5]: lost edges, under BRC1
   edge_recovery_brc3,         ///< second calling of [CZZ+17, Alg.\ 5]: intersections of lost edges, under BRC3
   edge_reconnection,          ///< small polyhedron reconnection of the cells around each lost edge

@@ -26,6 +26,7 @@
 #include <CGAL/Boundary_recovery_3/internal/lost/Recovery_state_3.h>
 #include <CGAL/Boundary_recovery_3/internal/lost/Recursive_recovery_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_editor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Mesh_visitor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
@@ -157,7 +158,8 @@ void test_single_constraints(Scene& scene)
   typedef BR::Worst_element_quality_3<Tr> Quality;
   CGAL::Shell_transformation_3<Tr, Quality, Validity, Stopping_visitor>
     transformation(scene.tr, Quality(scene.tr), scene.visitor, scene.predicates);
-  internal::Recover_constraint_3<Tr, N> recover(scene.tr, scene.predicates);
+  internal::Mesh_editor_3<Tr> editor(scene.tr, scene.context.visitor());
+  internal::Recover_constraint_3<Tr, N> recover(editor, scene.predicates, scene.constraints);
   for(const std::size_t i : scene.treatable<N>())
   {
     const auto& c = scene.all<N>()[i];

@@ -12,6 +12,7 @@
 #include <CGAL/Boundary_recovery_3/internal/cavity/Cavity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
+#include <CGAL/Boundary_recovery_3/internal/operations/Extend_star_3.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/Move_into_kernel_3.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/Remove_vertex_3.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/split_simplex.h>
@@ -46,7 +47,7 @@ public:
   // Makes at most one change, and checks it. An interruption is handed on.
   void operator()()
   {
-    switch(random_int(rng, 8))
+    switch(random_int(rng, 10))
     {
       case 0: split_edge(); break;
       case 1: split_facet(); break;
@@ -55,6 +56,7 @@ public:
       case 5: remove_vertex(); break;
       case 6: remove_vertex_with_layer(); break;
       case 7: move_vertex(); break;
+      case 8: case 9: extend_star(); break;
     }
   }
 
@@ -385,6 +387,88 @@ private:
       internal::star_cavity(m.editor, cavity, v);
     });
     return true;
+  }
+
+  // Over a few cells, from a vertex of theirs, or of a cell next to them; or over its own star and a cell next to that.
+  void extend_star()
+  {
+    Vertex_handle v = random_vertex();
+    Cells seeds = star(v);
+    if(random_int(rng, 4) == 0 && ! m.is_any_infinite(seeds))
+    {
+      const Cell_handle next = seeds.front()->neighbor(seeds.front()->index(v));
+      if(! m.tr.is_infinite(next))
+        seeds.push_back(next);
+    }
+    else
+    {
+      seeds = random_cells(1 + random_int(rng, 3));
+      Vertices near;
+      for(const Cell_handle c : { seeds.back(), seeds.back()->neighbor(random_int(rng, 4)) })
+        for(const Vertex_handle w : Mesh::tetrahedron(c))
+          if(! m.tr.is_infinite(w))
+            near.push_back(w);
+      v = random_item(near, rng);
+    }
+    internal::Extend_star_3<Tr, Constraints> extend(m.editor, m.predicates, m.constraints);
+    Cells cells = seeds;
+    const bool is_barred = ! add_hiding_cells(cells, v);
+    const Surroundings<Mesh> around(m, cells, v);
+    Tetrahedra tetrahedra;
+    for(const Tetrahedron& t : around.star)
+      if(std::count(t.begin(), t.end(), v) == 1) // no face at v
+        tetrahedra.push_back(t);
+    const bool is_any_lost = ! is_barred && is_any_simplex_lost(around, tetrahedra);
+    if(is_barred || is_any_lost)
+    {
+      ++number_of[is_barred ? "star not extended through a barrier" : "star not extended over a constraint or vertex"];
+      assert(! extend(seeds, v) && extend.number_of_replacements() == 0);
+      assert(m.are_all_constraints_there());
+      return;
+    }
+    ++number_of[around.inner_vertices.empty() ? "star extended from the boundary" : "star extended from inside"];
+    number_of["star extended on the hull"] += m.is_any_infinite(star(v));
+    number_of["star extended over hiding cells"] += cells.size() > seeds.size();
+    Expected_change<Mesh>(m, cells, tetrahedra).make([&]
+    {
+      const bool is_extended = extend(seeds, v);
+      assert(is_extended && extend.number_of_replacements() == 1 && extend.number_of_cells() == cells.size());
+    });
+    forget();
+  }
+
+  // Cells beyond faces that v does not see. Returns false if a constrained facet or the hull is in the way.
+  bool add_hiding_cells(Cells& cells, const Vertex_handle v) const
+  {
+    for(std::size_t k = 0; k < cells.size(); ++k)
+      for(int i = 0; i < 4; ++i)
+      {
+        const Cell_handle c = cells[k], n = c->neighbor(i);
+        const Simplex face = without(Mesh::vertices_of(c), c->vertex(i));
+        if(std::count(cells.begin(), cells.end(), n) > 0 || face.count(v) == 1
+           || m.are_positive({ Mesh::with_exchanged(c, c->vertex(i), v) }))
+          continue;
+        if(m.tr.is_infinite(n) || m.constraints.simplices.count(face) == 1)
+          return false;
+        cells.push_back(n);
+      }
+    return true;
+  }
+
+  // Whether a constraint or a vertex of the cells would be gone.
+  bool is_any_simplex_lost(const Surroundings<Mesh>& around, const Tetrahedra& tetrahedra) const
+  {
+    std::set<Simplex> simplices = m.constraints.simplices;
+    for(const Cell_handle c : around.cells)
+      for(const Vertex_handle w : Mesh::tetrahedron(c))
+        simplices.insert(Simplex{ w });
+    return std::any_of(simplices.begin(), simplices.end(), [&](const Simplex& s)
+    {
+      return around.is_inside(s) && std::none_of(tetrahedra.begin(), tetrahedra.end(), [&](const Tetrahedron& t)
+      {
+        return Mesh::is_face(s, Simplex(t.begin(), t.end()));
+      });
+    });
   }
 
   internal::Remove_vertex_3<Tr, Constraints> m_remove;

@@ -145,7 +145,25 @@ public:
   }
 
   // Whether an edge or a facet is constrained that is not on the boundary.
-  bool has_constraint_inside() { return has_constrained_facet_inside() || has_constrained_edge_inside(); }
+  bool has_constraint_inside() { return has_constraint_inside_beside(Vertex_handle()); }
+
+  // The same without the edges and facets at v that stay if the cavity is starred from v: those of which the vertex or
+  // the edge opposite to v is on the boundary. (A vertex that is not is lost anyway.)
+  bool has_constraint_inside_beside(const Vertex_handle v)
+  {
+    m_outer_edges.clear();
+    for(const Boundary_face& f : boundary())
+      for(int k = 0; k < 3; ++k)
+        m_outer_edges.insert({{ f.face[k], f.face[(k + 1) % 3] }});
+    const auto is_inside = [this](const Vertex_handle p, const Vertex_handle q)
+    {
+      return m_outer_edges[{{ p, q }}] == m_outer_edges.none;
+    };
+    return std::any_of(m_cells.begin(), m_cells.end(), [&](const Cell_handle c)
+    {
+      return this->has_constrained_edge(c, v, is_inside) || this->has_constrained_facet_inside(c, v, is_inside);
+    });
+  }
 
   // The faces, seen from inside, and the vertices inside. Returns false if there is a constraint inside, or a vertex
   // that is none of the `points`.
@@ -206,31 +224,32 @@ private:
     return { internal::facet_vertices(c, i), is_closed(c, i) ? Vertex_handle() : n->vertex(n->index(c)), c, n };
   }
 
-  bool has_constrained_facet_inside() const
+  template <typename Is_inside>
+  bool has_constrained_edge(const Cell_handle c, const Vertex_handle v, const Is_inside& is_inside) const
   {
-    return std::any_of(m_cells.begin(), m_cells.end(), [this](const Cell_handle c)
-    {
-      for(int i = 0; i < 4; ++i)
-        if(this->contains(c->neighbor(i)) && this->is_constrained(internal::facet_vertices(c, i)))
+    for(int i = 0; i < 4; ++i)
+      for(int j = 0; j < i; ++j)
+      {
+        const Vertex_handle p = c->vertex(i), q = c->vertex(j);
+        if(p != v && q != v && is_inside(p, q) && m_constraints.is_constrained(p, q))
           return true;
-      return false;
-    });
+      }
+    return false;
   }
 
-  bool has_constrained_edge_inside()
+  template <typename Is_inside>
+  bool has_constrained_facet_inside(const Cell_handle c, const Vertex_handle v, const Is_inside& is_inside) const
   {
-    Simplex_index_3<Vertex_handle, 2> edges; // of the faces
-    for(const Boundary_face& f : boundary())
-      for(int k = 0; k < 3; ++k)
-        edges.insert({{ f.face[k], f.face[(k + 1) % 3] }});
-    for(const Cell_handle c : m_cells)
-      for(int i = 0; i < 4; ++i)
-        for(int j = 0; j < i; ++j)
-        {
-          const Vertex_handle u = c->vertex(i), v = c->vertex(j);
-          if(m_constraints.is_constrained(u, v) && edges[{{ u, v }}] == edges.none)
-            return true;
-        }
+    for(int i = 0; i < 4; ++i)
+    {
+      const Vertex_triple f = internal::facet_vertices(c, i);
+      if(! contains(c->neighbor(i)) || ! is_constrained(f))
+        continue;
+      const auto at_v = std::find(f.begin(), f.end(), v);
+      const std::size_t k = static_cast<std::size_t>(at_v - f.begin());
+      if(at_v == f.end() || is_inside(f[(k + 1) % 3], f[(k + 2) % 3]))
+        return true;
+    }
     return false;
   }
 
@@ -244,6 +263,7 @@ private:
   std::size_t m_number_of_cells_with_vertices = 0; // of which the vertices are known; the first ones
   std::vector<Boundary_face> m_boundary;
   std::size_t m_number_of_cells_with_boundary = 0; // of which the faces of the boundary are
+  Simplex_index_3<Vertex_handle, 2> m_outer_edges; // while it is asked for constraints inside; keeps its memory
 };
 
 /*
@@ -272,8 +292,8 @@ void add_layer(Cavity& cavity, const std::size_t max_number_of_vertices = (std::
         cavity.add(c->neighbor(i));
 }
 
-// Adds the cells behind the faces that v does not see from inside, until it sees all. Returns false if a constraint or
-// the hull is in the way, or if there would be more cells than allowed.
+// Adds the cells behind the faces that v does not see from inside, until it sees all but those that have it as a
+// vertex. Returns false if a constraint or the hull is in the way, or if there would be more cells than allowed.
 template <typename Cavity, typename Predicates>
 bool grow_until_seen(Cavity& cavity, const typename Cavity::Vertex_handle v, const Predicates& predicates,
                      const std::size_t max_number_of_cells)
@@ -283,7 +303,8 @@ bool grow_until_seen(Cavity& cavity, const typename Cavity::Vertex_handle v, con
     {
       const auto c = cavity.cells()[k];
       const auto f = internal::facet_vertices(c, i);
-      if(cavity.contains(c->neighbor(i)) || predicates.orientation(f[0], f[1], f[2], v) == POSITIVE)
+      if(cavity.contains(c->neighbor(i)) || internal::contains(f, v)
+         || predicates.orientation(f[0], f[1], f[2], v) == POSITIVE)
         continue;
       if(cavity.is_closed(c, i) || cavity.cells().size() >= max_number_of_cells)
         return false;

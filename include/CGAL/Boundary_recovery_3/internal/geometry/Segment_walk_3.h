@@ -40,6 +40,20 @@ struct Crossing_3
   typename Tr::Cell_handle cell;
 };
 
+// Appends the cells at the crossed edge or facet.
+template <typename Tr>
+void append_cells_at(const Tr& tr, const Crossing_3<Tr>& crossing, std::vector<typename Tr::Cell_handle>& cells)
+{
+  const typename Tr::Cell_handle c = crossing.cell;
+  if(crossing.dimension == 1)
+  {
+    const Shell_3<Tr> shell(tr, c, c->index(crossing.vertices[0]), c->index(crossing.vertices[1]));
+    cells.insert(cells.end(), shell.cells().begin(), shell.cells().end());
+  }
+  else
+    cells.insert(cells.end(), { c, c->neighbor(internal::index_of_opposite_vertex(c, crossing.vertices)) });
+}
+
 // A place in the shell of an edge ab: the interior of the facet a b p_i, or of the cell a b p_i p_next(i).
 struct Shell_wedge
 {

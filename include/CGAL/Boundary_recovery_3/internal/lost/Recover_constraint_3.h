@@ -15,7 +15,10 @@
 #include <CGAL/Boundary_recovery_3/internal/geometry/Facet_walk_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Segment_walk_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_editor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
+#include <CGAL/Boundary_recovery_3/internal/operations/Extend_star_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
 
 #include <algorithm>
@@ -34,8 +37,12 @@ namespace CGAL::Boundary_recovery_3::internal {
  * Of those that cross an edge, only the first and the last are tried: in a planar fan no other can be flipped away, and
  * elsewhere attempts in the middle make more mess than progress, see "Tuning constants" in the manual. Those that
  * pierce a facet have no order; all are tried.
+ *
+ * What crosses an edge next to one of its ends is removed by cells from this end, if it sees all around. That takes a
+ * hundredth of the time of recursion, which is for what is left: where other constraints are in the way, or hide
+ * something. All new simplices are at an end of the edge, so none crosses it.
  */
-template <typename Tr, std::size_t N>
+template <typename Tr, std::size_t N, typename Constraints = Constraints_3<Tr> >
 class Recover_constraint_3
 {
 public:
@@ -51,11 +58,15 @@ public:
   // Bound on the shells that one call visits, unless another one is set.
   static constexpr std::size_t default_max_number_of_shells = 256;
 
-  Recover_constraint_3(const Tr& tr, const Predicates& predicates) : m_walk(tr, predicates) { }
+  // Edges and facets of `constraints` that are in the mesh are kept. All arguments have to outlive this object.
+  Recover_constraint_3(Mesh_editor_3<Tr>& editor, const Predicates& predicates, const Constraints& constraints)
+    : m_tr(editor.triangulation()), m_walk(m_tr, predicates), m_extend_star(editor, predicates, constraints)
+  { }
 
   void set_max_number_of_shells(const std::size_t n) { m_max_number_of_shells = n; }
 
-  // Returns whether the constraint is in the mesh in the end. The shell transformations obey `validity`.
+  // Returns whether the constraint is in the mesh in the end. The shell transformations obey `validity`, which has to
+  // keep the constraints.
   template <typename Shell_transformation, typename Context>
   bool operator()(Shell_transformation& st, const Constraint& constraint,
                   const typename Shell_transformation::Validity& validity, const int l_max, Context& context)
@@ -81,7 +92,7 @@ public:
         fewest = m_walk.crossings().size();
         m_tried.clear();
       }
-      if(! try_crossings(st, validity, l_max))
+      if(! star_from_ends(constraint) && ! try_crossings(st, validity, l_max))
         return false;
     }
     return false;
@@ -97,9 +108,12 @@ public:
   // Those that were collected last: after a call that failed, what was left then.
   const std::vector<Crossing>& crossings() const { return m_walk.crossings(); }
 
-  // The crossings that were collected so far, those that were collected again included: with the shells, a measure of
-  // the work.
+  // The crossings that were collected so far, those that were collected again included, and the cells of the stars:
+  // with the shells, a measure of the work.
   std::size_t number_of_crossings() const { return m_number_of_crossings; }
+
+  // The stars of ends of edges that were extended so far: changes of the mesh beside the shell transformations.
+  std::size_t number_of_stars() const { return m_extend_star.number_of_replacements(); }
 
   // Whether the recursion level or the bound on shells ended some removal in the last call.
   bool was_cut_off() const { return m_was_cut_off; }
@@ -112,6 +126,23 @@ private:
     const typename Walk::Outcome outcome = m_walk(constraint);
     m_number_of_crossings += m_walk.crossings().size();
     return outcome;
+  }
+
+  // Takes away the first or the last crossing of an edge, or more of them, by cells from the end next to it. Returns
+  // whether that was possible; then there are fewer.
+  bool star_from_ends(const Constraint& constraint)
+  {
+    return N == 2 && (star(m_walk.crossings().front(), constraint.front())
+                      || star(m_walk.crossings().back(), constraint.back()));
+  }
+
+  bool star(const Crossing& crossing, const Vertex_handle v)
+  {
+    m_cells.clear();
+    internal::append_cells_at(m_tr, crossing, m_cells);
+    const bool is_done = m_extend_star(m_cells, v);
+    m_number_of_crossings += m_extend_star.number_of_cells();
+    return is_done;
   }
 
   // Returns whether the mesh changed, so that the crossings have to be collected again.
@@ -156,7 +187,10 @@ private:
   // Entities tried between two decreases of the number of crossings.
   static constexpr std::size_t max_number_of_attempts = N == 2 ? 8 : std::size_t(-1);
 
+  const Tr& m_tr;
   Walk m_walk;
+  Extend_star_3<Tr, Constraints> m_extend_star;
+  std::vector<Cell_handle> m_cells;
   std::vector<Entity> m_tried;
   std::size_t m_max_number_of_shells = default_max_number_of_shells;
   bool m_was_cut_off = false;

@@ -13,7 +13,6 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/Boundary_recovery_result_3.h>
-#include <CGAL/Boundary_recovery_3/Shell_3.h>
 #include <CGAL/Boundary_recovery_3/internal/cavity/Cavity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/cavity/Small_polyhedron_reconnection_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Facet_walk_3.h>
@@ -23,7 +22,6 @@
 #include <CGAL/Boundary_recovery_3/internal/lost/Recursive_recovery_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Replace_cells.h>
-#include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
 
 #include <algorithm>
 #include <array>
@@ -70,10 +68,8 @@ public:
     if(outcome != Walk::CROSSED)
       return outcome == Walk::IS_EDGE;
     m_cavity.clear();
-    for(const typename Walk::Crossing& crossing : m_segment_walk.crossings())
-      if(! (crossing.dimension == 1 ? add_shell(crossing.cell, crossing.vertices[0], crossing.vertices[1])
-                                    : add_both_cells(crossing.cell, crossing.vertices)))
-        return false;
+    if(! add_cells_at(m_segment_walk.crossings()))
+      return false;
     return reconnect(std::vector<Vertex_pair>(1, e), std::vector<Vertex_triple>(), failed);
   }
 
@@ -89,9 +85,8 @@ public:
     if(outcome != Walk::CROSSED)
       return outcome == Walk::IS_FACET;
     m_cavity.clear();
-    for(const typename Walk::Crossing& crossing : m_facet_walk.crossings())
-      if(! add_shell(crossing.cell, crossing.vertices[0], crossing.vertices[1]))
-        return false;
+    if(! add_cells_at(m_facet_walk.crossings()))
+      return false;
     return reconnect(std::vector<Vertex_pair>(), std::vector<Vertex_triple>(1, f), failed);
   }
 
@@ -99,16 +94,12 @@ public:
 
 private:
   // Returns false if one of the cells is infinite: then the hull would have to change.
-  bool add_shell(const Cell_handle c, const Vertex_handle a, const Vertex_handle b)
+  bool add_cells_at(const std::vector<Crossing_3<Tr> >& crossings)
   {
-    const Shell_3<Tr> shell(m_tr, c, c->index(a), c->index(b));
-    return std::all_of(shell.cells().begin(), shell.cells().end(),
-                       [this](const Cell_handle cell) { return m_cavity.add(cell); });
-  }
-
-  bool add_both_cells(const Cell_handle c, const Vertex_triple& f)
-  {
-    return m_cavity.add(c) && m_cavity.add(c->neighbor(internal::index_of_opposite_vertex(c, f)));
+    m_cells.clear();
+    for(const Crossing_3<Tr>& crossing : crossings)
+      internal::append_cells_at(m_tr, crossing, m_cells);
+    return std::all_of(m_cells.begin(), m_cells.end(), [this](const Cell_handle c) { return m_cavity.add(c); });
   }
 
   bool reconnect(const std::vector<Vertex_pair>& edges, const std::vector<Vertex_triple>& facets, Vertices& failed)
@@ -145,6 +136,7 @@ private:
   Reconnection m_reconnection;
   Replace_cells<Tr> m_replacement;
   Cavity_3<Tr, Constraints> m_cavity;
+  std::vector<Cell_handle> m_cells;
   std::size_t m_number_of_replacements = 0;
 };
 

@@ -68,7 +68,7 @@ struct Recovery_state_3
   Lost_constraints lost;
   std::vector<Phase_report> phases;
   std::vector<Recursion_level_report> levels;
-  std::size_t number_of_transformations = 0; // replacements of cells by flips and reconnections
+  std::size_t number_of_transformations = 0; // replacements of cells by flips, stars and reconnections
 
 private:
   Constraint_search_3<Tr> m_search;

@@ -19,6 +19,7 @@
 #include <CGAL/Boundary_recovery_3/internal/geometry/sort_in_space.h>
 #include <CGAL/Boundary_recovery_3/internal/lost/Recover_constraint_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
+#include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_editor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
 #include <CGAL/Shell_transformation_3.h>
@@ -179,13 +180,14 @@ public:
   // `lost` is in increasing order. All arguments have to outlive this object.
   Recursive_recovery_3(Tr& tr, const Predicates& predicates, const Constraints& constraints, Context& context,
                        std::vector<std::size_t>& lost, std::vector<Report>& levels)
-    : m_tr(tr), m_constraints(constraints), m_context(context), m_recover(tr, predicates), m_lost(lost),
-      m_levels(levels), m_target_validity{ tr, constraints }
+    : m_tr(tr), m_constraints(constraints), m_context(context), m_editor(tr, context.visitor()),
+      m_recover(m_editor, predicates, constraints), m_lost(lost), m_levels(levels), m_target_validity{ tr, constraints }
   { }
 
-  // These three return the number of covering meshes that were replaced.
+  // These three return the number of replacements: of covering meshes, and of cavities around crossings.
 
-  // Passes without recursion, which try to remove each crossing edge or facet by a single shell transformation. They go
+  // Passes without recursion, which try to remove each crossing edge or facet by cells from an end of the lost edge, or
+  // by a single shell transformation. They go
   // on as long as a pass at least halves the number of lost constraints: the others need recursion, and more passes
   // would change the mesh without much use, see "Tuning constants" in the manual.
   std::size_t remove_without_recursion(const Phase phase)
@@ -199,7 +201,7 @@ public:
       sort_lost([](const auto& /* crossings */) { });
       pass(phase, st, m_target_validity, 0);
     }
-    return st.number_of_transformations();
+    return number_of_replacements(st);
   }
 
   // The first calling of Alg. 5: under BRC1 or BRC2, with the vector [Q', Q'', Q_1].
@@ -212,7 +214,7 @@ public:
     {
       pass(phase, st, m_target_validity, l_max);
     });
-    return st.number_of_transformations();
+    return number_of_replacements(st);
   }
 
   // The second calling of Alg. 5: under BRC3 or BRC4, which is BRC3 for facets, with the vector [Q_2, Q', Q''].
@@ -233,7 +235,7 @@ public:
       table.set_constraints(lost);
       pass(phase, st, [&](const Constraint&) -> const Validity& { return validity; }, l_max);
     });
-    return st.number_of_transformations();
+    return number_of_replacements(st);
   }
 
 private:
@@ -294,6 +296,7 @@ private:
     m_hopeless_since.assign(all().size(), never);
     m_failures.assign(all().size(), Failure());
     m_max_number_of_shells = max_number_of_shells;
+    m_number_of_stars_before = m_recover.number_of_stars();
     m_recover.set_max_number_of_shells(m_recover.default_max_number_of_shells);
   }
 
@@ -392,12 +395,19 @@ private:
     m_lost.swap(still_lost);
   }
 
+  // Since the start: whether it has grown tells whether the mesh has changed.
+  template <typename Transformation>
+  std::size_t number_of_replacements(const Transformation& st) const
+  {
+    return st.number_of_transformations() + m_recover.number_of_stars() - m_number_of_stars_before;
+  }
+
   // Does not repeat an attempt that changed nothing and was not cut off, until the mesh has changed; a higher
   // recursion level alone would lead it to the same end. Nor one at the same level before it is worthwhile.
   template <typename Transformation, typename Validity_of>
   bool attempt(Transformation& st, const std::size_t i, const Validity_of& validity_of, const int l_max)
   {
-    const std::size_t before = st.number_of_transformations();
+    const std::size_t before = number_of_replacements(st);
     if(m_hopeless_since[i] == before || st.number_of_shells() > m_max_number_of_shells)
       return false;
     const std::size_t shells = st.number_of_shells(), crossings = m_recover.number_of_crossings();
@@ -407,7 +417,7 @@ private:
                        + work_per_crossing * (m_recover.number_of_crossings() - crossings));
     if(! is_tried)
       return false;
-    const bool is_hopeless = ! is_recovered && st.number_of_transformations() == before && ! m_recover.was_cut_off();
+    const bool is_hopeless = ! is_recovered && number_of_replacements(st) == before && ! m_recover.was_cut_off();
     m_hopeless_since[i] = is_hopeless ? before : never;
     m_failures[i] = { l_max, m_recover.crossings().size() };
     return is_recovered;
@@ -425,14 +435,16 @@ private:
   Tr& m_tr;
   const Constraints& m_constraints;
   Context& m_context;
+  Mesh_editor_3<Tr> m_editor;
   Recover_constraint_3<Tr, N> m_recover;
   std::vector<std::size_t>& m_lost;
   std::vector<Report>& m_levels;
   const Target_validity_of m_target_validity;
   std::vector<std::pair<std::size_t, std::size_t> > m_order; // the lost ones, sorted by count_and_sort_lost()
-  std::vector<std::size_t> m_hopeless_since; // numbers of transformations, or never, for each constraint
+  std::vector<std::size_t> m_hopeless_since; // numbers of replacements, or never, for each constraint
   std::vector<Failure> m_failures;           // for each constraint
   std::size_t m_max_number_of_shells = std::size_t(-1); // in one calling of Alg. 5
+  std::size_t m_number_of_stars_before = 0;
 };
 
 } // namespace CGAL::Boundary_recovery_3::internal

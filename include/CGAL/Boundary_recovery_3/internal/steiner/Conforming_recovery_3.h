@@ -63,7 +63,7 @@ public:
   typedef typename Mesh::Vertex_triple         Vertex_triple;
 
   explicit Conforming_recovery_3(Mesh& mesh)
-    : m_mesh(mesh), m_walk(mesh.tr, mesh.predicates), m_edge_recovery(mesh.tr, mesh.predicates),
+    : m_mesh(mesh), m_walk(mesh.tr, mesh.predicates), m_edge_recovery(mesh.editor, mesh.predicates, mesh.ledger),
       m_edge_transformation(mesh.editor.triangulation(), Quality(mesh.tr), mesh.editor, mesh.predicates),
       m_facet_transformation(mesh.editor.triangulation(), Quality(mesh.tr), mesh.editor, mesh.predicates)
   { }
@@ -140,7 +140,8 @@ public:
 
   std::size_t number_of_transformations() const
   {
-    return m_edge_transformation.number_of_transformations() + m_facet_transformation.number_of_transformations();
+    return m_edge_recovery.number_of_stars() + m_edge_transformation.number_of_transformations()
+         + m_facet_transformation.number_of_transformations();
   }
 
 private:
@@ -296,7 +297,7 @@ private:
 
   Mesh& m_mesh;
   Walk m_walk;
-  Recover_constraint_3<Tr, 2> m_edge_recovery;
+  Recover_constraint_3<Tr, 2, Ledger> m_edge_recovery;
   Shell_transformation_3<Tr, Quality, Edge_validity, Editor> m_edge_transformation;
   Shell_transformation_3<Tr, Quality, Facet_validity, Editor> m_facet_transformation;
   std::vector<Cell_handle> m_star;

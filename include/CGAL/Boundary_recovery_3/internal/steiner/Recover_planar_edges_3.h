@@ -62,7 +62,7 @@ public:
   typedef std::vector<std::pair<std::size_t, std::size_t> > Edges; // how much each crosses, and its index; in order
 
   explicit Recover_planar_edges_3(Mesh& mesh)
-    : m_mesh(mesh), m_walk(mesh.tr, mesh.predicates), m_recover(mesh.tr, mesh.predicates),
+    : m_mesh(mesh), m_walk(mesh.tr, mesh.predicates), m_recover(mesh.editor, mesh.predicates, mesh.constraints),
       m_transformation(mesh.editor.triangulation(), No_shell_quality_3(), mesh.editor, mesh.predicates),
       m_remove(mesh.editor, mesh.predicates, mesh.constraints)
   { }
@@ -95,7 +95,10 @@ public:
     return number_of_edges - edges.size() >= min_number_of_edges * m_mesh.ledger.free_points().size();
   }
 
-  std::size_t number_of_transformations() const { return m_transformation.number_of_transformations(); }
+  std::size_t number_of_transformations() const
+  {
+    return m_recover.number_of_stars() + m_transformation.number_of_transformations();
+  }
 
 private:
   typedef Segment_walk_3<Tr>                            Walk;
