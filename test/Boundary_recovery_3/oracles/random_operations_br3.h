@@ -12,7 +12,6 @@
 #include <CGAL/Boundary_recovery_3/internal/cavity/Cavity_3.h>
 #include <CGAL/Boundary_recovery_3/internal/geometry/Vertex_predicates_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
-#include <CGAL/Boundary_recovery_3/internal/operations/Extend_star_3.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/Move_into_kernel_3.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/Remove_vertex_3.h>
 #include <CGAL/Boundary_recovery_3/internal/operations/split_simplex.h>

@@ -18,7 +18,7 @@
 #include <CGAL/Boundary_recovery_3/internal/mesh/Constraints_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/Mesh_editor_3.h>
 #include <CGAL/Boundary_recovery_3/internal/mesh/cell_simplices.h>
-#include <CGAL/Boundary_recovery_3/internal/operations/Extend_star_3.h>
+#include <CGAL/Boundary_recovery_3/internal/operations/star_cavity.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
 
 #include <algorithm>
@@ -38,9 +38,9 @@ namespace CGAL::Boundary_recovery_3::internal {
  * elsewhere attempts in the middle make more mess than progress, see "Tuning constants" in the manual. Those that
  * pierce a facet have no order; all are tried.
  *
- * What crosses an edge next to one of its ends is removed by cells from this end, if it sees all around. That takes a
- * hundredth of the time of recursion, which is for what is left: where other constraints are in the way, or hide
- * something. All new simplices are at an end of the edge, so none crosses it.
+ * What crosses an edge next to one of its ends gives way to the star of this end, if that can be extended: this is
+ * quick, so recursion is for what is left, where other constraints are in the way. All new simplices are at an end of
+ * the edge, so none crosses it.
  */
 template <typename Tr, std::size_t N, typename Constraints = Constraints_3<Tr> >
 class Recover_constraint_3
