@@ -121,7 +121,7 @@ void test_few_defects_among_many_difficulties()
 {
   Soup soup = crossing_families(1, false);
   const std::size_t n = soup.points.size();
-  const br3_test::Plc plc = br3_test::Notched_box(16, 1).plc();
+  const br3_test::Plc plc = br3_test::Notched_box(32, 1).plc();
   for(const auto& c : plc.points)
     soup.points.emplace_back(100 + c[0], c[1], c[2]);
   for(const auto& t : plc.triangles)

@@ -108,8 +108,8 @@ public:
   // Those that were collected last: after a call that failed, what was left then.
   const std::vector<Crossing>& crossings() const { return m_walk.crossings(); }
 
-  // The crossings that were collected so far, those that were collected again included, and the cells of the stars:
-  // with the shells, a measure of the work.
+  // The crossings that were collected so far, those that were collected again included, and as many as take as long as
+  // the stars: with the shells, a measure of the work.
   std::size_t number_of_crossings() const { return m_number_of_crossings; }
 
   // The stars of ends of edges that were extended so far: changes of the mesh beside the shell transformations.
@@ -141,7 +141,7 @@ private:
     m_cells.clear();
     internal::append_cells_at(m_tr, crossing, m_cells);
     const bool is_done = m_extend_star(m_cells, v);
-    m_number_of_crossings += m_extend_star.number_of_cells();
+    m_number_of_crossings += crossings_per_cell_of_star * m_extend_star.number_of_cells();
     return is_done;
   }
 
@@ -183,6 +183,9 @@ private:
     m_tried.push_back(crossing.vertices);
     return true;
   }
+
+  // A cell of a star takes about as long as to collect so many crossings.
+  static constexpr std::size_t crossings_per_cell_of_star = 2;
 
   // Entities tried between two decreases of the number of crossings.
   static constexpr std::size_t max_number_of_attempts = N == 2 ? 8 : std::size_t(-1);
