@@ -123,6 +123,16 @@ public:
     return m_boundary;
   }
 
+  // The faces of the boundary alone.
+  std::vector<Vertex_triple> faces()
+  {
+    std::vector<Vertex_triple> result;
+    result.reserve(boundary().size());
+    for(const Boundary_face& f : boundary())
+      result.push_back(f.face);
+    return result;
+  }
+
   // Whether a cavity must not grow through the facet opposite to the vertex i of a cell. What is behind a constrained
   // face has nothing to do with what is in front of it.
   bool is_closed(const Cell_handle c, const int i) const
@@ -155,13 +165,9 @@ public:
     for(const Boundary_face& f : boundary())
       for(int k = 0; k < 3; ++k)
         m_outer_edges.insert({{ f.face[k], f.face[(k + 1) % 3] }});
-    const auto is_inside = [this](const Vertex_handle p, const Vertex_handle q)
-    {
-      return m_outer_edges[{{ p, q }}] == m_outer_edges.none;
-    };
     return std::any_of(m_cells.begin(), m_cells.end(), [&](const Cell_handle c)
     {
-      return this->has_constrained_edge(c, v, is_inside) || this->has_constrained_facet_inside(c, v, is_inside);
+      return this->has_constrained_edge_inside(c, v) || this->has_constrained_facet_inside(c, v);
     });
   }
 
@@ -171,8 +177,7 @@ public:
   {
     if(has_constraint_inside())
       return false;
-    for(const Boundary_face& f : boundary())
-      faces.push_back(f.face);
+    faces = this->faces();
     inner_points = inner_vertices();
     return std::all_of(inner_points.begin(), inner_points.end(),
                        [&](const Vertex_handle v) { return internal::contains(points, v); });
@@ -224,8 +229,12 @@ private:
     return { internal::facet_vertices(c, i), is_closed(c, i) ? Vertex_handle() : n->vertex(n->index(c)), c, n };
   }
 
-  template <typename Is_inside>
-  bool has_constrained_edge(const Cell_handle c, const Vertex_handle v, const Is_inside& is_inside) const
+  bool is_inside(const Vertex_handle p, const Vertex_handle q) const
+  {
+    return m_outer_edges[{{ p, q }}] == m_outer_edges.none;
+  }
+
+  bool has_constrained_edge_inside(const Cell_handle c, const Vertex_handle v) const
   {
     for(int i = 0; i < 4; ++i)
       for(int j = 0; j < i; ++j)
@@ -237,8 +246,7 @@ private:
     return false;
   }
 
-  template <typename Is_inside>
-  bool has_constrained_facet_inside(const Cell_handle c, const Vertex_handle v, const Is_inside& is_inside) const
+  bool has_constrained_facet_inside(const Cell_handle c, const Vertex_handle v) const
   {
     for(int i = 0; i < 4; ++i)
     {

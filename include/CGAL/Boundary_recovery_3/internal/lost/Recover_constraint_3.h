@@ -110,7 +110,7 @@ public:
 
   // The crossings that were collected so far, those that were collected again included, and as many as take as long as
   // the stars: with the shells, a measure of the work.
-  std::size_t number_of_crossings() const { return m_number_of_crossings; }
+  std::size_t work_in_crossings() const { return m_work_in_crossings; }
 
   // The stars of ends of edges that were extended so far: changes of the mesh beside the shell transformations.
   std::size_t number_of_stars() const { return m_extend_star.number_of_replacements(); }
@@ -124,7 +124,7 @@ private:
   typename Walk::Outcome walk(const Constraint& constraint)
   {
     const typename Walk::Outcome outcome = m_walk(constraint);
-    m_number_of_crossings += m_walk.crossings().size();
+    m_work_in_crossings += m_walk.crossings().size();
     return outcome;
   }
 
@@ -141,7 +141,7 @@ private:
     m_cells.clear();
     internal::append_cells_at(m_tr, crossing, m_cells);
     const bool is_done = m_extend_star(m_cells, v);
-    m_number_of_crossings += crossings_per_cell_of_star * m_extend_star.number_of_cells();
+    m_work_in_crossings += crossings_per_cell_of_star * m_extend_star.number_of_cells();
     return is_done;
   }
 
@@ -197,7 +197,7 @@ private:
   std::vector<Entity> m_tried;
   std::size_t m_max_number_of_shells = default_max_number_of_shells;
   bool m_was_cut_off = false;
-  std::size_t m_number_of_crossings = 0;
+  std::size_t m_work_in_crossings = 0;
 };
 
 } // namespace CGAL::Boundary_recovery_3::internal

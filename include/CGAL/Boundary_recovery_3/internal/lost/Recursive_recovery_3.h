@@ -187,9 +187,9 @@ public:
   // These three return the number of replacements: of covering meshes, and of cavities around crossings.
 
   // Passes without recursion, which try to remove each crossing edge or facet by cells from an end of the lost edge, or
-  // by a single shell transformation. They go
-  // on as long as a pass at least halves the number of lost constraints: the others need recursion, and more passes
-  // would change the mesh without much use, see "Tuning constants" in the manual.
+  // by a single shell transformation. They go on as long as a pass at least halves the number of lost constraints: the
+  // others need recursion, and more passes would change the mesh without much use, see "Tuning constants" in the
+  // manual.
   std::size_t remove_without_recursion(const Phase phase)
   {
     typedef Shell_transformation_3<Tr, No_shell_quality_3, Target_validity, Mesh_visitor_3<Tr> > Transformation;
@@ -410,11 +410,11 @@ private:
     const std::size_t before = number_of_replacements(st);
     if(m_hopeless_since[i] == before || st.number_of_shells() > m_max_number_of_shells)
       return false;
-    const std::size_t shells = st.number_of_shells(), crossings = m_recover.number_of_crossings();
+    const std::size_t shells = st.number_of_shells(), work = m_recover.work_in_crossings();
     const bool is_tried = is_worthwhile(i, l_max);
     const bool is_recovered = is_tried && m_recover(st, all()[i], validity_of(all()[i]), l_max, m_context);
     m_context.add_work(work_per_shell * (st.number_of_shells() - shells)
-                       + work_per_crossing * (m_recover.number_of_crossings() - crossings));
+                       + work_per_crossing * (m_recover.work_in_crossings() - work));
     if(! is_tried)
       return false;
     const bool is_hopeless = ! is_recovered && number_of_replacements(st) == before && ! m_recover.was_cut_off();

@@ -35,13 +35,24 @@ enum class Star_obstacle
   VERTEX_LOST         // a vertex inside the cavity would be in no cell any more
 };
 
+// Whether a vertex inside would be in no cell any more if the cavity is starred from v; those in `droppable` may.
+template <typename Cavity>
+bool is_vertex_lost(Cavity& cavity, const typename Cavity::Vertex_handle v,
+                    const typename Cavity::Vertices& droppable = typename Cavity::Vertices())
+{
+  const typename Cavity::Vertices inner_vertices = cavity.inner_vertices();
+  return std::any_of(inner_vertices.begin(), inner_vertices.end(), [&](const typename Cavity::Vertex_handle w)
+  {
+    return w != v && ! internal::contains(droppable, w);
+  });
+}
+
 // What is in the way if the cavity is to be starred from v. The vertices in `droppable`, and v, may be inside.
 template <typename Cavity, typename Predicates>
 Star_obstacle find_obstacle_to_star(Cavity& cavity, const Predicates& predicates,
                                     const typename Cavity::Vertex_handle v,
                                     const typename Cavity::Vertices& droppable = typename Cavity::Vertices())
 {
-  typedef typename Cavity::Vertex_handle Vertex_handle;
   const auto is_seen = [&](const auto& f)
   {
     return predicates.orientation(f.face[0], f.face[1], f.face[2], v) == POSITIVE;
@@ -50,15 +61,10 @@ Star_obstacle find_obstacle_to_star(Cavity& cavity, const Predicates& predicates
     return Star_obstacle::HIDDEN_FACE;
   if(cavity.has_constraint_inside())
     return Star_obstacle::CONSTRAINT_INSIDE;
-  const typename Cavity::Vertices inner_vertices = cavity.inner_vertices();
-  const bool is_any_lost = std::any_of(inner_vertices.begin(), inner_vertices.end(), [&](const Vertex_handle w)
-  {
-    return w != v && ! internal::contains(droppable, w);
-  });
-  return is_any_lost ? Star_obstacle::VERTEX_LOST : Star_obstacle::NONE;
+  return internal::is_vertex_lost(cavity, v, droppable) ? Star_obstacle::VERTEX_LOST : Star_obstacle::NONE;
 }
 
-// The tetrahedra from v to the faces of a polyhedron.
+// The tetrahedra from v to the faces of a polyhedron, without those faces that have v as a vertex.
 template <typename Vertex_handle>
 std::vector<std::array<Vertex_handle, 4> > star(const std::vector<std::array<Vertex_handle, 3> >& faces,
                                                 const Vertex_handle v)
@@ -66,7 +72,8 @@ std::vector<std::array<Vertex_handle, 4> > star(const std::vector<std::array<Ver
   std::vector<std::array<Vertex_handle, 4> > tetrahedra;
   tetrahedra.reserve(faces.size());
   for(const std::array<Vertex_handle, 3>& f : faces)
-    tetrahedra.push_back({{ f[0], f[1], f[2], v }});
+    if(! internal::contains(f, v))
+      tetrahedra.push_back({{ f[0], f[1], f[2], v }});
   return tetrahedra;
 }
 
@@ -76,12 +83,9 @@ std::vector<std::array<Vertex_handle, 4> > star(const std::vector<std::array<Ver
 template <typename Editor, typename Cavity>
 void star_cavity(Editor& editor, Cavity& cavity, const typename Cavity::Vertex_handle v)
 {
-  std::vector<typename Cavity::Vertex_triple> faces;
-  for(const auto& f : cavity.boundary())
-    faces.push_back(f.face);
   typename Cavity::Vertices dropped = cavity.inner_vertices();
   dropped.erase(std::remove(dropped.begin(), dropped.end(), v), dropped.end());
-  editor.replace(cavity.cells(), internal::star(faces, v), dropped);
+  editor.replace(cavity.cells(), internal::star(cavity.faces(), v), dropped);
 }
 
 /*
@@ -115,13 +119,9 @@ public:
       if(! m_cavity.add(c))
         return false;
     if(! internal::grow_until_seen(m_cavity, v, m_predicates, max_number_of_cells)
-       || is_vertex_lost(v) || m_cavity.has_constraint_inside_beside(v))
+       || internal::is_vertex_lost(m_cavity, v) || m_cavity.has_constraint_inside_beside(v))
       return false;
-    m_faces.clear();
-    for(const auto& f : m_cavity.boundary())
-      if(! internal::contains(f.face, v))
-        m_faces.push_back(f.face);
-    m_editor.replace(m_cavity.cells(), internal::star(m_faces, v));
+    m_editor.replace(m_cavity.cells(), internal::star(m_cavity.faces(), v));
     ++m_number_of_replacements;
     return true;
   }
@@ -132,20 +132,12 @@ public:
   std::size_t number_of_replacements() const { return m_number_of_replacements; }
 
 private:
-  // Whether a vertex would be in no cell any more.
-  bool is_vertex_lost(const Vertex_handle v)
-  {
-    const auto inner_vertices = m_cavity.inner_vertices();
-    return std::any_of(inner_vertices.begin(), inner_vertices.end(), [v](const Vertex_handle w) { return w != v; });
-  }
-
   // See "Tuning constants" in the manual.
   static constexpr std::size_t max_number_of_cells = 150;
 
   Editor& m_editor;
   const Predicates& m_predicates;
   Cavity_3<Tr, Constraints> m_cavity;
-  std::vector<std::array<Vertex_handle, 3> > m_faces;
   std::size_t m_number_of_replacements = 0;
 };
 
