@@ -25,7 +25,8 @@ typedef CGAL::Delaunay_triangulation_3<Kernel>                Triangulation;
 typedef CGAL::Boundary_recovery_result_3<Triangulation>       Result;
 typedef CGAL::Boundary_recovery_3::Recovery_status            Status;
 
-constexpr double bytes_per_triangle = 2000; // that recovering them takes
+// that recovering them takes where many edges are lost; what is not used takes no memory, as no thread fetches it
+constexpr double bytes_per_triangle = 2000;
 
 // recovers the faces of the surface in `tr`, which is empty at first: the call inserts the points, too
 Result recover(Triangulation& tr, const Surface<Point>& surface, const Recovery_options& options,
