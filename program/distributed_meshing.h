@@ -7,9 +7,12 @@
 #include "part_store.h"
 #include "task_farm.h"
 
+#include <CGAL/Boundary_recovery_3/internal/owners/Divide_space_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Mesh_part_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Seams_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Work_on_part_3.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/Unit_frame_3.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/util/for_each_task.h>
 #include <CGAL/Real_timer.h>
 
@@ -112,6 +115,13 @@ private:
   typedef CGAL::Boundary_recovery_3::internal::Seams_3<Mpi_exchange>  Seams;
   typedef CGAL::Boundary_recovery_3::internal::Split_part_3<Tr>       Split_part;
 
+  // of the cells of a part
+  struct Share
+  {
+    std::size_t part;
+    std::size_t index;
+  };
+
   const boost::mpi::communicator& m_world;
   const Mpi_exchange m_exchange;
   const Part_store& m_store;
@@ -123,6 +133,8 @@ private:
   Round_plan m_plan;
   std::vector<std::vector<std::size_t> > m_tasks_of_part; // those that have cells of it
   std::vector<std::uint64_t> m_shifts;                    // of the numbers of new vertices, by task; then their sum
+  std::vector<Share> m_shares;                            // what each part is in the end, if it is not empty before
+  std::vector<std::size_t> m_numbers_of_shares;           // of each part
   std::vector<Round_report> m_reports;
 
 public:
@@ -175,7 +187,7 @@ public:
     {
       do_tasks();
       if(m_round + 1 == m_rounds.size())
-        return;
+        return share_with_empty_parts();
       CGAL::Boundary_recovery_3::internal::with_threads(m_number_of_threads, [this] { plan_next(); });
     }
   }
@@ -191,16 +203,18 @@ public:
     return static_cast<int>(part % static_cast<std::size_t>(m_exchange.size())) == m_exchange.rank();
   }
 
-  // a part after the round that was done last
+  // a part in the end
   Part part(const std::size_t p) const
   {
-    Join_parts join;
-    join.add(load(parts_name(m_round, p), 0));
-    for(const std::size_t k : m_tasks_of_part[p])
-      if(m_plan.tasks[k].owner == p)
-        join.add(load(result_name(k), 1), static_cast<std::size_t>(m_plan.number_of_vertices),
-                 static_cast<std::size_t>(m_shifts[k]));
-    return join.joined();
+    const auto [source, index] = m_shares[p];
+    Part whole = part_after_round(source);
+    if(m_numbers_of_shares[source] == 1)
+      return whole;
+    const std::vector<std::uint32_t> shares = shares_of_cells(whole, m_numbers_of_shares[source]);
+    for(auto& [share, part] : Split_part()(whole, shares))
+      if(share == index)
+        return std::move(part);
+    return Part();
   }
 
 private:
@@ -214,6 +228,18 @@ private:
   std::string result_name(const std::size_t task) const
   {
     return "result_" + std::to_string(m_round) + '_' + std::to_string(task);
+  }
+
+  // that was done last
+  Part part_after_round(const std::size_t p) const
+  {
+    Join_parts join;
+    join.add(load(parts_name(m_round, p), 0));
+    for(const std::size_t k : m_tasks_of_part[p])
+      if(m_plan.tasks[k].owner == p)
+        join.add(load(result_name(k), 1), static_cast<std::size_t>(m_plan.number_of_vertices),
+                 static_cast<std::size_t>(m_shifts[k]));
+    return join.joined();
   }
 
   Part load(const std::string& name, const std::size_t record) const
@@ -402,7 +428,7 @@ private:
     std::vector<std::array<std::uint64_t, 2> > numbers_of_cells(own.size());
     for_each(own, [&](const std::size_t k)
     {
-      const Part part = this->part(own[k]);
+      const Part part = part_after_round(own[k]);
       save(own[k], m_round + 1, Part(), { part });
       numbers_of_cells[k] = {{ own[k], part.number_of_cells() }};
     });
@@ -418,18 +444,74 @@ private:
   {
     const std::vector<std::uint32_t> own = own_parts();
     std::vector<Seam_part> seam_parts(own.size(), Seam_part(0, Part()));
-    for_each(own, [&](const std::size_t k) { seam_parts[k] = m_work.seam_part(own[k], part(own[k]), round); });
+    for_each(own, [&](const std::size_t k)
+    {
+      seam_parts[k] = m_work.seam_part(own[k], part_after_round(own[k]), round);
+    });
     Seams seams(seam_parts, round.number_of_layers, m_exchange);
     for(const auto& zone : seams.find_zones(round.number_of_parts, round.max_number_of_connected_vertices()))
       plan.tasks.push_back({ zone.parts, zone.number_of_cells, zone.owner });
     for_each(own, [&](const std::size_t k)
     {
-      Part left = part(own[k]);
+      Part left = part_after_round(own[k]);
       std::vector<Part> pieces;
       for(auto& group : Split_part()(left, seam_parts[k].zone_of_cell))
         pieces.push_back(std::move(group.second));
       save(own[k], m_round + 1, left, pieces);
     });
+  }
+
+  // Where parts are small, zones are as large as several of them, and their owners have got all cells of some other
+  // parts. In the end, these get shares of the largest ones.
+  void share_with_empty_parts()
+  {
+    m_shares.clear();
+    for(std::size_t p = 0; p < number_of_parts(); ++p)
+      m_shares.push_back({ p, 0 });
+    m_numbers_of_shares.assign(number_of_parts(), 1);
+    const std::vector<std::uint32_t> own = own_parts();
+    if(m_exchange.do_all_agree(std::none_of(own.begin(), own.end(), [this](const auto p) { return is_empty(p); })))
+      return;
+    std::vector<std::array<std::size_t, 2> > numbers_of_cells;
+    for(const std::uint32_t p : own)
+      numbers_of_cells.push_back({{ p, part_after_round(p).number_of_cells() }});
+    m_exchange.gather(numbers_of_cells);
+    std::sort(numbers_of_cells.begin(), numbers_of_cells.end());
+    const auto cells_of_share = [this](const auto& n) { return n[1] / m_numbers_of_shares[n[0]]; };
+    for(const auto& [p, number] : numbers_of_cells)
+      if(number == 0)
+      {
+        const std::size_t largest = (*std::max_element(numbers_of_cells.begin(), numbers_of_cells.end(),
+          [&](const auto& x, const auto& y) { return cells_of_share(x) < cells_of_share(y); }))[0];
+        m_shares[p] = { largest, m_numbers_of_shares[largest]++ };
+      }
+  }
+
+  // after the round that was done last
+  bool is_empty(const std::size_t p) const
+  {
+    return std::none_of(m_tasks_of_part[p].begin(), m_tasks_of_part[p].end(),
+                        [&](const std::size_t k) { return m_plan.tasks[k].owner == p; })
+           && load(parts_name(m_round, p), 0).number_of_cells() == 0;
+  }
+
+  // By place.
+  static std::vector<std::uint32_t> shares_of_cells(const Part& part, const std::size_t number_of_shares)
+  {
+    namespace internal = CGAL::Boundary_recovery_3::internal;
+    std::vector<internal::Coordinates_3> centroids;
+    internal::Divide_space_3 space(number_of_shares, 0);
+    for(const auto& t : part.tetrahedra)
+    {
+      const auto corner = [&](const std::size_t i) { return internal::coordinates_of(part.vertices[t[i]].point); };
+      centroids.push_back(internal::centroid({{ corner(0), corner(1), corner(2), corner(3) }}));
+      space.add(centroids.back(), 1);
+    }
+    space();
+    std::vector<std::uint32_t> shares;
+    for(const auto& c : centroids)
+      shares.push_back(space.part_of(c) - 1u);
+    return shares;
   }
 
   std::vector<std::uint32_t> own_parts() const

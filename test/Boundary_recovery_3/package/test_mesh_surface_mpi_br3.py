@@ -328,15 +328,28 @@ def test_parts_with_gmsh():
     check_parts(mesh, open('again.msh').read())
 
 
+def test_no_sub_domain_is_empty():
+    """when they are small, zones are as large as several of them"""
+    write('boxes.off', boxes())
+    for number in 7, 24:
+        texts = []
+        for ranks in 1, 3:
+            run(ranks, 'boxes.off', '--size', '0.5', '--quiet', '--subdomains', str(number), '--pieces',
+                '-o', 'm.msh', '-o', 'm.mesh')
+            texts.append(open('m.msh').read())
+        assert texts[0] == texts[1]
+        check_parts(read_mesh('m.mesh'), texts[0], number)
+
+
 def in_order(tetrahedra):
     """Gmsh writes 16 digits, and may begin with another vertex"""
     return sorted((sorted(tuple(float('%.16g' % x) + 0. for x in p) for p in points), part) for points, part in tetrahedra)
 
 
-def check_parts(mesh, text):
+def check_parts(mesh, text, number=SUBDOMAINS):
     """the tetrahedra are those of the mesh, and triangles are of the parts on both sides"""
     count, entities = parts_of(text)
-    assert count == SUBDOMAINS
+    assert count == number
     found, parts_of_facet, triangles = [], {}, []
     for dimension, tag, points in elements_of(text):
         parent, parts = entities[dimension, tag]
@@ -350,7 +363,7 @@ def check_parts(mesh, text):
             triangles.append((frozenset(points), parts))
     assert in_order(found) == in_order([(tuple(mesh.points[v] for v in t), r)
                                         for t, r in zip(mesh.tetrahedra, mesh.regions)])
-    assert set.union(*parts_of_facet.values()) == set(range(1, SUBDOMAINS + 1))
+    assert set.union(*parts_of_facet.values()) == set(range(1, number + 1))
     assert len(triangles) == len(mesh.triangles)
     for points, parts in triangles:
         assert set(parts) == parts_of_facet.get(points, {1})  # what bounds nothing is in the first one
