@@ -88,7 +88,7 @@ namespace CGAL {
  *     \cgalParamDescription{the recursion level that is never exceeded; 0: no recursion}
  *     \cgalParamType{`int`}
  *     \cgalParamDefault{30}
- *     \cgalParamExtra{The levels are 1, 6, 36, ... up to this one, which is repeated as long as it helps.
+ *     \cgalParamExtra{The first pass has the level 1, the others have this one, as long as they help.
  *                     A negative level means the default.}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{constrained_edges}

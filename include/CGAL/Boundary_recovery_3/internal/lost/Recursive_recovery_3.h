@@ -243,13 +243,6 @@ private:
   typedef std::conditional_t<N == 2, BRC1<Tr>, BRC2<Tr> > Target_condition;
   typedef Shell_validity_conjunction_3<Kept, Target_condition> Target_validity;
 
-  // The recursion level is multiplied by this from pass to pass: passes at low levels change the mesh without much use.
-  static constexpr int recursion_level_factor = 6;
-
-  // Shells visited in one attempt below the maximal recursion level: what needs more comes back with less work there,
-  // once the others have.
-  static constexpr std::size_t max_number_of_shells_below = N == 2 ? 64 : 256;
-
   // Bound on the shells that one calling of Alg. 5 visits, for each constraint that is lost at its start: in planar
   // fans of hundreds of triangles, recursion goes astray.
   static constexpr std::size_t max_number_of_shells_per_constraint = 1000;
@@ -297,11 +290,11 @@ private:
     m_failures.assign(all().size(), Failure());
     m_max_number_of_shells = max_number_of_shells;
     m_number_of_stars_before = m_recover.number_of_stars();
-    m_recover.set_max_number_of_shells(m_recover.default_max_number_of_shells);
   }
 
-  // recvBndEdgesByST_Wrap of [CZZ+17, Alg. 5]: raises the recursion level from pass to pass up to its maximum, until
-  // nothing is lost, or until a pass there did not improve the measure.
+  // recvBndEdgesByST_Wrap of [CZZ+17, Alg. 5]: raises the recursion level from 1 to its maximum, where passes are
+  // repeated until nothing is lost, or until one of them did not improve the measure. Levels between them change the
+  // mesh without much use.
   template <typename Pass>
   void raise_recursion_level(const Phase phase, const int max_recursion_level, std::size_t Report::* const measure,
                              const Pass& pass)
@@ -309,21 +302,14 @@ private:
     start(max_number_of_shells_per_constraint * (m_lost.size() + 20));
     std::size_t best = add_level(phase, -1).*measure;
     for(int l_max = (std::min)(1, max_recursion_level); ! m_lost.empty() && m_context.go_further();
-        l_max = next_recursion_level(l_max, max_recursion_level))
+        l_max = max_recursion_level)
     {
-      m_recover.set_max_number_of_shells(l_max < max_recursion_level ? max_number_of_shells_below
-                                                                     : m_recover.default_max_number_of_shells);
       pass(l_max);
       const std::size_t value = add_level(phase, l_max).*measure;
       if(value >= best && l_max == max_recursion_level)
         return;
       best = (std::min)(best, value);
     }
-  }
-
-  static int next_recursion_level(const int l, const int max_recursion_level)
-  {
-    return l <= max_recursion_level / recursion_level_factor ? recursion_level_factor * l : max_recursion_level;
   }
 
   Report add_level(const Phase phase, const int l_max)
