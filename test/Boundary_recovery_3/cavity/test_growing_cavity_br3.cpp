@@ -68,13 +68,6 @@ struct Search
   Tetrahedra tetrahedra;
 };
 
-void check_dead_end(const Candidates& candidates, const Face_matching::Side dead_end)
-{
-  for(const Face_matching::Sides& t : candidates.tetrahedra())
-    assert(! BR::internal::contains(t, dead_end));
-  ++number_of["dead end"];
-}
-
 void check_nothing_is_outside(const Candidates& candidates)
 {
   for(const Face_matching::Sides& t : candidates.tetrahedra())
@@ -104,14 +97,8 @@ Outcome check(const Tr& tr, const Cells& cells, const Edges& edges, const Facets
   Reconnection reconnection(predicates);
   const Outcome outcome = reconnection(cells, edges, facets);
   assert(outcome != Outcome::GAVE_UP && outcome == search.outcome);
-  if(outcome == Outcome::NONE)
-  {
-    assert(! search.matching.dead_ends().empty());
-    for(const Face_matching::Side s : search.matching.dead_ends())
-      check_dead_end(search.candidates, s);
-    return outcome;
-  }
-  check_tetrahedralization(search.tetrahedra, cells, edges, facets);
+  if(outcome == Outcome::FOUND)
+    check_tetrahedralization(search.tetrahedra, cells, edges, facets);
   return outcome;
 }
 
@@ -166,16 +153,13 @@ void test_inner_vertex()
   const Constraints none;
   Growing_cavity growing(tr, predicates, none);
   Patience patience = { 100 };
-  const auto outcome = [&](const Growing_cavity::Growth growth, const Growing_cavity::Bounds& bounds)
+  const auto outcome = [&](const Growing_cavity::Bounds& bounds)
   {
-    return growing(cells, v, Vertices(1, v), growth, bounds, patience);
+    return growing(cells, v, Vertices(1, v), bounds, patience);
   };
-  for(const auto growth : { Growing_cavity::AROUND, Growing_cavity::TOWARD_DEAD_ENDS })
-  {
-    assert(outcome(growth, { 3, many, 1000 }) == Growing_cavity::GAVE_UP);
-    assert(outcome(growth, { 4, 0, 1000 }) == Growing_cavity::GAVE_UP);
-    assert(outcome(growth, { 4, 1, 1000 }) == Growing_cavity::FOUND);
-  }
+  assert(outcome({ 3, many, 1000 }) == Growing_cavity::GAVE_UP);
+  assert(outcome({ 4, 0, 1000 }) == Growing_cavity::GAVE_UP);
+  assert(outcome({ 4, 1, 1000 }) == Growing_cavity::FOUND);
   assert(growing.tetrahedra().size() == 1 && growing.dropped_points() == Vertices(1, v));
   ++number_of["bounds"];
 }
@@ -216,21 +200,17 @@ void test_growing_cavity()
   Patience patience = { 1000 }, no_patience = { 0 };
 
   Growing_cavity hopeless(tr, predicates, constraints), growing(tr, predicates, none);
-  const auto outcome = [&](Growing_cavity& search, const Growing_cavity::Growth growth,
-                           const Growing_cavity::Bounds& bounds, Patience& p)
+  const auto outcome = [&](Growing_cavity& search, const Growing_cavity::Bounds& bounds, Patience& p)
   {
-    return search(star(tr, v), v, free_vertices, growth, bounds, p);
+    return search(star(tr, v), v, free_vertices, bounds, p);
   };
   const Growing_cavity::Bounds too_small = { 6, many, 1000 };
-  for(const auto growth : { Growing_cavity::AROUND, Growing_cavity::TOWARD_DEAD_ENDS })
-  {
-    assert(outcome(hopeless, growth, bounds, patience) == Growing_cavity::NONE);
-    ++number_of["cavity that must not grow"];
-    assert(outcome(growing, growth, bounds, no_patience) == Growing_cavity::GAVE_UP);
-    assert(outcome(growing, growth, too_small, patience) == Growing_cavity::GAVE_UP);
-    assert(outcome(growing, growth, bounds, patience) == Growing_cavity::FOUND);
-    ++number_of[growth == Growing_cavity::AROUND ? "cavity that grows around" : "cavity that grows toward dead ends"];
-  }
+  assert(outcome(hopeless, bounds, patience) == Growing_cavity::NONE);
+  ++number_of["cavity that must not grow"];
+  assert(outcome(growing, bounds, no_patience) == Growing_cavity::GAVE_UP);
+  assert(outcome(growing, too_small, patience) == Growing_cavity::GAVE_UP);
+  assert(outcome(growing, bounds, patience) == Growing_cavity::FOUND);
+  ++number_of["cavity that grows"];
   assert(growing.cells().size() > star(tr, v).size() && growing.dropped_points() == free_vertices);
   assert(total_volume(growing.tetrahedra()) == total_volume(tetrahedra_of(growing.cells())));
   BR::internal::Replace_cells<Tr> replace;
@@ -249,8 +229,7 @@ int main()
 
   for(const char* kind : { "grid cavity", "grid cavity with requirements", "double cavity",
                            "double cavity with requirements", "hull found", "hull none",
-                           "dead end", "gave up", "inner vertex", "bounds", "cavity that must not grow",
-                           "cavity that grows around", "cavity that grows toward dead ends" })
+                           "gave up", "inner vertex", "bounds", "cavity that must not grow", "cavity that grows" })
   {
     std::cout << number_of[kind] << " x " << kind << std::endl;
     assert(number_of[kind] > 0);

@@ -89,16 +89,6 @@ public:
     return {{ f[0], f[1], f[2], vertices()[m_last_vertices[t]] }};
   }
 
-  // The vertices of a face such that the tetrahedra at that side are on the positive side.
-  Vertex_triple vertices_of_side(const Side s) const
-  {
-    const Face f = m_faces[s / 2];
-    Vertex_triple result = {{ vertices()[f[0]], vertices()[f[1]], vertices()[f[2]] }};
-    if(s % 2 != 0)
-      std::swap(result[0], result[1]);
-    return result;
-  }
-
   const std::vector<Vertex_handle>& vertices() const { return m_obstacles.vertices(); }
 
 private:
@@ -109,6 +99,16 @@ private:
   typedef typename Free_faces::Number     Number;
 
   std::size_t n() const { return m_obstacles.number_of_vertices(); }
+
+  // The vertices of a face such that the tetrahedra at that side are on the positive side.
+  Vertex_triple vertices_of_side(const Side s) const
+  {
+    const Face f = m_faces[s / 2];
+    Vertex_triple result = {{ vertices()[f[0]], vertices()[f[1]], vertices()[f[2]] }};
+    if(s % 2 != 0)
+      std::swap(result[0], result[1]);
+    return result;
+  }
 
   // Those that have to be used and are on no face of the boundary, which make sure of themselves.
   void collect_inner_vertices(const std::vector<Vertex_handle>& free_vertices)

@@ -69,10 +69,6 @@ public:
     return result;
   }
 
-  // The sides without a tetrahedron from which the first conflict followed, of those that followed from such sides, and
-  // from the choices before it. To avoid it takes a tetrahedron at one of these sides, or another choice.
-  const std::vector<Side>& dead_ends() const { return m_dead_ends; }
-
 private:
   typedef std::uint32_t Number; // of tetrahedra, or their positions: there may be many, so memory counts
 
@@ -92,9 +88,6 @@ private:
     }
     m_is_removed.assign(tetrahedra.size(), false);
     m_removed.clear();
-    m_cause.assign(tetrahedra.size(), no_side);
-    m_requirer.assign(number_of_sides, no_side);
-    m_dead_ends.clear();
     sort_by_sides(number_of_sides);
     m_queue.clear();
     for(Side s = 0; s < number_of_sides; ++s)
@@ -136,40 +129,35 @@ private:
 
   // --- propagation ---------------------------------------------------------------------------------------------------
 
-  // `cause` is a side at which there is no tetrahedron left, or one only, because of which t is out.
-  void remove(const Number t, const Side cause = no_side)
+  void remove(const Number t)
   {
     m_is_removed[t] = true;
     m_removed.push_back(t);
-    m_cause[t] = cause;
     for(const Side s : (*m_tetrahedra)[t])
       if(--m_number[s] <= 1)
         m_queue.push_back(s);
   }
 
-  void require(const Side s, const Side requirer)
+  void require(const Side s)
   {
     if(m_is_needed[s])
       return;
     m_is_needed[s] = true;
-    m_requirer[s] = requirer;
     m_needed.push_back(s);
     m_queue.push_back(s);
   }
 
-  // `cause` is the side that needs it.
-  void select(const Number t, const Side cause)
+  void select(const Number t)
   {
     for(const Side s : (*m_tetrahedra)[t])
     {
-      for_each_at(s, [&](const Number u) { if(u != t) remove(u, cause); });
+      for_each_at(s, [&](const Number u) { if(u != t) remove(u); });
       if(! m_is_outer[opposite(s)])
-        require(opposite(s), cause);
+        require(opposite(s));
     }
   }
 
-  // First come, first served: so a side is found exhausted for a reason that is near. Returns false if one that needs a
-  // tetrahedron has none left.
+  // Returns false if a side that needs a tetrahedron has none left.
   bool propagate()
   {
     for(std::size_t k = 0; k < m_queue.size(); ++k) // it grows
@@ -178,42 +166,14 @@ private:
       if(m_number[s] == 0)
       {
         if(m_is_needed[s])
-        {
-          if(m_dead_ends.empty())
-            collect_dead_ends(s);
           return false;
-        }
-        for_each_at(opposite(s), [&](const Number t) { remove(t, s); });
+        for_each_at(opposite(s), [&](const Number t) { remove(t); });
       }
       else if(m_number[s] == 1 && m_is_needed[s])
-        select(first_remaining(s), s);
+        select(first_remaining(s));
     }
     m_queue.clear();
     return true;
-  }
-
-  // Goes back from a side that needs a tetrahedron and has none.
-  void collect_dead_ends(const Side exhausted)
-  {
-    std::vector<Side> reached(1, exhausted);
-    std::vector<char> is_reached(m_number.size(), false);
-    is_reached[exhausted] = true;
-    const auto reach = [&](const Side s)
-    {
-      if(s == no_side || is_reached[s])
-        return;
-      is_reached[s] = true;
-      reached.push_back(s);
-    };
-    for(std::size_t k = 0; k < reached.size(); ++k) // it grows
-    {
-      const Side s = reached[k];
-      if(m_first[s] == m_first[s + 1])
-        m_dead_ends.push_back(s);
-      for(Number i = m_first[s]; i < m_first[s + 1]; ++i)
-        reach(m_cause[m_tetrahedra_at[i]]);
-      reach(m_requirer[s]);
-    }
   }
 
   // --- the search ----------------------------------------------------------------------------------------------------
@@ -243,7 +203,7 @@ private:
       if(++number_of_steps > max_number_of_steps)
         return GAVE_UP;
       m_choices.push_back({ first_remaining(s), m_removed.size(), m_needed.size() });
-      select(m_choices.back().tetrahedron, s);
+      select(m_choices.back().tetrahedron);
     }
   }
 
@@ -266,15 +226,11 @@ private:
     for(; m_removed.size() > choice.number_of_removed; m_removed.pop_back())
     {
       m_is_removed[m_removed.back()] = false;
-      m_cause[m_removed.back()] = no_side;
       for(const Side s : (*m_tetrahedra)[m_removed.back()])
         ++m_number[s];
     }
     for(; m_needed.size() > choice.number_of_needed; m_needed.pop_back())
-    {
       m_is_needed[m_needed.back()] = false;
-      m_requirer[m_needed.back()] = no_side;
-    }
     return choice.tetrahedron;
   }
 
@@ -284,14 +240,11 @@ private:
   std::vector<Number> m_number;             // of the tetrahedra left at each side
   std::vector<char> m_is_removed;           // of each tetrahedron
   std::vector<Number> m_removed;            // in the order of removal
-  std::vector<Side> m_cause;                // of each removed tetrahedron, the side because of which it is out
   std::vector<char> m_is_needed;            // of each side, whether it needs a tetrahedron
   std::vector<Side> m_needed;               // in the order in which this was found
-  std::vector<Side> m_requirer;             // of each such side, the one because of which it does
   std::vector<char> m_is_outer;             // of each side, whether it is on the boundary, outside
   std::vector<Side> m_queue;                // those to look at
   std::vector<Choice> m_choices;
-  std::vector<Side> m_dead_ends;
 };
 
 } // namespace CGAL::Boundary_recovery_3::internal

@@ -21,9 +21,6 @@
 #include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/contains.h>
 
-#include <CGAL/Bbox_3.h>
-#include <CGAL/enum.h>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -91,11 +88,7 @@ typename Cavity::Vertices vertices_behind(Cavity& cavity)
 
 /*
  * Searches for tetrahedra that fill a cavity around a Steiner point without using this point. As long as there are
- * none, the cavity grows, and the search is repeated.
- *
- * A cavity can grow towards its *dead ends*: if no tetrahedra fill it, this follows from some faces that make no
- * tetrahedron with any vertex of the cavity. The next vertices are those outside that make tetrahedra with these faces,
- * see "Tuning constants" in the manual.
+ * none, the cavity grows to twice as many vertices, by those that touch it most, and the search is repeated.
  */
 template <typename Tr>
 class Growing_cavity_3
@@ -111,16 +104,8 @@ public:
   typedef typename Candidates::Tetrahedron     Tetrahedron;
   typedef std::vector<Vertex_handle>           Vertices;
 
-  // How a cavity grows.
-  enum Growth
-  {
-    AROUND,           // to twice as many vertices, those that touch it most
-    TOWARD_DEAD_ENDS  // by a third, to where it has to; one vertex at a time takes longer, and is of no more use
-  };
-
   Growing_cavity_3(const Tr& tr, const Predicates& predicates, const Constraints& constraints)
-    : m_predicates(predicates), m_constraints(constraints), m_cavity(tr, constraints),
-      m_candidates(predicates)
+    : m_constraints(constraints), m_cavity(tr, constraints), m_candidates(predicates)
   { }
 
   // Searches for tetrahedra that fill a cavity around the star of v without v. The tetrahedra need not use the
@@ -128,7 +113,7 @@ public:
   // and `GAVE_UP` if a bound was reached or the context says stop.
   template <typename Context>
   Outcome operator()(const std::vector<Cell_handle>& star, const Vertex_handle v, const Vertices& points,
-                     const Growth growth, const Bounds& bounds, Context& context)
+                     const Bounds& bounds, Context& context)
   {
     start(star);
     while(number_of_vertices() <= bounds.vertices && context.go_further())
@@ -138,7 +123,7 @@ public:
         collect_result(v);
       if(outcome != NONE || internal::vertices_behind(m_cavity).empty())
         return outcome;
-      if(! grow(growth, bounds, context))
+      if(! grow(bounds, context))
         return GAVE_UP;
     }
     return GAVE_UP;
@@ -153,62 +138,6 @@ public:
   const Vertices& vertices() { return m_cavity.vertices(); }
 
 private:
-  typedef typename Candidates::Vertex_triple   Vertex_triple;
-
-  // What hides the vertices behind the boundary of the cavity from its faces.
-  class Obstacles
-  {
-  public:
-    typedef std::vector<typename Cavity::Boundary_face> Faces;
-
-    Obstacles(const Faces& faces, const Predicates& predicates) : m_faces(faces), m_predicates(predicates)
-    {
-      for(const auto& f : m_faces)
-        m_boxes.push_back(m_predicates.bbox(f.face[0]) + m_predicates.bbox(f.face[1]) + m_predicates.bbox(f.face[2]));
-    }
-
-    // For each of the faces, whether x is on its positive side and sees its three vertices. Constrained facets and hull
-    // facets on the boundary block the view; if `with_open_faces`, so do all other faces of the boundary, except those
-    // that x is right behind.
-    std::vector<char> are_seen(const Vertex_handle x, const std::vector<Vertex_triple>& faces,
-                               const bool with_open_faces) const
-    {
-      std::vector<std::pair<Vertex_handle, bool> > known; // many of the faces share vertices
-      const auto is_seen = [&](const Vertex_handle w)
-      {
-        const auto it = std::find_if(known.begin(), known.end(), [&](const auto& k) { return k.first == w; });
-        if(it != known.end())
-          return it->second;
-        known.push_back({ w, sees(x, w, with_open_faces) });
-        return known.back().second;
-      };
-      std::vector<char> result;
-      for(const Vertex_triple& f : faces)
-        result.push_back(m_predicates.orientation(f[0], f[1], f[2], x) == POSITIVE
-                         && std::all_of(f.begin(), f.end(), is_seen));
-      return result;
-    }
-
-  private:
-    bool sees(const Vertex_handle x, const Vertex_handle w, const bool with_open_faces) const
-    {
-      const Bbox_3 box = m_predicates.bbox(w) + m_predicates.bbox(x);
-      for(std::size_t i = 0; i < m_faces.size(); ++i)
-      {
-        const Vertex_handle behind = m_faces[i].vertex_behind;
-        const Vertex_triple& f = m_faces[i].face;
-        if((behind == Vertex_handle() || (with_open_faces && behind != x)) && CGAL::do_overlap(box, m_boxes[i])
-           && m_predicates.segment_pierces_triangle(w, x, f[0], f[1], f[2]))
-          return false;
-      }
-      return true;
-    }
-
-    Faces m_faces;
-    const Predicates& m_predicates;
-    std::vector<Bbox_3> m_boxes;
-  };
-
   void start(const std::vector<Cell_handle>& star)
   {
     m_cavity.clear();
@@ -223,7 +152,7 @@ private:
   Outcome reconnect(const Vertex_handle v, const Vertices& points, const Bounds& bounds)
   {
     std::vector<std::array<Vertex_handle, 2> > edges;
-    std::vector<Vertex_triple> facets;
+    std::vector<typename Candidates::Vertex_triple> facets;
     internal::collect_constraints(m_constraints, m_cavity.cells(), edges, facets);
     if(! m_candidates.collect(m_cavity.cells(), edges, facets, points, v, bounds.tetrahedra))
       return GAVE_UP;
@@ -250,77 +179,22 @@ private:
   // would be too many tetrahedra by an estimate: their number mostly grows with the square of the number of vertices,
   // or faster.
   template <typename Context>
-  bool grow(const Growth growth, const Bounds& bounds, Context& context)
+  bool grow(const Bounds& bounds, Context& context)
   {
     const std::size_t before = number_of_vertices();
-    const std::size_t wanted = (std::min)(growth == AROUND ? 2 * before : before + before / 3 + 1, bounds.vertices);
+    const std::size_t wanted = (std::min)(2 * before, bounds.vertices);
     if(m_candidates.tetrahedra().size() * wanted / before * wanted / before > bounds.tetrahedra)
       return false;
-    std::vector<Vertex_triple> faces;
-    if(growth == TOWARD_DEAD_ENDS)
-      faces = dead_ends();
     while(number_of_vertices() < wanted && context.go_further())
     {
-      const Vertex_handle x = next_vertex(faces);
-      if(x == Vertex_handle())
+      const Vertices vertices = internal::vertices_behind(m_cavity);
+      if(vertices.empty())
         break;
-      internal::add_spanning_vertex(m_cavity, x);
+      internal::add_spanning_vertex(m_cavity, vertices.front());
     }
     return number_of_vertices() > before;
   }
 
-  std::vector<Vertex_triple> dead_ends() const
-  {
-    std::vector<Vertex_triple> result;
-    for(const Face_matching::Side s : m_matching.dead_ends())
-      result.push_back(m_candidates.vertices_of_side(s));
-    return result;
-  }
-
-  // The vertex behind the boundary that sees the most of the `faces`, and most likely makes tetrahedra with them. The
-  // faces that it sees are taken out of the list. If no vertex sees a face, the same without regard to open faces of
-  // the boundary, since the cavity may grow beyond them; then no face is taken out. If that finds no vertex, or if
-  // there are no `faces`, the vertex behind the most boundary faces; none if all boundary faces are closed.
-  Vertex_handle next_vertex(std::vector<Vertex_triple>& faces)
-  {
-    const Vertices vertices = internal::vertices_behind(m_cavity);
-    if(vertices.empty() || faces.empty())
-      return vertices.empty() ? Vertex_handle() : vertices.front();
-    const Obstacles obstacles(m_cavity.boundary(), m_predicates);
-    for(const bool with_open_faces : { true, false })
-    {
-      Vertex_handle best;
-      std::vector<char> seen_from_best;
-      std::ptrdiff_t most = 0;
-      for(const Vertex_handle x : vertices)
-      {
-        std::vector<char> seen = obstacles.are_seen(x, faces, with_open_faces);
-        const std::ptrdiff_t number = std::count(seen.begin(), seen.end(), true);
-        if(number <= most)
-          continue;
-        most = number;
-        best = x;
-        seen_from_best = std::move(seen);
-      }
-      if(most == 0)
-        continue;
-      if(with_open_faces)
-        take_out(seen_from_best, faces);
-      return best;
-    }
-    return vertices.front();
-  }
-
-  static void take_out(const std::vector<char>& marks, std::vector<Vertex_triple>& faces)
-  {
-    std::vector<Vertex_triple> result;
-    for(std::size_t i = 0; i < faces.size(); ++i)
-      if(! marks[i])
-        result.push_back(faces[i]);
-    faces = std::move(result);
-  }
-
-  const Predicates& m_predicates;
   const Constraints& m_constraints;
   Cavity m_cavity;
   Candidates m_candidates;

@@ -159,8 +159,7 @@ private:
  *
  * Points are first removed one by one, and those that stay move to the deepest point of their kernel. Where that does
  * no more, two neighbors become one where one point sees the boundary of both stars, and ever larger cavities around a
- * star are reconnected: first such that grow by the vertices that touch them most, then such that grow where they have
- * to.
+ * star are reconnected.
  *
  * It ends: no step adds a point, every round but the last removes some, and within a round, the flips around a point
  * only ever take edges away from it.
@@ -279,9 +278,8 @@ private:
   {
     const std::size_t before = number_of_points();
     merge_points();
-    for(const auto growth : { Growing_cavity::AROUND, Growing_cavity::TOWARD_DEAD_ENDS })
-      if(! is_worthwhile(before))
-        reconnect_points(growth);
+    if(! is_worthwhile(before))
+      reconnect_points();
     return is_worthwhile(before);
   }
 
@@ -323,29 +321,23 @@ private:
   // Tries to remove each of the points by reconnection of a growing cavity around it, as long as this does not fail too
   // often. Those in the exterior are left alone: that hardly ever helped one. Nor are those tried where the same
   // failed before.
-  void reconnect_points(const typename Growing_cavity::Growth growth)
+  void reconnect_points()
   {
-    Failed_removals& failed = m_failed_growths[growth == Growing_cavity::AROUND ? 0 : 1];
     const std::size_t before = number_of_points();
     std::size_t number_of_failures = 0;
     for_each_point(POINTS_OF_DOMAIN, [&](const Vertex_handle v)
     {
-      if(! is_success_likely(before, number_of_failures) || failed.contains(v) || ! collect_star(v))
+      if(! is_success_likely(before, number_of_failures) || m_failed_growths.contains(v) || ! collect_star(v))
         return;
-      const auto& bounds = growth == Growing_cavity::AROUND ? around_bounds : dead_ends_bounds;
-      const auto outcome = m_growing_cavity(m_star, v, m_mesh.ledger.free_points(), growth, bounds, m_mesh.context);
-      if(outcome == Growing_cavity::FOUND)
+      if(m_growing_cavity(m_star, v, m_mesh.ledger.free_points(), cavity_bounds, m_mesh.context)
+         == Growing_cavity::FOUND)
       {
         internal::replace_and_forget(m_mesh.editor, m_mesh.ledger, m_growing_cavity.cells(),
                                      m_growing_cavity.tetrahedra(), m_growing_cavity.dropped_points());
         return;
       }
       ++number_of_failures;
-      if(outcome == Growing_cavity::NONE) // no growth helps
-        for(Failed_removals& f : m_failed_growths)
-          f.insert(v, free_points_of(m_growing_cavity.vertices()));
-      else
-        failed.insert(v, free_points_of(m_growing_cavity.vertices()));
+      m_failed_growths.insert(v, free_points_of(m_growing_cavity.vertices()));
     });
   }
 
@@ -417,8 +409,7 @@ private:
   static constexpr int low_recursion_level = 4;
 
   // For the points that nothing else removes.
-  static constexpr typename Growing_cavity::Bounds around_bounds = { 40, 100000, 400 };
-  static constexpr typename Growing_cavity::Bounds dead_ends_bounds = { 64, 100000, 400 };
+  static constexpr typename Growing_cavity::Bounds cavity_bounds = { 48, 100000, 400 };
 
   // Where one of hundreds of points after the other stays, as in Chazelle's polyhedra, the rest will.
   static constexpr std::size_t max_number_of_failures = 40;
@@ -430,7 +421,7 @@ private:
   Round_free_point_3<Tr> m_round;
   Growing_cavity m_growing_cavity;
   std::array<Failed_removals, 2> m_failed_flips{{ Failed_removals(m_mesh.ledger), Failed_removals(m_mesh.ledger) }};
-  std::array<Failed_removals, 2> m_failed_growths{{ Failed_removals(m_mesh.ledger), Failed_removals(m_mesh.ledger) }};
+  Failed_removals m_failed_growths{ m_mesh.ledger };
   std::optional<std::vector<Vertex_handle> > m_exterior_points; // where there is a domain; none until asked for
   std::vector<Cell_handle> m_star;
 };
