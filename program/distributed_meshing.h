@@ -11,7 +11,6 @@
 #include <CGAL/Boundary_recovery_3/internal/parallel/Mesh_part_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Seams_3.h>
 #include <CGAL/Boundary_recovery_3/internal/parallel/Work_on_part_3.h>
-#include <CGAL/Boundary_recovery_3/internal/shape/Unit_frame_3.h>
 #include <CGAL/Boundary_recovery_3/internal/shape/circumsphere.h>
 #include <CGAL/Boundary_recovery_3/internal/util/for_each_task.h>
 #include <CGAL/Real_timer.h>
@@ -133,8 +132,8 @@ private:
   Round_plan m_plan;
   std::vector<std::vector<std::size_t> > m_tasks_of_part; // those that have cells of it
   std::vector<std::uint64_t> m_shifts;                    // of the numbers of new vertices, by task; then their sum
-  std::vector<Share> m_shares;                            // what each part is in the end, if it is not empty before
-  std::vector<std::size_t> m_numbers_of_shares;           // of each part
+  std::vector<Share> m_shares;                            // what each part is in the end: of itself, if it had cells
+  std::vector<std::size_t> m_numbers_of_shares;           // into which each part is divided then
   std::vector<Round_report> m_reports;
 
 public:
@@ -495,16 +494,15 @@ private:
            && load(parts_name(m_round, p), 0).number_of_cells() == 0;
   }
 
-  // By place.
+  // Shares are compact: cells are divided by place.
   static std::vector<std::uint32_t> shares_of_cells(const Part& part, const std::size_t number_of_shares)
   {
     namespace internal = CGAL::Boundary_recovery_3::internal;
     std::vector<internal::Coordinates_3> centroids;
     internal::Divide_space_3 space(number_of_shares, 0);
-    for(const auto& t : part.tetrahedra)
+    for(std::size_t cell = 0; cell < part.number_of_cells(); ++cell)
     {
-      const auto corner = [&](const std::size_t i) { return internal::coordinates_of(part.vertices[t[i]].point); };
-      centroids.push_back(internal::centroid({{ corner(0), corner(1), corner(2), corner(3) }}));
+      centroids.push_back(internal::centroid(part.corners(cell)));
       space.add(centroids.back(), 1);
     }
     space();

@@ -13,6 +13,7 @@
 #include <CGAL/license/Boundary_recovery_3.h>
 
 #include <CGAL/Boundary_recovery_3/internal/mesh/mesh_indices.h>
+#include <CGAL/Boundary_recovery_3/internal/shape/Unit_frame_3.h>
 #include <CGAL/Boundary_recovery_3/internal/util/Simplex_index_3.h>
 
 #include <array>
@@ -56,6 +57,14 @@ struct Mesh_part_3
   };
 
   std::size_t number_of_cells() const { return tetrahedra.size(); }
+
+  const Vertex& vertex(const std::size_t cell, const std::size_t i) const { return vertices[tetrahedra[cell][i]]; }
+
+  std::array<Coordinates_3, 4> corners(const std::size_t cell) const
+  {
+    const auto corner = [&](const std::size_t i) { return internal::coordinates_of(vertex(cell, i).point); };
+    return {{ corner(0), corner(1), corner(2), corner(3) }};
+  }
 
   std::vector<Vertex>       vertices;
   std::vector<Tetrahedron>  tetrahedra;

@@ -27,7 +27,6 @@
 #include <CGAL/Boundary_recovery_3/internal/util/Recovery_context.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
@@ -168,27 +167,16 @@ public:
 private:
   typedef Selected_domain_3<Tr> Domain;
 
-  static const typename Part::Vertex& vertex(const Part& part, const std::size_t cell, const std::size_t i)
-  {
-    return part.vertices[part.tetrahedra[cell][i]];
-  }
-
   // Whether parts or zones met at a cell.
   static bool is_where_parts_met(const Part& part, const std::size_t cell)
   {
-    return vertex(part, cell, 0).may_be_shared || vertex(part, cell, 1).may_be_shared ||
-           vertex(part, cell, 2).may_be_shared || vertex(part, cell, 3).may_be_shared;
-  }
-
-  static std::array<Coordinates_3, 4> corners(const Part& part, const std::size_t cell)
-  {
-    const auto corner = [&](const std::size_t i) { return coordinates_of(vertex(part, cell, i).point); };
-    return {{ corner(0), corner(1), corner(2), corner(3) }};
+    return part.vertex(cell, 0).may_be_shared || part.vertex(cell, 1).may_be_shared ||
+           part.vertex(cell, 2).may_be_shared || part.vertex(cell, 3).may_be_shared;
   }
 
   bool is_bad(const Part& part, const std::size_t cell) const
   {
-    return m_quality(corners(part, cell))
+    return m_quality(part.corners(cell))
              < m_quality.of_angle((std::min)(Subdomain_round::angle_to_be_repaired, m_min_dihedral_angle));
   }
 
@@ -196,11 +184,11 @@ private:
   // vertices of constraints are not looked at, for they may have to stay.
   static bool is_too_large(const Part& part, const std::size_t cell)
   {
-    const auto edges = internal::tetrahedron_edges(corners(part, cell));
+    const auto edges = internal::tetrahedron_edges(part.corners(cell));
     return std::any_of(edges.begin(), edges.end(), [&](const Tetrahedron_edge_3& e)
     {
-      const auto& u = vertex(part, cell, static_cast<std::size_t>(e.i));
-      const auto& v = vertex(part, cell, static_cast<std::size_t>(e.j));
+      const auto& u = part.vertex(cell, static_cast<std::size_t>(e.i));
+      const auto& v = part.vertex(cell, static_cast<std::size_t>(e.j));
       const double size = (CGAL::to_double(u.size) + CGAL::to_double(v.size)) / 2;
       return (u.indices.dimension == 3 || v.indices.dimension == 3)
           && e.length > Length_rules::longest * size;
